@@ -2,6 +2,7 @@ package robosim.geometry.index;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.regions.NearestFirst;
+import robosim.geometry.index.regions.SectorSearch;
 import robosim.geometry.index.tiles.NearGrid;
 import robosim.geometry.index.tiles.NearTarget;
 import robosim.geometry.index.tiles.TileGathering;
@@ -31,6 +32,7 @@ public final class QuadCursor {
     private final QuadTree tree;
     private final TileLayers layers;
     private final NearestFirst ordered = new NearestFirst();
+    private final SectorSearch sector = new SectorSearch();
     private final TileWalk walk;
     private final TileScan scan;
     private final TileWalk.Line line = new TileWalk.Line();
@@ -60,7 +62,7 @@ public final class QuadCursor {
 
     /** Number of regions that this cursor has examined since it was made. */
     public long visited() {
-        return ordered.visited() + walk.visited() + scan.visited();
+        return ordered.visited() + sector.visited() + walk.visited() + scan.visited();
     }
 
     /** Starts a query for all objects whose boxes meet this closed box; {@link #next()} returns them. */
@@ -249,15 +251,20 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts a query for all objects whose boxes may be within a distance in a sector about a unit vector, in the order of how
-     * far they are within the sector, or less.
+     * Starts a query for all objects whose boxes a sector about a unit vector may meet, in the order of how far they are within
+     * the sector, or less; {@link #nextInSector} returns them.
      *
      * @param cos of half the opening angle, which is below 90 degrees
      */
     public void startSector(
-            double x, double z, double ux, double uz, double cos, double sin, double limit) {
+            double x, double z, double ux, double uz, double cos, double sin) {
         tree.growRegions();
-        ordered.startSector(tree.regions, x, z, ux, uz, cos, sin, tree.most, limit);
+        sector.start(tree.regions, x, z, ux, uz, cos, sin, tree.most);
+    }
+
+    /** The next object of a sector query within the limit, which may shrink from call to call; -1 after the last. */
+    public int nextInSector(double limit) {
+        return sector.next(tree.regions, tree.boxes, limit);
     }
 
     /** The next object of a point query within the limit, which may shrink from call to call; -1 after the last. */

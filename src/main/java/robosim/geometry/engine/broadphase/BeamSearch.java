@@ -197,8 +197,10 @@ public abstract class BeamSearch {
         double reach = limit;
         double slack = slack(table);
         QuadCursor cursor = table.cursor;
-        cursor.startSector(ox, oz, ux, uz, halfCos, halfSin, loose(reach, slack));
-        for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
+        cursor.startSector(ox, oz, ux, uz, halfCos, halfSin);
+        for (int local = cursor.nextInSector(loose(reach, slack));
+                local >= 0;
+                local = cursor.nextInSector(loose(reach, slack))) {
             int id = local | table.mark;
             if (id != ignored) {
                 reach = meet(table, id, reach);

@@ -1,6 +1,6 @@
 package robosim.geometry.index.hierarchy;
 
-import java.util.Arrays;
+import robosim.geometry.index.regions.KeyedLinks;
 
 /**
  * Visits the objects of two hierarchies that a cone may meet, in the order of how far their bounds are within the cone, or
@@ -71,12 +71,8 @@ public final class ConeCursor {
     private final Side above = new Side();
     private final Side below = new Side();
 
-    /**
-     * A binary heap of links, and above them of the bits of floats of at least 0, which sort like the floats.
-     */
-    private long[] heap = new long[64];
-
-    private int size;
+    /** By the bits of floats of at least 0, which sort like the floats. */
+    private final KeyedLinks queue = new KeyedLinks();
 
     /** A plane through the apex that touches the cone, and what of bounds is least along its outward normal. */
     private static final class Side {
@@ -174,14 +170,14 @@ public final class ConeCursor {
             first = one;
             second = another;
         }
-        size = 0;
+        queue.clear();
         one.settle();
         if (one.size() > 0) {
-            push(0);
+            queue.push(0);
         }
         another.settle();
         if (another.size() > 0) {
-            push(SECOND);
+            queue.push(SECOND);
         }
     }
 
@@ -191,19 +187,19 @@ public final class ConeCursor {
         long nearest = MISSED;
         while (true) {
             if (nearest == MISSED) {
-                if (size == 0 || (!isWhole && (int) (heap[0] >>> Integer.SIZE) > within)) {
+                if (queue.isEmpty() || (!isWhole && (int) (queue.least() >>> Integer.SIZE) > within)) {
                     return -1;
                 }
-                nearest = pop();
+                nearest = queue.pop();
             }
             int link = (int) nearest;
             if (link < 0) {
                 return link & ~(Integer.MIN_VALUE | SECOND);
             }
             nearest = open((link & SECOND) == 0 ? first : second, link & ~SECOND, link & SECOND, within);
-            if (size > 0 && nearest != MISSED && nearest > heap[0]) {
-                push(nearest);
-                nearest = pop();
+            if (nearest != MISSED && !queue.isEmpty() && nearest > queue.least()) {
+                queue.push(nearest);
+                nearest = queue.pop();
             }
         }
     }
@@ -226,7 +222,7 @@ public final class ConeCursor {
             if (isWhole ? child != Hierarchy.NONE : Math.max(key - within, beyond(n, k)) <= 0) {
                 long entry = (long) key << Integer.SIZE | ((child | mark) & 0xffffffffL);
                 if (nearest != MISSED) {
-                    push(Math.max(nearest, entry));
+                    queue.push(Math.max(nearest, entry));
                 }
                 nearest = Math.min(nearest, entry);
             }
@@ -252,42 +248,5 @@ public final class ConeCursor {
     private int beyond(float[] n, int k) {
         return Math.max(
                 Math.max(left.beyond(n, k), right.beyond(n, k)), Math.max(above.beyond(n, k), below.beyond(n, k)));
-    }
-
-    private void push(long entry) {
-        if (size == heap.length) {
-            heap = Arrays.copyOf(heap, 2 * size);
-        }
-        long[] h = heap;
-        int at = size++;
-        while (at > 0) {
-            int up = (at - 1) >> 1;
-            if (h[up] <= entry) {
-                break;
-            }
-            h[at] = h[up];
-            at = up;
-        }
-        h[at] = entry;
-    }
-
-    private long pop() {
-        long[] h = heap;
-        long least = h[0];
-        int last = --size;
-        long entry = h[last];
-        int at = 0;
-        for (int down = 1; down < last; down = 2 * at + 1) {
-            if (down + 1 < last && h[down + 1] < h[down]) {
-                down++;
-            }
-            if (entry <= h[down]) {
-                break;
-            }
-            h[at] = h[down];
-            at = down;
-        }
-        h[at] = entry;
-        return least;
     }
 }

@@ -1,7 +1,6 @@
 package robosim.geometry.index.regions;
 
 import robosim.geometry.index.boxes.PlaneKeys;
-import robosim.geometry.index.boxes.SectorKeys;
 
 /**
  * A best-first query of a {@link RegionTree}, ordered along a ray or by the distance from a point; pending regions wait
@@ -12,8 +11,6 @@ public final class NearestFirst {
 
     private final EntryQueue queue = new EntryQueue();
     private final PlaneKeys keys = new PlaneKeys();
-    private final SectorKeys sector = new SectorKeys();
-    private boolean isSector;
     private long visited;
     private double entry;
 
@@ -26,42 +23,24 @@ public final class NearestFirst {
     }
 
     public void startRay(RegionTree tree, double ox, double oz, double dx, double dz, double limit) {
-        isSector = false;
         keys.startRay(ox, oz, dx, dz);
         start(tree, limit);
     }
 
     public void startPoint(RegionTree tree, double x, double z, double limit) {
-        isSector = false;
         keys.startPoint(x, z);
-        start(tree, limit);
-    }
-
-    /** Starts a query of the objects in a sector about a unit vector. */
-    public void startSector(
-            RegionTree tree,
-            double x,
-            double z,
-            double ux,
-            double uz,
-            double cos,
-            double sin,
-            double most,
-            double limit) {
-        sector.start(x, z, ux, uz, cos, sin, most);
-        isSector = true;
         start(tree, limit);
     }
 
     private void start(RegionTree tree, double limit) {
         queue.clear();
         entry = 0;
-        push(key(tree.regions.bounds, 0), 0, inner(limit));
+        push(keys.key(tree.regions.bounds, 0), 0, keys.inner(limit));
     }
 
     /** The next object within the limit, or -1. */
     public int next(RegionTree tree, double[] boxes, double limit) {
-        double within = inner(limit);
+        double within = keys.inner(limit);
         while (!queue.isEmpty() && queue.leastKey() <= within) {
             double key = queue.leastKey();
             int id = descend(tree, boxes, queue.pop(), key, within);
@@ -86,13 +65,13 @@ public final class NearestFirst {
                     pushAll(tree, boxes, id, within);
                     return NONE;
                 }
-                entry = outer(key); // the region's bounds are its box
+                entry = keys.outer(key); // the region's bounds are its box
                 return id;
             }
             double least = Double.POSITIVE_INFINITY;
             int nearest = NONE;
             for (int quarter = link; quarter < link + 4; quarter++) {
-                double its = key(tree.regions.bounds, 4 * quarter);
+                double its = keys.key(tree.regions.bounds, 4 * quarter);
                 if (its < least) {
                     push(least, nearest, within);
                     least = its;
@@ -108,26 +87,14 @@ public final class NearestFirst {
             region = nearest;
             key = least;
         }
-        entry = outer(key);
+        entry = keys.outer(key);
         return ~region;
     }
 
     private void pushAll(RegionTree tree, double[] boxes, int first, double within) {
         for (int id = first; id != NONE; id = tree.next[id]) {
-            push(isSector ? sector.keyOfObject(boxes, 6 * id) : keys.keyOfObject(boxes, 6 * id), ~id, within);
+            push(keys.keyOfObject(boxes, 6 * id), ~id, within);
         }
-    }
-
-    private double key(double[] bounds, int at) {
-        return isSector ? sector.key(bounds, at) : keys.key(bounds, at);
-    }
-
-    private double inner(double limit) {
-        return isSector ? limit : keys.inner(limit);
-    }
-
-    private double outer(double key) {
-        return isSector ? key : keys.outer(key);
     }
 
     private void push(double key, int item, double within) {
