@@ -256,8 +256,7 @@ public final class QuadCursor {
      *
      * @param cos of half the opening angle, which is below 90 degrees
      */
-    public void startSector(
-            double x, double z, double ux, double uz, double cos, double sin) {
+    public void startSector(double x, double z, double ux, double uz, double cos, double sin) {
         tree.growRegions();
         sector.start(tree.regions, x, z, ux, uz, cos, sin, tree.most);
     }

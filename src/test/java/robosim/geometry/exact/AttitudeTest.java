@@ -19,7 +19,8 @@ class AttitudeTest {
 
     private double[] rotation() {
         assertThat(Arrays.copyOf(column, AT)).containsOnly(7);
-        assertThat(Arrays.copyOfRange(column, AT + Attitude.STRIDE, column.length)).containsOnly(7);
+        assertThat(Arrays.copyOfRange(column, AT + Attitude.STRIDE, column.length))
+                .containsOnly(7);
         double[] rotation = Arrays.copyOfRange(column, AT, AT + 9);
         assertThat(Attitude.isRotation(rotation)).isTrue();
         assertThat(Attitude.isRotation(column, AT)).isTrue();
@@ -84,7 +85,9 @@ class AttitudeTest {
         assertThat(Attitude.heading(column, AT)).isEqualTo(180);
         assertThat(Arrays.stream(rotation()).map(x -> 1 / x).filter(x -> x == Double.NEGATIVE_INFINITY))
                 .isEmpty();
-        assertThat(Attitude.isRotation(new double[] {1, 0, 0, 0, 1, 0, 0, 0, -1})).as("a mirror").isFalse();
+        assertThat(Attitude.isRotation(new double[] {1, 0, 0, 0, 1, 0, 0, 0, -1}))
+                .as("a mirror")
+                .isFalse();
         // Any of the numbers that hold the own Y up.
         for (int k : new int[] {1, 3, 4, 5, 7}) {
             System.arraycopy(Attitude.identity(), 0, column, AT, Attitude.STRIDE);

@@ -190,8 +190,7 @@ class DoubleDoubleTest {
             p.divide(14, 13, 4);
             near(register(p, 14), BigDecimal.valueOf(3), new BigDecimal(0x1p-98));
             p.product(14, p.get(2), 0.1);
-            assertThat(register(p, 14))
-                    .isEqualByComparingTo(new BigDecimal(p.get(2)).multiply(new BigDecimal(0.1)));
+            assertThat(register(p, 14)).isEqualByComparingTo(new BigDecimal(p.get(2)).multiply(new BigDecimal(0.1)));
             double next = p.get(9);
             p.subtractVector(6, 0, 3);
             assertThat(p.get(9)).as("what is behind the vector").isEqualTo(next);

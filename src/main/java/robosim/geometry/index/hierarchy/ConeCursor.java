@@ -97,8 +97,8 @@ public final class ConeCursor {
 
         /** The bits of how far bounds are beyond the plane, roughly; 0 or less where they may not be. */
         int beyond(float[] n, int k) {
-            return Float.floatToRawIntBits(
-                    Math.fma(n[k + fromX], x, Math.fma(n[k + fromY], y, Math.fma(n[k + fromZ], z, at))));
+            return Float.floatToRawIntBits(Math.fma(
+                    n[k + fromX], x, Math.fma(n[k + fromY], y, Math.fma(n[k + fromZ], z, at))));
         }
     }
 
@@ -140,8 +140,7 @@ public final class ConeCursor {
         return most >= FLATTEST ? 1 / most : most > -FLATTEST ? 1 / FLATTEST : NEVER;
     }
 
-    private void setSides(
-            double ox, double oy, double oz, double ux, double uy, double uz, double cos, double sin) {
+    private void setSides(double ox, double oy, double oz, double ux, double uy, double uz, double cos, double sin) {
         // Across the axis: level, or along X where the axis is upright; and across both.
         double level = Math.sqrt(ux * ux + uz * uz);
         boolean isUpright = !(level > 0x1p-20);

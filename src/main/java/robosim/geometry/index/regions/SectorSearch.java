@@ -31,7 +31,8 @@ public final class SectorSearch {
     private long visited;
     private double farthest;
 
-    // By axis and direction: what gives the distance of a line that a box begins at, times the line's coordinate, and added.
+    // By axis and direction: what gives the distance of a line that a box begins at, times the line's coordinate, and
+    // added.
     private double upX;
     private double atUpX;
     private double downX;

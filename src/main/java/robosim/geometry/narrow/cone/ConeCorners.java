@@ -62,7 +62,8 @@ final class ConeCorners {
     private boolean hasAbsent;
     private final double[] pair = new double[4];
 
-    // Of a box that is taken corner by corner: its half axes in pairs, and vectors of pairs: its centre, that and one half axis
+    // Of a box that is taken corner by corner: its half axes in pairs, and vectors of pairs: its centre, that and one
+    // half axis
     // less or more, and two, and three, which are the corners; and which of these have been computed, as bits.
     private final double[] halves = new double[18];
     private final double[] sums = new double[90];
@@ -127,8 +128,7 @@ final class ConeCorners {
             double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;
             DoubleDouble.sum(row[j + axis], -apex, sums, 2 * axis);
             for (int i = 0; i < 3; i++) {
-                DoubleDouble.product(
-                        row[j + 3 + i], row[j + Leaf.ROTATION + 3 * axis + i], halves, 2 * (3 * i + axis));
+                DoubleDouble.product(row[j + 3 + i], row[j + Leaf.ROTATION + 3 * axis + i], halves, 2 * (3 * i + axis));
             }
         }
     }

@@ -45,16 +45,7 @@ final class PlainSectorBox {
      *
      * @param ux the sector's axis, of unit length
      */
-    int look(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double cos,
-            double sin,
-            double[] row,
-            int j,
-            double limit) {
+    int look(double ox, double oz, double ux, double uz, double cos, double sin, double[] row, int j, double limit) {
         int r = j + Leaf.ROTATION;
         double ax = row[r];
         double az = row[r + 6];

@@ -108,9 +108,8 @@ public final class PlanarCone {
             case PlainSectorBox.HELD -> within(ox, oz, ux, uz, halfCos, halfSin, LeafKind.UPRIGHT_BOX, b, j, s);
             case PlainSectorBox.CROSSED -> {
                 flatten(LeafKind.UPRIGHT_BOX, b, j, s.flat);
-                double crossed = s.cones()
-                        .polytope
-                        .flatEdge(cone, box.from(), box.to(), LeafKind.UPRIGHT_BOX, s.flat, 0);
+                double crossed =
+                        s.cones().polytope.flatEdge(cone, box.from(), box.to(), LeafKind.UPRIGHT_BOX, s.flat, 0);
                 yield crossed <= box.atMost() ? crossed : -1;
             }
             default -> -1;

@@ -92,8 +92,7 @@ class PlainConeBoxTest {
         assertThat(unsure).isGreaterThan(1000);
     }
 
-    private void compare(
-            LeafKind kind, double[] row, double[] o, double[] d, double cos, SplittableRandom random) {
+    private void compare(LeafKind kind, double[] row, double[] o, double[] d, double cos, SplittableRandom random) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         double all = SpatialCone.all(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch);
         double near = near(o, d, cos, sin, kind, row, Double.POSITIVE_INFINITY);
@@ -116,10 +115,8 @@ class PlainConeBoxTest {
                 .formatted(kind, Arrays.toString(row), Arrays.toString(o), Arrays.toString(d), cos);
     }
 
-    private double near(
-            double[] o, double[] d, double cos, double sin, LeafKind kind, double[] row, double limit) {
-        return SpatialCone.distance(
-                o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, limit, scratch);
+    private double near(double[] o, double[] d, double cos, double sin, LeafKind kind, double[] row, double limit) {
+        return SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, limit, scratch);
     }
 
     private void count(double[] o, double[] d, double cos, double[] row) {

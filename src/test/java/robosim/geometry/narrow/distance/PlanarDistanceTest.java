@@ -40,7 +40,8 @@ class PlanarDistanceTest {
         for (int power : new int[] {0, -500, -1000, -1040, -1070}) {
             double unit = Math.scalb(1.0, power);
             double[] point = new double[16];
-            double[] corner = {3 * unit, 0, 4 * unit, 6 * unit, 0, 8 * unit, 9 * unit, 0, 4 * unit, 0, 0, 0, 0, 0, 0, 0};
+            double[] corner = {3 * unit, 0, 4 * unit, 6 * unit, 0, 8 * unit, 9 * unit, 0, 4 * unit, 0, 0, 0, 0, 0, 0, 0
+            };
             double[] box = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
             double[] small = {unit, 0, 0, 0, 0, 0, 0, 0, unit, 0, 0, 0, 0, 0, 0, 0};
             for (LeafKind kind : new LeafKind[] {LeafKind.SPHERE, LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
