@@ -92,6 +92,9 @@ final class ConePolytope {
                 }
             }
         }
+        if (near > 1 && best == Double.POSITIVE_INFINITY) {
+            return -1; // a foot on the border of a face does not tell whether there is a hit
+        }
         for (int i = 0; i < 3; i++) {
             for (int side = 0; side < 2; side++) {
                 if (plain.isNear(i, side) && plain.isFootNear(i, side)) {
