@@ -55,6 +55,15 @@ class AttitudeTest {
         }
         // 3,600 times the double 0.1, which is above a tenth by 2^-54 / 10.
         assertThat(Attitude.heading(column, AT)).isCloseTo(3_600 * 0x1.999999999999ap-4 - 360, within(1e-13));
+        int told = 0;
+        for (int k = 1; k < 400; k++) {
+            double heading = 0.37 * k - 90;
+            Attitude.setHeading(column, AT, heading, 0.45 * Math.ulp(heading));
+            double cosine = rotation()[0];
+            assertThat(cosine).isEqualTo(Degrees.cos(heading, 0.45 * Math.ulp(heading)));
+            told += cosine == Degrees.cos(heading) ? 0 : 1;
+        }
+        assertThat(told).as("cosines that the tail changes").isPositive();
         Attitude.setHeading(column, AT, 10, 0x1p-60);
         Attitude.turn(column, AT, 0, -10);
         assertThat(Attitude.heading(column, AT)).isEqualTo(0x1p-60);

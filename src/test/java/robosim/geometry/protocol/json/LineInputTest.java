@@ -14,8 +14,7 @@ import robosim.geometry.protocol.ProtocolException;
 /** Lines as they come from a stream: where each stands in the buffer, and which of its bytes is told to be wrong. */
 class LineInputTest {
     private static LineInput over(String text) {
-        return new LineInput(
-                new ByteArrayInputStream(text.getBytes(StandardCharsets.ISO_8859_1)), MessagePace.NONE);
+        return new LineInput(new ByteArrayInputStream(text.getBytes(StandardCharsets.ISO_8859_1)), MessagePace.NONE);
     }
 
     private static String line(LineInput in) throws IOException {
