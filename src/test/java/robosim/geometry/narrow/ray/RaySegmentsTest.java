@@ -88,6 +88,24 @@ class RaySegmentsTest {
         assertThat(normal).containsExactly(new double[] {x, 0, z}, within(1e-15));
     }
 
+    /** A capsule that lies along Z at (1, 2, 3), seen from above: its side, its end, and 3, 4, 5 past its end. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0x1p-300, 0x1p60})
+    void aLyingCapsuleIsMetFromAbove(double unit) {
+        double[] row = {unit, 2 * unit, 3 * unit, unit, 2 * unit, 0, 1, 0, 0, 0, 0, -1, 0, 1, 0, 0};
+        assertThat(level(5 * unit, 4 * unit, -1, 0, row)).isEqualTo(3 * unit);
+        assertThat(level(unit, 10 * unit, 0, -2, row)).isEqualTo(4 * unit);
+        assertThat(level(5 * unit, 5.6 * unit, -1, 0, row)).isCloseTo(3.2 * unit, within(0x1p-50 * unit));
+        assertThat(level(5 * unit, 6 * unit, -1, 0, row)).as("tangent").isEqualTo(4 * unit);
+        assertThat(level(5 * unit, Math.nextUp(6 * unit), -1, 0, row)).isInfinite();
+        assertThat(level(5 * unit, 4 * unit, 1, 0, row)).isInfinite();
+        assertThat(level(1.5 * unit, 1.5 * unit, 1, 0, row)).isZero();
+    }
+
+    private double level(double x, double z, double wayX, double wayZ, double[] row) {
+        return PlanarRay.distance(x, z, wayX, wayZ, LeafKind.CAPSULE, row, 0, scratch);
+    }
+
     /** A capsule that happens to stand upright is a disc as seen from above. */
     @ParameterizedTest
     @ValueSource(doubles = {1, -1})
