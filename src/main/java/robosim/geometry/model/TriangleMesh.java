@@ -6,6 +6,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.index.boxes.BoxTree;
+import robosim.geometry.index.boxes.WideTree;
 
 /**
  * The triangles of a mesh in its own frame and their tree, shared by all placements of the mesh.
@@ -23,6 +24,8 @@ public final class TriangleMesh {
     private final int[] faceOf;
 
     private volatile @Nullable BoxTree tree;
+
+    private volatile @Nullable WideTree wide;
 
     /** Nine coordinates per triangle, in the order of the tree's leaves; filled in when the tree is built. */
     private double[] leafCorners = {};
@@ -136,6 +139,21 @@ public final class TriangleMesh {
                     built = new BoxTree(boxes());
                     leafCorners = leafCorners(built);
                     tree = built;
+                }
+            }
+        }
+        return built;
+    }
+
+    /** The tree for rays, built on first use. */
+    public WideTree wide() {
+        WideTree built = wide;
+        if (built == null) {
+            synchronized (this) {
+                built = wide;
+                if (built == null) {
+                    built = new WideTree(tree());
+                    wide = built;
                 }
             }
         }

@@ -130,17 +130,17 @@ public final class Cast {
         if (!kind.isMesh()) {
             return convex(kind, column.rows(leaf), column.at(leaf), limit);
         }
-        takeUnit();
         if (PointInMesh.counts(dimension, column, leaf) && PointInMesh.holds(column, leaf, ox, oy, oz, s)) {
             return 0;
         }
         nearest = Double.POSITIVE_INFINITY;
         s.outer.open(column, leaf);
         if (dimension == Dimension.SPATIAL && !cone) {
-            s.meshRay.start(column, leaf, ox, oy, oz, ux, uy, uz);
+            startMeshRay(column, leaf);
             s.meshRay.find(column.mesh(leaf), limit, judge);
             return nearest;
         }
+        takeUnit();
         if (dimension == Dimension.SPATIAL) {
             s.meshSight.startCone(column, leaf, ox, oy, oz, ux, uy, uz, halfCos);
         } else if (cone) {
@@ -150,6 +150,16 @@ public final class Cast {
         }
         s.meshSight.find(column.mesh(leaf), limit, judge);
         return nearest;
+    }
+
+    /** Starts the search of a mesh; a direction that is of unit length but for some roundings is taken as it is. */
+    private void startMeshRay(LeafColumn column, int leaf) {
+        if (Math.abs(dx * dx + dy * dy + dz * dz - 1) <= 0x1p-50) {
+            s.meshRay.start(column, leaf, ox, oy, oz, dx, dy, dz);
+        } else {
+            takeUnit();
+            s.meshRay.start(column, leaf, ox, oy, oz, ux, uy, uz);
+        }
     }
 
     /**

@@ -211,11 +211,17 @@ public abstract class BeamSearch {
 
     /** Searches the hierarchies of a world with heights. */
     private double searchSpace(LeafTable table, SpaceIndex space, double limit, int ignored) {
-        takeUnit();
         if (isCone) {
+            takeUnit();
             space.cones.aim(ox, oy, oz, ux, uy, uz, halfCos, halfSin, space.most());
             return searchCone(table, space, limit, ignored);
         }
+        int only = space.only();
+        if (only >= 0 && table.count(only | table.mark) == 1) { // nothing to look for
+            int id = only | table.mark;
+            return id == ignored ? limit : meet(table, id, limit);
+        }
+        takeUnit();
         space.rays.aim(ox, oy, oz, ux, uy, uz, space.most());
         double reach = searchRay(table, space.rays, space.still, limit, ignored);
         return searchRay(table, space.rays, space.moving, reach, ignored);

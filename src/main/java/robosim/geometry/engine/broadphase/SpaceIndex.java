@@ -43,6 +43,11 @@ final class SpaceIndex {
         moving.freeze();
     }
 
+    /** The only object; -1 if there is none or more than one. */
+    int only() {
+        return still.size() + moving.size() == 1 ? (still.size() == 1 ? still : moving).only() : -1;
+    }
+
     /** No object that was ever here has a coordinate of a greater magnitude. */
     double most() {
         return Math.max(still.most(), moving.most());

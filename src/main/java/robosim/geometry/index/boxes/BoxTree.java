@@ -1,7 +1,5 @@
 package robosim.geometry.index.boxes;
 
-import org.jspecify.annotations.Nullable;
-
 /**
  * An immutable binary tree over boxes, such as those of a mesh's triangles; any number of threads may share it.
  *
@@ -36,7 +34,6 @@ public final class BoxTree {
     private final double unit;
     private final double reach;
     private final double scale;
-    private volatile @Nullable WideTree wide;
 
     /**
      * Builds the tree.
@@ -104,21 +101,6 @@ public final class BoxTree {
     /** The item at a position in the order of the leaves, as its index among the boxes given. */
     public int item(int place) {
         return order[place];
-    }
-
-    /** This tree with up to four children per node, built on first use. */
-    public WideTree wide() {
-        WideTree made = wide;
-        if (made == null) {
-            synchronized (this) {
-                made = wide;
-                if (made == null) {
-                    made = new WideTree(this);
-                    wide = made;
-                }
-            }
-        }
-        return made;
     }
 
     /** The numbers of the nodes. The internal array: read only. */

@@ -117,6 +117,17 @@ public final class Hierarchy {
         return size;
     }
 
+    /** The only object of a tree that has one: it hangs from the root, as every other node has two children at least. */
+    public int only() {
+        takeIn();
+        for (int slot = 0; slot < WIDTH; slot++) {
+            if (link(slot) < 0) {
+                return link(slot) & Integer.MAX_VALUE;
+            }
+        }
+        throw new IllegalStateException("tree must have one object (got: " + size + ")");
+    }
+
     /** Whether an object is in the tree. */
     public boolean contains(int id) {
         return id < slots.length && slots[id] != -1;

@@ -48,9 +48,15 @@ public final class MeshWalk {
 
     /** Opens a mesh, for its corners alone or for a query. */
     public void open(LeafColumn column, int leaf) {
-        mesh = column.mesh(leaf);
-        tree = mesh.tree();
-        place = column.rows();
+        TriangleMesh opened = column.mesh(leaf);
+        double[] rows = column.rows();
+        if (mesh != opened) { // writing a reference is slow
+            mesh = opened;
+            tree = opened.tree();
+        }
+        if (place != rows) {
+            place = rows;
+        }
         at = leaf * Leaf.STRIDE;
         depth = 0;
         item = 0;

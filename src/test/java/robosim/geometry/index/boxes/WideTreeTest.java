@@ -1,9 +1,11 @@
 package robosim.geometry.index.boxes;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.index.boxes.BoxTreeTest.Scene;
@@ -21,15 +23,74 @@ class WideTreeTest {
         }
     }
 
-    /** Fewer than four parts are only where all of them are leaves: half as many nodes on the way are what it is for. */
+    /** Full nodes, and few items below a link: a third as many nodes as in the binary tree are what it is for. */
     @ParameterizedTest
     @EnumSource
-    void aNodeIsFullWhereItsPartsCanBeDivided(Scene scene) {
+    void hasFarFewerNodesThanTheBinaryTree(Scene scene) {
         BoxTree tree = new BoxTree(scene.boxes(new SplittableRandom(211)));
         Walk walk = new Walk(tree, new int[tree.size()]);
         walk.node(0);
-        assertThat(walk.nodes).isEqualTo(tree.wide().numbers().length / WideTree.STRIDE);
-        assertThat(walk.divisible).isZero();
+        assertThat(walk.nodes).isEqualTo(walk.numbers.length / WideTree.STRIDE);
+        assertThat(walk.nodes).isLessThanOrEqualTo(1 + tree.nodes() / 3);
+    }
+
+    /** No other choice of the binary tree's nodes costs less, by trying them all. */
+    @Test
+    void costsTheLeast() {
+        SplittableRandom random = new SplittableRandom(223);
+        for (int trial = 0; trial < 50; trial++) {
+            double[] boxes = new double[6 * (2 + random.nextInt(30))];
+            for (int k = 0; k < boxes.length; k++) {
+                boxes[k] = random.nextDouble(10) + (k % 6 < 3 ? 0 : boxes[k - 3]);
+            }
+            BoxTree tree = new BoxTree(boxes);
+            double least = leastBelow(tree, tree.root(), 4) + 4 * area(tree, tree.root());
+            double whole = boxes.length / 6 <= WideTree.LEAF ? leaf(tree, tree.root()) : Double.POSITIVE_INFINITY;
+            double wide = new Walk(tree, new int[tree.size()]).cost(0);
+            // The root is a node even where a leaf would do, which then is its only child.
+            double truth = whole <= least ? whole + 4 * area(tree, tree.root()) : least;
+            assertThat(wide).isCloseTo(truth, within(1e-5 * truth));
+        }
+    }
+
+    /** The least cost of a node as at most so many children. */
+    private static double least(BoxTree tree, int node, int most) {
+        double least = count(tree, node) <= WideTree.LEAF ? leaf(tree, node) : Double.POSITIVE_INFINITY;
+        if (!tree.isLeaf(node)) {
+            least = Math.min(least, leastBelow(tree, node, 4) + 4 * area(tree, node));
+            least = Math.min(least, most > 1 ? leastBelow(tree, node, most) : least);
+        }
+        return least;
+    }
+
+    private static double leastBelow(BoxTree tree, int node, int most) {
+        if (tree.isLeaf(node)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 1; k < most; k++) {
+            least = Math.min(least, least(tree, tree.left(node), k) + least(tree, tree.right(node), most - k));
+        }
+        return least;
+    }
+
+    private static double leaf(BoxTree tree, int node) {
+        return area(tree, node) * (1.5 + count(tree, node));
+    }
+
+    private static int count(BoxTree tree, int node) {
+        return tree.isLeaf(node) ? tree.count(node) : count(tree, tree.left(node)) + count(tree, tree.right(node));
+    }
+
+    private static double area(BoxTree tree, int node) {
+        return area(tree.numbers(), BoxTree.STRIDE * node);
+    }
+
+    private static double area(float[] numbers, int at) {
+        double x = numbers[at + WideTree.HALF];
+        double y = numbers[at + WideTree.HALF + 1];
+        double z = numbers[at + WideTree.HALF + 2];
+        return x * y + y * z + z * x;
     }
 
     private static final class Walk {
@@ -38,37 +99,43 @@ class WideTreeTest {
         private final int[] times;
         private int nodes;
 
-        /** How many nodes lack a part that a part which is no leaf could give. */
-        private int divisible;
-
         Walk(BoxTree tree, int[] times) {
             this.tree = tree;
             this.times = times;
-            numbers = tree.wide().numbers();
+            numbers = new WideTree(tree).numbers();
         }
 
         /** Checks what is below a node; answers the places it holds, from the first to after the last. */
         int[] node(int at) {
             nodes++;
             int[] all = {Integer.MAX_VALUE, 0};
-            boolean isFull = true;
-            boolean hasInner = false;
             for (int k = at; k < at + WideTree.STRIDE; k += WideTree.PART) {
                 if (numbers[k + WideTree.HALF] < 0) {
                     assertThat(Arrays.copyOfRange(numbers, k + WideTree.HALF, k + WideTree.LINK))
                             .containsOnly(-WideTree.MISSING);
-                    isFull = false;
                     continue;
                 }
                 int link = Float.floatToRawIntBits(numbers[k + WideTree.LINK]);
                 int[] held = link < 0 ? leaf(link) : node(link);
-                hasInner |= link >= 0;
                 assertThat(Arrays.copyOfRange(numbers, k, k + WideTree.LINK)).isEqualTo(boxOf(held));
                 all[0] = Math.min(all[0], held[0]);
                 all[1] = Math.max(all[1], held[1]);
             }
-            divisible += !isFull && hasInner ? 1 : 0;
             return all;
+        }
+
+        /** The cost of the children of a node, and of the root's own. */
+        double cost(int at) {
+            double cost = at == 0 ? 4 * area(tree, tree.root()) : 0;
+            for (int k = at; k < at + WideTree.STRIDE; k += WideTree.PART) {
+                if (numbers[k + WideTree.HALF] >= 0) {
+                    int link = Float.floatToRawIntBits(numbers[k + WideTree.LINK]);
+                    cost += link < 0
+                            ? area(numbers, k) * (1.5 + WideTree.last(link) - WideTree.first(link) + 1)
+                            : area(numbers, k) * 4 + cost(link);
+                }
+            }
+            return cost;
         }
 
         private int[] leaf(int link) {

@@ -144,6 +144,40 @@ class MeshRayTest {
         }
     }
 
+    /** Directions of unit length, which are taken as they are, and starts from within the mesh to a million times its size. */
+    @ParameterizedTest
+    @EnumSource
+    void unitDirectionsFromNearAndFarFindTheSame(Family family) {
+        SplittableRandom random = new SplittableRandom(617 + family.ordinal());
+        int hits = 0;
+        for (int trial = 0; trial < 5; trial++) {
+            MeshObject mesh = placed(family.mesh(random), trial, family.size(), random);
+            LeafColumn column = LocalLeaves.placed(mesh);
+            double[][] rows = rows(column);
+            double half = 1 / column.mesh(0).tree().scale();
+            for (int k = 0; k < 200; k++) {
+                double[] ray = ray(rows, k, family.size(), random);
+                double length = Math.sqrt(ray[3] * ray[3] + ray[4] * ray[4] + ray[5] * ray[5]);
+                // Around 4, where starts begin to be advanced, and far beyond.
+                double back = half * (k % 3 == 0 ? random.nextDouble(3.5, 5) : Math.scalb(1.0, random.nextInt(-5, 21)));
+                for (int axis = 0; axis < 3; axis++) {
+                    ray[3 + axis] /= length;
+                    ray[axis] -= back * ray[3 + axis];
+                }
+                cast.line(Dimension.SPATIAL, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5]);
+                double least = Double.POSITIVE_INFINITY;
+                for (double[] row : rows) {
+                    least = Math.min(least, alone(row, ray));
+                }
+                assertThat(cast.distance(column, 0, Double.POSITIVE_INFINITY))
+                        .as("%s seen along %s", mesh, Arrays.toString(ray))
+                        .isEqualTo(least);
+                hits += least < Double.POSITIVE_INFINITY ? 1 : 0;
+            }
+        }
+        assertThat(hits).isBetween(50, 950);
+    }
+
     /** The triangle as a mesh of its own, which has no tree to speak of, through the kernel alone. */
     private double alone(double[] row, double[] ray) {
         double distance =
