@@ -11,7 +11,7 @@ import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.HeightIntervals;
-import robosim.geometry.narrow.sat.ExactBetween;
+import robosim.geometry.narrow.sat.ExactSeparatingPlane;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
@@ -94,7 +94,7 @@ final class ContactPlanes {
         }
         List<ExactVector> lower = new ArrayList<>(q.corners);
         lower.addAll(p.corners);
-        return ExactBetween.exists(first, lower, flat, pivot);
+        return ExactSeparatingPlane.exists(first, lower, flat, pivot);
     }
 
     /** A corner that lies in all planes, and so in all planes between them; -1 if there is none. */

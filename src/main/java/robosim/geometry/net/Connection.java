@@ -6,11 +6,11 @@ import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.net.pace.PacedOutput;
-import robosim.geometry.net.pace.Room;
+import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.SocketSettings;
-import robosim.geometry.net.pace.Turn;
+import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.pace.Watchdog;
-import robosim.geometry.net.pace.Worlds;
+import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
@@ -44,9 +44,9 @@ final class Connection implements Runnable {
     private final NetOptions options;
     private final @Nullable Cipher cipher;
     private final Watchdog.Guard guard;
-    private final Turn turn;
-    private final Room.Share room;
-    private final Worlds.Plot plot;
+    private final CpuTurn turn;
+    private final MessageMemory.Share room;
+    private final WorldMemory.Plot plot;
 
     /** The number of the message that is being read or processed, from 1. */
     private long message;
@@ -90,7 +90,7 @@ final class Connection implements Runnable {
         LOG.log(System.Logger.Level.DEBUG, name + ": open");
         try {
             converse();
-        } catch (Turn.CutOff e) {
+        } catch (CpuTurn.CutOff e) {
             closed("cut off", e);
             partGently();
         } catch (ProtocolException e) {
@@ -205,7 +205,7 @@ final class Connection implements Runnable {
                 turn.heavy(); // the first queries build its indexes
             }
             return reply;
-        } catch (Turn.CutOff e) {
+        } catch (CpuTurn.CutOff e) {
             channel.refuse("the module is shutting down: message " + message + " was cut off, and has no answer");
             throw e;
         } catch (OutOfMemoryError e) {

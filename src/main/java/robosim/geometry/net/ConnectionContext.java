@@ -1,22 +1,22 @@
 package robosim.geometry.net;
 
-import robosim.geometry.net.pace.Room;
-import robosim.geometry.net.pace.Turns;
+import robosim.geometry.net.pace.MessageMemory;
+import robosim.geometry.net.pace.CpuTurns;
 import robosim.geometry.net.pace.Watchdog;
-import robosim.geometry.net.pace.Worlds;
+import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.LogBudget;
 
 /** What all connections of one server or client share. */
 record ConnectionContext(
-        NetOptions options, Figures figures, Watchdog watchdog, Turns turns, Room room, Worlds worlds, LogBudget log) {
+        NetOptions options, Figures figures, Watchdog watchdog, CpuTurns turns, MessageMemory room, WorldMemory worlds, LogBudget log) {
     ConnectionContext(NetOptions options, Figures figures, Watchdog watchdog) {
         this(
                 options,
                 figures,
                 watchdog,
-                Turns.ofThisMachine(),
-                Room.ofThisProcess(),
-                Worlds.ofThisProcess(),
+                CpuTurns.ofThisMachine(),
+                MessageMemory.ofThisProcess(),
+                WorldMemory.ofThisProcess(),
                 new LogBudget(System::nanoTime));
     }
 }

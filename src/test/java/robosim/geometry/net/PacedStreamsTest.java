@@ -20,10 +20,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.net.pace.PacedOutput;
-import robosim.geometry.net.pace.Room;
+import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.SocketSettings;
-import robosim.geometry.net.pace.Turn;
-import robosim.geometry.net.pace.Turns;
+import robosim.geometry.net.pace.CpuTurn;
+import robosim.geometry.net.pace.CpuTurns;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.MessageReader;
@@ -52,7 +52,7 @@ class PacedStreamsTest {
             };
             try (Watchdog watchdog = new Watchdog("watchdog of a test", Timeouts.DEFAULT.finest())) {
                 Watchdog.Guard guard = watchdog.guard(() -> {});
-                Turn turn = new Turns(1, System::nanoTime).turn();
+                CpuTurn turn = new CpuTurns(1, System::nanoTime).turn();
                 PacedOutput paced =
                         new PacedOutput(counting, guard, Timeouts.DEFAULT.stall(), Timeouts.DEFAULT.message(), turn);
                 ObjectOutputStream bare = new ObjectOutputStream(paced); // writes every 1,024 bytes
@@ -136,8 +136,8 @@ class PacedStreamsTest {
                     Timeouts.DEFAULT.idle(),
                     Timeouts.DEFAULT.stall(),
                     Timeouts.DEFAULT.message(),
-                    new Turns(1, System::nanoTime).turn(),
-                    new Room(1000).share(),
+                    new CpuTurns(1, System::nanoTime).turn(),
+                    new MessageMemory(1000).share(),
                     () -> false);
             MessageReader reader = new MessageReader(paced, MessageTranslator.RECORDS, paced);
             assertThat(reader.read()).isEqualTo(new MoveBundle(List.of()));

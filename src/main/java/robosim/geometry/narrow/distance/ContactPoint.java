@@ -5,7 +5,7 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.BoxGap;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.sat.ExactCommon;
+import robosim.geometry.narrow.sat.ExactCommonPoint;
 
 /** A point that two touching leaves have in common, and how far rounding may have moved it off either. */
 public final class ContactPoint {
@@ -55,7 +55,7 @@ public final class ContactPoint {
             }
         }
         boolean exactly = !flat && kindA.isPolytope() && kindB.isPolytope();
-        if (exactly && out[6] > FAR * rounding && ExactCommon.point(kindA, a, i, kindB, b, j, out)) {
+        if (exactly && out[6] > FAR * rounding && ExactCommonPoint.point(kindA, a, i, kindB, b, j, out)) {
             bound(false, kindA, a, i, kindB, b, j, out, s);
         }
     }

@@ -32,7 +32,7 @@ final class RayCylinder {
     /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inUprightBounds}; else below 0. */
     static double plainUpright(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        PlainCylinder plain = s.plainCylinder;
+        PlainCylinderFace plain = s.plainCylinder;
         int face = plain.face(
                 ox - b[j],
                 oy - b[j + 1],
@@ -47,10 +47,10 @@ final class RayCylinder {
                 b[j + 4],
                 size(ox, oy, oz, b, j));
         return switch (face) {
-            case PlainCylinder.MISSED -> Double.POSITIVE_INFINITY;
-            case PlainCylinder.INSIDE -> 0;
-            case PlainCylinder.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, plain.enter, s);
-            case PlainCylinder.CAP -> {
+            case PlainCylinderFace.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainCylinderFace.INSIDE -> 0;
+            case PlainCylinderFace.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, plain.enter, s);
+            case PlainCylinderFace.CAP -> {
                 double t = RayBox.enterHeights(oy, b[j + 1], b[j + 4], dy);
                 yield RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, t);
             }
@@ -128,13 +128,13 @@ final class RayCylinder {
         double mx = ox - b[j];
         double my = oy - b[j + 1];
         double mz = oz - b[j + 2];
-        PlainCylinder plain = s.plainCylinder;
+        PlainCylinderFace plain = s.plainCylinder;
         int face = plain.face(mx, my, mz, dx, dy, dz, ax, ay, az, b[j + 3], b[j + 4], size(ox, oy, oz, b, j));
         return switch (face) {
-            case PlainCylinder.MISSED -> Double.POSITIVE_INFINITY;
-            case PlainCylinder.INSIDE -> 0;
-            case PlainCylinder.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, plain.enter, s);
-            case PlainCylinder.CAP ->
+            case PlainCylinderFace.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainCylinderFace.INSIDE -> 0;
+            case PlainCylinderFace.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, plain.enter, s);
+            case PlainCylinderFace.CAP ->
                 cap(
                         ox,
                         oy,

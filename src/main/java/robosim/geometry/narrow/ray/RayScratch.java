@@ -6,7 +6,7 @@ import robosim.geometry.narrow.overlap.OverlapScratch;
 /** The working memory of rays. */
 public class RayScratch extends OverlapScratch {
     public final RayInterval ray = new RayInterval();
-    final PlainCylinder plainCylinder = new PlainCylinder();
+    final PlainCylinderFace plainCylinder = new PlainCylinderFace();
     final DoubleDoubles capsuleEnds = new DoubleDoubles(RayCapsule.PAIRS_NEEDED);
     public final RayRefine refine = new RayRefine();
     public final NearestFace face = new NearestFace();

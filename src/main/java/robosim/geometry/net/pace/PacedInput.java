@@ -22,8 +22,8 @@ public final class PacedInput extends InputStream implements MessagePace {
     private final Watchdog.Guard guard;
     private final long stallNanos;
     private final long messageNanos;
-    private final Turn turn;
-    private final Room.Share room;
+    private final CpuTurn turn;
+    private final MessageMemory.Share room;
     private final BooleanSupplier stopping;
     private Duration idleTime;
     private boolean opening;
@@ -50,8 +50,8 @@ public final class PacedInput extends InputStream implements MessagePace {
             Duration idle,
             Duration stall,
             Duration message,
-            Turn turn,
-            Room.Share room,
+            CpuTurn turn,
+            MessageMemory.Share room,
             BooleanSupplier stopping) {
         this.socket = socket;
         this.in = in;
@@ -140,7 +140,7 @@ public final class PacedInput extends InputStream implements MessagePace {
         if (messageBytes < LARGE_BYTES) {
             return;
         }
-        long wanted = (messageBytes / LARGE_BYTES + 1) * LARGE_BYTES * Room.MEMORY_FOR_A_BYTE;
+        long wanted = (messageBytes / LARGE_BYTES + 1) * LARGE_BYTES * MessageMemory.MEMORY_FOR_A_BYTE;
         if (!room.holds(wanted)) {
             turn.give();
             long start = System.nanoTime();

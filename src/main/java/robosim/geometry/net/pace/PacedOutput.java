@@ -17,7 +17,7 @@ public final class PacedOutput extends OutputStream {
     private final Watchdog.Guard guard;
     private final Duration stall;
     private final Duration message;
-    private final Turn turn;
+    private final CpuTurn turn;
     private final byte[] gathered = new byte[STEP_BYTES];
     private int count;
     private long messageDue;
@@ -25,7 +25,7 @@ public final class PacedOutput extends OutputStream {
     /** Whether the next byte written begins a message; each message ends with a flush. */
     private boolean between = true;
 
-    public PacedOutput(OutputStream out, Watchdog.Guard guard, Duration stall, Duration message, Turn turn) {
+    public PacedOutput(OutputStream out, Watchdog.Guard guard, Duration stall, Duration message, CpuTurn turn) {
         this.out = out;
         this.guard = guard;
         this.stall = stall;

@@ -8,6 +8,7 @@ import java.util.ResourceBundle;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -135,7 +136,7 @@ public final class Replayer {
         Point c = pose.center();
         Point place =
                 new Point(c.x() + along(pose, 0, move), c.y() + along(pose, 3, move), c.z() + along(pose, 6, move));
-        return pose.movedTo(place).turned(StrictMath.toDegrees(move.rx()), StrictMath.toDegrees(move.ry()));
+        return pose.movedTo(place).turned(Degrees.toDegrees(move.rx()), Degrees.toDegrees(move.ry()));
     }
 
     private static double along(Pose pose, int row, MoveRequest move) {
@@ -189,7 +190,7 @@ public final class Replayer {
             Scene.Ping ping = new Scene.Ping(
                     mover.center(),
                     mover.heading() + degrees(request.xOffset(), request.zOffset()),
-                    StrictMath.toDegrees(beam.width()),
+                    Degrees.toDegrees(beam.width()),
                     beam.max(),
                     distance);
             heard.computeIfAbsent(request.objectName(), unseen -> new ArrayList<>())

@@ -14,7 +14,7 @@ import robosim.geometry.net.session.LogBudget;
 /** What messages and worlds of all connections take together is bounded, and all get there. */
 @Timeout(60)
 class SharedMemoryTest {
-    private static CompletableFuture<Boolean> growing(Room.Share share, long bytes, CountDownLatch begun) {
+    private static CompletableFuture<Boolean> growing(MessageMemory.Share share, long bytes, CountDownLatch begun) {
         return CompletableFuture.supplyAsync(() -> {
             begun.countDown();
             try {
@@ -28,10 +28,10 @@ class SharedMemoryTest {
 
     @Test
     void whoFindsNoRoomWaitsUntilAnotherIsDone() throws Exception {
-        Room room = new Room(100);
-        Room.Share first = room.share();
-        Room.Share second = room.share();
-        Room.Share third = room.share();
+        MessageMemory room = new MessageMemory(100);
+        MessageMemory.Share first = room.share();
+        MessageMemory.Share second = room.share();
+        MessageMemory.Share third = room.share();
         first.growTo(60);
         second.growTo(30);
         CountDownLatch begun = new CountDownLatch(1);
@@ -49,9 +49,9 @@ class SharedMemoryTest {
     /** Else two that each hold half of what they need would wait for ever. */
     @Test
     void theEldestGoesOnWhateverItWants() throws Exception {
-        Room room = new Room(100);
-        Room.Share eldest = room.share();
-        Room.Share other = room.share();
+        MessageMemory room = new MessageMemory(100);
+        MessageMemory.Share eldest = room.share();
+        MessageMemory.Share other = room.share();
         eldest.growTo(50);
         other.growTo(50);
         CompletableFuture<Boolean> grown = growing(other, 70, new CountDownLatch(1));
@@ -65,9 +65,9 @@ class SharedMemoryTest {
 
     @Test
     void whoIsClosedWaitsNoMoreAndHoldsNothing() throws Exception {
-        Room room = new Room(100);
-        Room.Share first = room.share();
-        Room.Share second = room.share();
+        MessageMemory room = new MessageMemory(100);
+        MessageMemory.Share first = room.share();
+        MessageMemory.Share second = room.share();
         first.growTo(100);
         CountDownLatch begun = new CountDownLatch(1);
         CompletableFuture<Boolean> grown = growing(second, 50, begun);
@@ -82,12 +82,12 @@ class SharedMemoryTest {
     @Test
     void worldsOfAllConnectionsFitIntoTheirMemoryAndOneAloneIsNotRefused() {
         int large = 1 << 20;
-        Worlds worlds = new Worlds(20L * large);
-        Worlds.Plot first = worlds.plot();
-        Worlds.Plot second = worlds.plot();
+        WorldMemory worlds = new WorldMemory(20L * large);
+        WorldMemory.Plot first = worlds.plot();
+        WorldMemory.Plot second = worlds.plot();
         assertThat(first.claim(40 * large)).as("alone").isNull();
         assertThat(second.claim(large)).contains("20 MiB", "some 8 MiB more, beside 320 MiB", "-Xmx");
-        assertThat(second.claim(Worlds.SMALL_BYTES - 1)).isNull();
+        assertThat(second.claim(WorldMemory.SMALL_BYTES - 1)).isNull();
         assertThat(first.claim(large)).as("a smaller one in its place").isNull();
         assertThat(second.claim(large)).isNull();
         assertThat(worlds.plot().claim(large)).contains("(got: some 8 MiB more, beside 16 MiB)");

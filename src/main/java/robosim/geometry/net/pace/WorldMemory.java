@@ -3,7 +3,7 @@ package robosim.geometry.net.pace;
 import org.jspecify.annotations.Nullable;
 
 /** Limits the memory of the worlds of all connections together, as estimated from the sizes of their messages. */
-public final class Worlds {
+public final class WorldMemory {
     /** Memory per byte of a message: a box of 50 bytes takes some 400, a triangle of 34 some 240. */
     static final int MEMORY_FOR_A_BYTE = 8;
 
@@ -14,13 +14,13 @@ public final class Worlds {
     private long taken;
 
     /** Takes the limit in bytes of memory. */
-    public Worlds(long most) {
+    public WorldMemory(long most) {
         this.most = most;
     }
 
     /** Half of the maximum memory of the process. */
-    public static Worlds ofThisProcess() {
-        return new Worlds(Runtime.getRuntime().maxMemory() / 2);
+    public static WorldMemory ofThisProcess() {
+        return new WorldMemory(Runtime.getRuntime().maxMemory() / 2);
     }
 
     /** The plot of one connection. */
@@ -42,7 +42,7 @@ public final class Worlds {
         @Nullable
         public String claim(int messageBytes) {
             long wanted = messageBytes < SMALL_BYTES ? 0 : (long) MEMORY_FOR_A_BYTE * messageBytes;
-            synchronized (Worlds.this) {
+            synchronized (WorldMemory.this) {
                 long others = taken - own;
                 if (wanted > 0 && others > 0 && others + wanted > most) {
                     return "the worlds of all connections must fit into " + (most >> 20) + " MiB of memory (got: some "
@@ -57,7 +57,7 @@ public final class Worlds {
 
         /** Releases the memory: there is no world any more. */
         public void free() {
-            synchronized (Worlds.this) {
+            synchronized (WorldMemory.this) {
                 taken -= own;
                 own = 0;
             }

@@ -7,11 +7,11 @@ import org.jspecify.annotations.Nullable;
  * The right of one connection to compute, which it takes and gives back. All methods except {@link #cutOff} are called
  * by the connection's own thread.
  */
-public final class Turn {
+public final class CpuTurn {
     /** For how many turns a connection counts as heavy after heavy work. */
     private static final int HEAVY_TURNS = 8;
 
-    private final Turns turns;
+    private final CpuTurns turns;
 
     /** Whether it must stop computing. */
     private volatile boolean isCutOff;
@@ -45,9 +45,9 @@ public final class Turn {
     private long burst;
 
     /** The average duration of a burst; an assumption for a new connection. */
-    private long usual = Turns.SLICE_NANOS;
+    private long usual = CpuTurns.SLICE_NANOS;
 
-    Turn(Turns turns) {
+    CpuTurn(CpuTurns turns) {
         this.turns = turns;
     }
 
@@ -109,7 +109,7 @@ public final class Turn {
     private void await() {
         boolean interrupted = false;
         while (state == State.WAITING && !isCutOff) {
-            LockSupport.parkNanos(turns, Turns.PATIENCE_NANOS);
+            LockSupport.parkNanos(turns, CpuTurns.PATIENCE_NANOS);
             interrupted |= Thread.interrupted();
             turns.lend(this);
         }
@@ -160,7 +160,7 @@ public final class Turn {
         since = now;
         state = State.RUNNING;
         countsAsHeavy = isHeavy();
-        isBrief = need() < Turns.SHORT_NANOS && !countsAsHeavy;
+        isBrief = need() < CpuTurns.SHORT_NANOS && !countsAsHeavy;
         heavyTurns -= countsAsHeavy ? 1 : 0;
     }
 

@@ -9,7 +9,7 @@ import java.util.Set;
  * connection that needs more than is left waits until others are done; meanwhile it is not read. The connection that
  * has waited or held memory longest may always go on, so that none waits forever.
  */
-public final class Room {
+public final class MessageMemory {
     /** Memory per byte of a message: a sonar request of 41 bytes takes, with its answer, some 140. */
     static final int MEMORY_FOR_A_BYTE = 4;
 
@@ -20,13 +20,13 @@ public final class Room {
     private final Set<Share> shares = new LinkedHashSet<>();
 
     /** Takes the limit in bytes of memory. */
-    public Room(long most) {
+    public MessageMemory(long most) {
         this.most = most;
     }
 
     /** An eighth of the maximum memory of the process. */
-    public static Room ofThisProcess() {
-        return new Room(Runtime.getRuntime().maxMemory() / 8);
+    public static MessageMemory ofThisProcess() {
+        return new MessageMemory(Runtime.getRuntime().maxMemory() / 8);
     }
 
     /** A share for one connection, empty at first. */
@@ -61,12 +61,12 @@ public final class Room {
          * @throws IOException if it is closed
          */
         public void growTo(long bytes) throws IOException {
-            synchronized (Room.this) {
+            synchronized (MessageMemory.this) {
                 shares.add(this);
                 boolean interrupted = false;
                 while (!closed && !fits(bytes)) {
                     try {
-                        Room.this.wait();
+                        MessageMemory.this.wait();
                     } catch (InterruptedException e) {
                         interrupted = true;
                     }
@@ -91,21 +91,21 @@ public final class Room {
             if (own == 0 && !closed) {
                 return; // as after nearly every message
             }
-            synchronized (Room.this) {
+            synchronized (MessageMemory.this) {
                 taken -= own;
                 own = 0;
                 if (shares.remove(this)) {
-                    Room.this.notifyAll();
+                    MessageMemory.this.notifyAll();
                 }
             }
         }
 
         /** Returns all of it for good and wakes those that wait. */
         public void close() {
-            synchronized (Room.this) {
+            synchronized (MessageMemory.this) {
                 closed = true;
                 free();
-                Room.this.notifyAll();
+                MessageMemory.this.notifyAll();
             }
         }
     }

@@ -13,7 +13,7 @@ import robosim.geometry.exact.ExactVector;
  * <p>Any such plane can be rotated about the common points until it contains three points that are not on one line. So
  * planes through three points are tried; doubles reject most.
  */
-public final class ExactBetween {
+public final class ExactSeparatingPlane {
     /** More than the differences, a cross product and a dot product lose, as a share of their magnitudes. */
     private static final double ROUNDOFF = 16 * 0x1p-53;
 
@@ -22,7 +22,7 @@ public final class ExactBetween {
     private final int above;
     private final boolean flat;
 
-    private ExactBetween(List<ExactVector> upper, List<ExactVector> lower, boolean inPlane) {
+    private ExactSeparatingPlane(List<ExactVector> upper, List<ExactVector> lower, boolean inPlane) {
         flat = inPlane;
         above = upper.size();
         points = new ExactVector[above + lower.size()];
@@ -45,7 +45,7 @@ public final class ExactBetween {
         if (pivot > 0) {
             Collections.swap(first, 0, pivot);
         }
-        return new ExactBetween(first, lower, inPlane).exists(pivot >= 0);
+        return new ExactSeparatingPlane(first, lower, inPlane).exists(pivot >= 0);
     }
 
     private boolean exists(boolean hasPivot) {

@@ -13,11 +13,11 @@ import robosim.geometry.narrow.leaf.PairOrder;
  * <p>If the intersection of two convex bodies is not empty, it has a corner. There a corner of one lies in the other,
  * an edge of one passes through a side of the other, or two edges cross. The first of these that is found is the point.
  */
-public final class ExactCommon {
+public final class ExactCommonPoint {
     private final ExactPolytope first;
     private final ExactPolytope second;
 
-    private ExactCommon(ExactPolytope first, ExactPolytope second) {
+    private ExactCommonPoint(ExactPolytope first, ExactPolytope second) {
         this.first = first;
         this.second = second;
     }
@@ -30,7 +30,7 @@ public final class ExactCommon {
         ExactPolytope p = new ExactPolytope(kindA, a, i);
         ExactPolytope q = new ExactPolytope(kindB, b, j);
         boolean reversed = PairOrder.isReversed(kindA, a, i, kindB, b, j);
-        ExactCommon common = reversed ? new ExactCommon(q, p) : new ExactCommon(p, q);
+        ExactCommonPoint common = reversed ? new ExactCommonPoint(q, p) : new ExactCommonPoint(p, q);
         return common.find(out);
     }
 

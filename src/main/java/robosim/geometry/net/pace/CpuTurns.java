@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  *       another one. This is possible for as many connections as there are processors.
  * </ul>
  */
-public final class Turns {
+public final class CpuTurns {
     /** How long a turn lasts while others wait. */
     static final long SLICE_NANOS = 2_000_000;
 
@@ -40,8 +40,8 @@ public final class Turns {
     private final int most;
     private final int mostHeavy;
     private final LongSupplier clock;
-    private final List<Turn> waiting = new ArrayList<>();
-    private final List<Turn> running = new ArrayList<>();
+    private final List<CpuTurn> waiting = new ArrayList<>();
+    private final List<CpuTurn> running = new ArrayList<>();
 
     /** Of the running connections, how many do short work, how many heavy work, and how many have lent their turn. */
     private int brief;
@@ -54,25 +54,25 @@ public final class Turns {
     private volatile boolean wanted;
 
     /** Takes the number of turns of each sort, and a clock like {@link System#nanoTime}. */
-    public Turns(int most, LongSupplier clock) {
+    public CpuTurns(int most, LongSupplier clock) {
         this.most = most;
         this.mostHeavy = Math.max(1, most - 1);
         this.clock = clock;
     }
 
     /** As many turns as there are processors. */
-    public static Turns ofThisMachine() {
-        return new Turns(Runtime.getRuntime().availableProcessors(), System::nanoTime);
+    public static CpuTurns ofThisMachine() {
+        return new CpuTurns(Runtime.getRuntime().availableProcessors(), System::nanoTime);
     }
 
     /** The turn of one connection, not held yet. */
-    public Turn turn() {
-        return new Turn(this);
+    public CpuTurn turn() {
+        return new CpuTurn(this);
     }
 
-    /** Requests the turn; {@link Turn#isWaiting} tells whether the connection must wait. */
-    synchronized void ask(Turn turn) {
-        turn.state = Turn.State.WAITING;
+    /** Requests the turn; {@link CpuTurn#isWaiting} tells whether the connection must wait. */
+    synchronized void ask(CpuTurn turn) {
+        turn.state = CpuTurn.State.WAITING;
         turn.ticket = tickets++;
         turn.asked = clock.getAsLong();
         waiting.add(turn);
@@ -80,23 +80,23 @@ public final class Turns {
     }
 
     /** Gives the turn back, or stops waiting for it. */
-    synchronized void leave(Turn turn) {
+    synchronized void leave(CpuTurn turn) {
         end(turn);
         waiting.remove(turn);
-        turn.state = Turn.State.IDLE;
+        turn.state = CpuTurn.State.IDLE;
         grant();
     }
 
     /** Gives way if its time slice is over and others wait; it then waits among them. */
-    synchronized void giveWay(Turn turn) {
+    synchronized void giveWay(CpuTurn turn) {
         long slice = turn.isBrief ? SHORT_NANOS : SLICE_NANOS;
-        if (turn.state == Turn.State.RUNNING && (turn.isLent || clock.getAsLong() - turn.since >= slice)) {
+        if (turn.state == CpuTurn.State.RUNNING && (turn.isLent || clock.getAsLong() - turn.since >= slice)) {
             end(turn);
             ask(turn);
         }
     }
 
-    private void end(Turn turn) {
+    private void end(CpuTurn turn) {
         if (!running.remove(turn)) {
             return;
         }
@@ -105,7 +105,7 @@ public final class Turns {
         turn.isLent = false;
     }
 
-    private void count(Turn turn, int more) {
+    private void count(CpuTurn turn, int more) {
         if (turn.isLent) {
             lent += more;
         } else if (turn.isBrief) {
@@ -116,7 +116,7 @@ public final class Turns {
     }
 
     private void grant() {
-        Turn next = next();
+        CpuTurn next = next();
         while (next != null) {
             granted++;
             waiting.remove(next);
@@ -129,28 +129,28 @@ public final class Turns {
         wanted = !waiting.isEmpty();
     }
 
-    private @Nullable Turn next() {
+    private @Nullable CpuTurn next() {
         return granted % EVERY == EVERY - 1 ? longestWaiting() : leastNeeding();
     }
 
-    private boolean mayRun(Turn turn) {
+    private boolean mayRun(CpuTurn turn) {
         if (turn.need() < SHORT_NANOS && !turn.isHeavy()) {
             return brief < most;
         }
         return running.size() - brief - lent < most && (heavy < mostHeavy || !turn.isHeavy());
     }
 
-    private @Nullable Turn longestWaiting() {
-        Turn first = null;
-        for (Turn turn : waiting) {
+    private @Nullable CpuTurn longestWaiting() {
+        CpuTurn first = null;
+        for (CpuTurn turn : waiting) {
             first = mayRun(turn) && (first == null || turn.ticket < first.ticket) ? turn : first;
         }
         return first;
     }
 
-    private @Nullable Turn leastNeeding() {
-        Turn first = null;
-        for (Turn turn : waiting) {
+    private @Nullable CpuTurn leastNeeding() {
+        CpuTurn first = null;
+        for (CpuTurn turn : waiting) {
             boolean before = first == null
                     || turn.need() < first.need()
                     || (turn.need() == first.need() && turn.ticket < first.ticket);
@@ -160,12 +160,12 @@ public final class Turns {
     }
 
     /** Lends turns of connections that should have given way to this one long ago. */
-    synchronized void lend(Turn impatient) {
+    synchronized void lend(CpuTurn impatient) {
         long now = clock.getAsLong();
-        if (impatient.state != Turn.State.WAITING || now - impatient.asked < PATIENCE_NANOS) {
+        if (impatient.state != CpuTurn.State.WAITING || now - impatient.asked < PATIENCE_NANOS) {
             return;
         }
-        for (Turn turn : running) {
+        for (CpuTurn turn : running) {
             if (!turn.isLent && lent < most && now - turn.since >= SLICE_NANOS + PATIENCE_NANOS) {
                 count(turn, -1);
                 turn.isLent = true;

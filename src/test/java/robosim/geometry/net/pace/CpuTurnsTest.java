@@ -14,7 +14,7 @@ import robosim.geometry.net.HostilePeerTest;
 
 /** Turns on a clock of the test's own: who computes when, without threads and without waiting. */
 @Timeout(60)
-class TurnsTest {
+class CpuTurnsTest {
     private static final long MILLI = 1_000_000;
 
     /** How often one that computes looks up. */
@@ -24,7 +24,7 @@ class TurnsTest {
 
     /** A connection whose peer asks for so much, then says nothing for a while, again and again. */
     private static final class Asker {
-        final Turn turn;
+        final CpuTurn turn;
         final long work;
         final long pause;
         long left;
@@ -34,15 +34,15 @@ class TurnsTest {
         long done;
         long longestWait;
 
-        Asker(Turn turn, long work, long pause) {
+        Asker(CpuTurn turn, long work, long pause) {
             this.turn = turn;
             this.work = work;
             this.pause = pause;
             this.left = work;
         }
 
-        void step(Turns turns, long time) {
-            if (turn.state == Turn.State.RUNNING) {
+        void step(CpuTurns turns, long time) {
+            if (turn.state == CpuTurn.State.RUNNING) {
                 computed += BREATH;
                 left -= BREATH;
                 if (left <= 0) {
@@ -57,7 +57,7 @@ class TurnsTest {
                     }
                     askedAt = turn.isWaiting() ? time : askedAt;
                 }
-            } else if (turn.state == Turn.State.IDLE && time >= idleUntil) {
+            } else if (turn.state == CpuTurn.State.IDLE && time >= idleUntil) {
                 askedAt = time;
                 turns.ask(turn);
             }
@@ -67,7 +67,7 @@ class TurnsTest {
         }
     }
 
-    private List<Asker> askers(Turns turns, int count, long work, long pause) {
+    private List<Asker> askers(CpuTurns turns, int count, long work, long pause) {
         List<Asker> askers = new ArrayList<>();
         for (int k = 0; k < count; k++) {
             askers.add(new Asker(turns.turn(), work, pause));
@@ -75,7 +75,7 @@ class TurnsTest {
         return askers;
     }
 
-    private void run(Turns turns, List<Asker> askers, long time) {
+    private void run(CpuTurns turns, List<Asker> askers, long time) {
         for (long end = now.get() + time; now.get() < end; now.addAndGet(BREATH)) {
             for (Asker asker : askers) {
                 asker.step(turns, now.get());
@@ -89,7 +89,7 @@ class TurnsTest {
 
     @Test
     void longWorkIsDoneInSlicesByAsManyAsThereAreProcessorsInFairShares() {
-        Turns turns = new Turns(2, now::get);
+        CpuTurns turns = new CpuTurns(2, now::get);
         List<Asker> greedy = askers(turns, 50, 1_000 * MILLI, 0);
         for (int k = 0; k < 2_000; k++) {
             run(turns, greedy, MILLI);
@@ -103,7 +103,7 @@ class TurnsTest {
 
     @Test
     void aShortQuestionDoesNotWaitForLongOnes() {
-        Turns turns = new Turns(2, now::get);
+        CpuTurns turns = new CpuTurns(2, now::get);
         List<Asker> all = askers(turns, 50, 50 * MILLI, 0);
         Asker healthy = new Asker(turns.turn(), BREATH, MILLI);
         all.add(healthy);
@@ -116,34 +116,34 @@ class TurnsTest {
 
     @Test
     void aNewcomerWaitsForFewSlices() {
-        Turns turns = new Turns(2, now::get);
+        CpuTurns turns = new CpuTurns(2, now::get);
         List<Asker> all = askers(turns, 50, 1_000 * MILLI, 0);
         run(turns, all, 1_000 * MILLI);
         Asker newcomer = new Asker(turns.turn(), BREATH, MILLI);
         all.add(newcomer);
         run(turns, all, 100 * MILLI);
-        assertThat(newcomer.longestWait).isLessThanOrEqualTo(2 * Turns.SLICE_NANOS + BREATH);
+        assertThat(newcomer.longestWait).isLessThanOrEqualTo(2 * CpuTurns.SLICE_NANOS + BREATH);
         assertThat(newcomer.done).isGreaterThan(10);
     }
 
     /** Messages that are sent without end are one burst: who never rests is not short. */
     @Test
     void aFloodOfSmallMessagesIsLongWork() {
-        Turns turns = new Turns(1, now::get);
-        Turn flood = turns.turn();
+        CpuTurns turns = new CpuTurns(1, now::get);
+        CpuTurn flood = turns.turn();
         turns.ask(flood);
         for (int k = 0; k < 100; k++) { // never idle between two messages
             now.addAndGet(BREATH);
             flood.give();
             turns.ask(flood);
         }
-        assertThat(flood.need()).isGreaterThan(Turns.SHORT_NANOS);
+        assertThat(flood.need()).isGreaterThan(CpuTurns.SHORT_NANOS);
     }
 
     /** It has at least a quarter of a fair share, here a thirty-first. */
     @Test
     void manyOfMiddlingLengthDoNotHoldOffALongOne() {
-        Turns turns = new Turns(1, now::get);
+        CpuTurns turns = new CpuTurns(1, now::get);
         List<Asker> all = askers(turns, 30, 15 * BREATH, 0); // one of them always waits
         run(turns, all, 500 * MILLI);
         Asker large = new Asker(turns.turn(), 100 * MILLI, 0);
@@ -154,7 +154,7 @@ class TurnsTest {
 
     @Test
     void heavyWorkLeavesATurn() {
-        Turns turns = new Turns(3, now::get);
+        CpuTurns turns = new CpuTurns(3, now::get);
         List<Asker> heavy = askers(turns, 10, 1_000 * MILLI, 0);
         for (int k = 0; k < 100; k++) {
             heavy.forEach(each -> each.turn.heavy());
@@ -169,20 +169,20 @@ class TurnsTest {
 
     @Test
     void whoDoesNotGiveWayLendsTheTurnAndWaitsForTheNext() {
-        Turns turns = new Turns(1, now::get);
-        List<Turn> stuck = new ArrayList<>();
+        CpuTurns turns = new CpuTurns(1, now::get);
+        List<CpuTurn> stuck = new ArrayList<>();
         for (int k = 0; k < 3; k++) {
             stuck.add(turns.turn());
             turns.ask(stuck.get(k));
         }
         assertThat(stuck.get(0).isRunning()).isTrue();
-        now.addAndGet(Turns.SLICE_NANOS);
+        now.addAndGet(CpuTurns.SLICE_NANOS);
         turns.lend(stuck.get(1));
         assertThat(stuck.get(1).isWaiting()).as("too early").isTrue();
-        now.addAndGet(Turns.PATIENCE_NANOS);
+        now.addAndGet(CpuTurns.PATIENCE_NANOS);
         turns.lend(stuck.get(1));
         assertThat(stuck.get(1).isRunning()).isTrue();
-        now.addAndGet(10 * Turns.PATIENCE_NANOS);
+        now.addAndGet(10 * CpuTurns.PATIENCE_NANOS);
         turns.lend(stuck.get(2));
         assertThat(stuck.get(2).isWaiting())
                 .as("no more than there are processors")
@@ -191,19 +191,19 @@ class TurnsTest {
         assertThat(stuck.get(0).isWaiting()).isTrue();
         turns.lend(stuck.get(2));
         assertThat(stuck.get(2).isRunning()).isTrue();
-        stuck.forEach(Turn::give);
+        stuck.forEach(CpuTurn::give);
         assertThat(turns.areWanted()).isFalse();
-        Turn next = turns.turn();
+        CpuTurn next = turns.turn();
         turns.ask(next);
         assertThat(next.isRunning()).as("no turn was lost").isTrue();
     }
 
     @Test
     void whoIsCutOffComputesNoMoreWhetherItWaitsOrNot() throws Exception {
-        Turns turns = new Turns(1, now::get); // which stands still: no turn is lent
-        Turn first = turns.turn();
+        CpuTurns turns = new CpuTurns(1, now::get); // which stands still: no turn is lent
+        CpuTurn first = turns.turn();
         first.take();
-        Turn second = turns.turn();
+        CpuTurn second = turns.turn();
         CountDownLatch returned = new CountDownLatch(1);
         Thread waiting = new Thread(() -> {
             second.take();
@@ -216,9 +216,9 @@ class TurnsTest {
         assertThat(returned.await(20, TimeUnit.SECONDS)).isTrue();
         first.breathe();
         first.cutOff();
-        assertThatThrownBy(first::breathe).isInstanceOf(Turn.CutOff.class);
+        assertThatThrownBy(first::breathe).isInstanceOf(CpuTurn.CutOff.class);
         first.give();
-        Turn third = turns.turn();
+        CpuTurn third = turns.turn();
         third.take();
         assertThat(third.isRunning()).isTrue();
         third.give();

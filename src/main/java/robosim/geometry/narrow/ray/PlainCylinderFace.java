@@ -13,7 +13,7 @@ import robosim.geometry.exact.Filter;
  * square is 1 but for {@link #UNIT}. All of this is less than S, and the intervals of {@link RayCylinder} are narrower still, so that it comes to
  * the same verdict.
  */
-final class PlainCylinder {
+final class PlainCylinderFace {
     static final int UNKNOWN = -1;
     static final int MISSED = -2;
     static final int INSIDE = 0;
