@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.regions.Regions;
 import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.index.tiles.Tiles;
@@ -224,6 +225,84 @@ public class QuadTreeTest {
         }
         assertThat(near).isGreaterThan(100);
         assertThat(inside).isPositive();
+    }
+
+    /** What a sector leaves out has no point of its box that is certainly in it. */
+    @ParameterizedTest
+    @EnumSource
+    void sectorsFindWhatTheListFinds(Scene scene) {
+        SplittableRandom random = new SplittableRandom(101 + scene.ordinal());
+        double[][] boxes = new double[150][];
+        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
+        QuadCursor cursor = tree.cursor();
+        int met = 0;
+        int passedBy = 0;
+        for (int step = 0; step < 900; step++) {
+            churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
+            double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
+            double aim = random.nextInt(4) == 0 ? random.nextInt(8) * 45 : random.nextDouble(360);
+            double half = random.nextDouble(0.5, 89);
+            double limit = random.nextInt(3) == 0
+                    ? Double.POSITIVE_INFINITY
+                    : random.nextDouble(scene == Scene.OUTSIDE ? 1e8 : 300);
+            double ux = Degrees.cos(aim);
+            double uz = Degrees.sin(aim);
+            cursor.startSector(at[0], at[1], ux, uz, Degrees.cos(half), Degrees.sin(half));
+            BitSet ids = new BitSet();
+            for (int id = cursor.nextInSector(limit); id >= 0; id = cursor.nextInSector(limit)) {
+                assertThat(ids.get(id)).isFalse();
+                ids.set(id);
+            }
+            for (int id = 0; id < boxes.length; id++) {
+                if (boxes[id] != null && isHeld(at, ux, uz, Degrees.cos(half), limit, boxes[id])) {
+                    assertThat(ids.get(id)).isTrue();
+                    met++;
+                } else if (boxes[id] != null && !ids.get(id)) {
+                    passedBy++;
+                }
+            }
+        }
+        assertThat(met).isGreaterThan(100);
+        assertThat(passedBy).isGreaterThan(100);
+    }
+
+    /** Whether a corner of a box, or a middle, is certainly in a sector within a limit. */
+    private static boolean isHeld(double[] at, double ux, double uz, double cos, double limit, double[] box) {
+        for (int k = 0; k < 9; k++) {
+            double x = box[0] + (box[2] - box[0]) * (k % 3) / 2 - at[0];
+            double z = box[1] + (box[3] - box[1]) * (k / 3) / 2 - at[1];
+            double length = Math.sqrt(x * x + z * z);
+            if (length < limit * (1 - 1e-9) && x * ux + z * uz > length * (cos + 1e-9) + 1e-9) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The nearer comes first, so that a limit that shrinks to what was found leaves out nearly all. */
+    @Test
+    void aShrinkingLimitEndsASector() {
+        QuadTree tree = new QuadTree(-100, -100, 100, 100);
+        SplittableRandom random = new SplittableRandom(9);
+        for (int id = 0; id < 1000; id++) {
+            double x = random.nextDouble(-99, 98);
+            double z = random.nextDouble(-99, 98);
+            tree.add(id, x, z, x + 1, z + 1);
+        }
+        QuadCursor cursor = tree.cursor();
+        int taken = 0;
+        for (int k = 0; k < 200; k++) {
+            double aim = random.nextDouble(360);
+            cursor.startSector(0, 0, Degrees.cos(aim), Degrees.sin(aim), Degrees.cos(7.5), Degrees.sin(7.5));
+            double limit = 1000;
+            for (int id = cursor.nextInSector(limit); id >= 0; id = cursor.nextInSector(limit)) {
+                double[] b = Arrays.copyOfRange(cursor.boxes(), 6 * id, 6 * id + 6);
+                double middle = (b[0] + b[3]) / 2 * Degrees.cos(aim) + (b[2] + b[5]) / 2 * Degrees.sin(aim);
+                limit = Math.min(limit, middle + 1);
+                taken++;
+            }
+        }
+        assertThat(taken).isBetween(200, 200 * 4);
     }
 
     @Test

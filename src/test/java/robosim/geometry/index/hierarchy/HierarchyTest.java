@@ -383,6 +383,33 @@ class HierarchyTest {
         assertThat(taken).isBetween(200, 200 * 12);
     }
 
+    /** What is nearer within the cone comes first: of level cones through a crowd, hardly anything but what they meet. */
+    @Test
+    void aShrinkingLimitEndsACone() {
+        int taken = 0;
+        for (int id = 0; id < MOST; id++) {
+            place(Scene.CUBE, id, 1);
+            tree.add(id, boxes);
+            in.add(id);
+        }
+        tree.freeze();
+        double cos = StrictMath.cos(StrictMath.toRadians(15));
+        double sin = StrictMath.sin(StrictMath.toRadians(15));
+        for (int k = 0; k < 200; k++) {
+            double angle = random.nextDouble(6.28);
+            double ux = StrictMath.cos(angle);
+            double uz = StrictMath.sin(angle);
+            cones.aim(0, 0, 0, ux, 0, uz, cos, sin, tree.most());
+            cones.start(tree, other);
+            double limit = INFINITE;
+            for (int id = cones.next(limit); id >= 0; id = cones.next(limit)) {
+                limit = Math.min(limit, distance(id, new double[3]) + 2);
+                taken++;
+            }
+        }
+        assertThat(taken).isBetween(150, 200 * 5);
+    }
+
     /** Each object encloses those before it, so that each goes down from the top: the tree would become a list. */
     @Test
     void whatBecomesTooDeepIsBuiltAnew() {
