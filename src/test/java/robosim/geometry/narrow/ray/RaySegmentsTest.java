@@ -84,7 +84,19 @@ class RaySegmentsTest {
 
     private void facing(double[] p, double[] way, double[] row, double x, double z) {
         Normals.at(
-                p[0], p[1], p[2], 0, way[0], way[1], way[2], LeafKind.TRIANGLE, row, 0, normal, Dimension.PLANAR, scratch);
+                p[0],
+                p[1],
+                p[2],
+                0,
+                way[0],
+                way[1],
+                way[2],
+                LeafKind.TRIANGLE,
+                row,
+                0,
+                normal,
+                Dimension.PLANAR,
+                scratch);
         assertThat(normal).containsExactly(new double[] {x, 0, z}, within(1e-15));
     }
 
