@@ -163,8 +163,10 @@ class DoubleDoubleTest {
             for (int i = 0; i < 6; i++) {
                 double a = random.nextDouble(-2, 2);
                 double b = random.nextDouble(-2, 2);
-                p.difference(i, a, b);
-                v[i] = new BigDecimal(a).subtract(new BigDecimal(b));
+                p.difference(i, a, 1000 * b);
+                assertThat(register(p, i)).isEqualByComparingTo(new BigDecimal(a).subtract(new BigDecimal(1000 * b)));
+                p.product(i, a, b); // nearly all have a tail
+                v[i] = new BigDecimal(a).multiply(new BigDecimal(b));
             }
             BigDecimal bound = new BigDecimal(0x1p-94);
             p.dot(6, 0, 3, 7);
