@@ -48,15 +48,9 @@ public final class MeshWalk {
 
     /** Opens a mesh, for its corners alone or for a query. */
     public void open(LeafColumn column, int leaf) {
-        TriangleMesh opened = column.mesh(leaf);
-        double[] rows = column.rows();
-        if (mesh != opened) { // writing a reference is slow
-            mesh = opened;
-            tree = opened.tree();
-        }
-        if (place != rows) {
-            place = rows;
-        }
+        mesh = column.mesh(leaf);
+        tree = mesh.tree();
+        place = column.rows();
         at = leaf * Leaf.STRIDE;
         depth = 0;
         item = 0;

@@ -63,8 +63,8 @@ final class TriangleSieve {
      */
     void aim(double[] line, double error, double size) {
         main = longest(line[MeshRay.WAY], line[MeshRay.WAY + 1], line[MeshRay.WAY + 2]);
-        one = (0b00_10_01 >> 2 * main) & 3;
-        two = (0b01_00_10 >> 2 * main) & 3;
+        one = (0b00_10_01 >> (2 * main)) & 3;
+        two = (0b01_00_10 >> (2 * main)) & 3;
         pad = error;
         inverseMain = line[MeshRay.INVERSE + main];
         slopeOne = -line[MeshRay.WAY + one] * inverseMain;
