@@ -11,9 +11,9 @@ import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.HeightIntervals;
-import robosim.geometry.narrow.sat.ExactSeparatingPlane;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sat.ExactFeatures;
+import robosim.geometry.narrow.sat.ExactSeparatingPlane;
 
 /** The planes between two pieces that touch, computed on first use. See {@link StartContacts}. */
 final class ContactPlanes {

@@ -1,14 +1,20 @@
 package robosim.geometry.net;
 
-import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.CpuTurns;
+import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.LogBudget;
 
 /** What all connections of one server or client share. */
 record ConnectionContext(
-        NetOptions options, Figures figures, Watchdog watchdog, CpuTurns turns, MessageMemory room, WorldMemory worlds, LogBudget log) {
+        NetOptions options,
+        Figures figures,
+        Watchdog watchdog,
+        CpuTurns turns,
+        MessageMemory room,
+        WorldMemory worlds,
+        LogBudget log) {
     ConnectionContext(NetOptions options, Figures figures, Watchdog watchdog) {
         this(
                 options,
