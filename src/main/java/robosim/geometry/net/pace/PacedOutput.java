@@ -7,7 +7,7 @@ import java.time.Duration;
 /**
  * The output to a peer. A message is buffered, so that a small one is a single write and a single segment; data goes to
  * the socket's send buffer, whose size is limited. While that is full the writer waits, without holding its {@link
- * Turn}, and reads no further request of that peer.
+ * CpuTurn}, and reads no further request of that peer.
  */
 public final class PacedOutput extends OutputStream {
     /** The number of bytes after which progress is checked. */
