@@ -5,11 +5,14 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
+import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.motion.Motion;
 import robosim.geometry.engine.motion.TranslationFastPath;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.sensing.BeamQuery;
 import robosim.geometry.engine.sensing.Beams;
+import robosim.geometry.engine.sensing.Echoes;
+import robosim.geometry.engine.sensing.PatternSensor;
 import robosim.geometry.engine.sensing.ProximityQuery;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
@@ -17,7 +20,10 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.narrow.Scratch;
 
 /**
@@ -75,6 +81,8 @@ import robosim.geometry.narrow.Scratch;
  * any exception the world is unchanged. A world may be used by one thread at a time.
  */
 public final class Geometry {
+    private static final Point CENTER = new Point();
+
     private final double width;
     private final double height;
     private final double length;
@@ -85,9 +93,11 @@ public final class Geometry {
     private final ObjectTable objects;
     private final AccuracyView view;
     private final Beams beams;
+    private final PatternSensor sensor;
     private final ProximityQuery proximity;
     private final Motion motion;
     private final TranslationFastPath fastPath;
+    private final FreePlaces places;
     private final double[] vector = new double[6];
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
@@ -140,10 +150,13 @@ public final class Geometry {
         registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
         objects = registry.objects;
         view = registry.view;
-        beams = new Beams(dimension, objects, new BeamQuery(objects, scratch));
+        BeamQuery ranging = new BeamQuery(objects, scratch);
+        beams = new Beams(dimension, objects, ranging);
+        sensor = new PatternSensor(dimension, objects, ranging);
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(objects, registry.worldBounds, scratch);
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
+        places = new FreePlaces(registry, motion);
     }
 
     /** Extent along X in world units. */
@@ -455,7 +468,7 @@ public final class Geometry {
 
     /** A scan into a given array, with as many rays as the array has elements. */
     public void scan(String name, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
-        beams.scan(view, registry.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
+        scan(name, CENTER, firstDegrees, stepDegrees, min, max, out);
     }
 
     /**
@@ -466,7 +479,102 @@ public final class Geometry {
     public void scan(
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         Checks.present("mount", mount);
-        beams.scan(
-                view, registry.mover(name), mount.x(), mount.y(), mount.z(), firstDegrees, stepDegrees, min, max, out);
+        sensor.scan(view, registry.mover(name), mount, firstDegrees, stepDegrees, min, max, out);
+    }
+
+    /**
+     * All beams of a sensor that is mounted on a moveable object. Each distance is, to the bit, that of
+     * {@link #getSonarDistance(String, Ray, double, double, double)} along {@code new Ray(mount.center(), d)}, where d is
+     * the beam's direction turned by the rotation of the mount. A {@link #scan} is a {@link RayPattern#fan}.
+     *
+     * @param mount   where the sensor is and which way it faces, in the object's own frame
+     * @param options a world answers on the calling thread alone, whatever the number of threads: see
+     *                {@link Snapshot#sense}
+     * @param out     takes the answers
+     */
+    public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        mountSensor(Checks.present("name", name), Checks.present("mount", mount));
+        sense(pattern, options, out);
+    }
+
+    /**
+     * All beams of a sensor that nothing carries. Each distance is, to the bit, that of {@link #getRayDistance} from the
+     * sensor's place, and each object and normal that of {@link #castRay}.
+     *
+     * @param sensor where it is and which way it faces
+     */
+    public void sense(Pose sensor, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        mountSensor(null, Checks.present("sensor", sensor));
+        sense(pattern, options, out);
+    }
+
+    private void sense(RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        Echoes echoes = prepareSensor(pattern, options, out);
+        sensor.sense(view, pattern, options, echoes, 0, pattern.size());
+        PatternSensor.finish(pattern, echoes);
+    }
+
+    /** Puts the sensor on an object, or into the world where none is named. */
+    void mountSensor(@Nullable String name, Pose pose) {
+        if (name == null) {
+            sensor.at(pose);
+        } else {
+            sensor.mounted(registry.mover(name), pose);
+        }
+    }
+
+    /** Checks what the sensor is asked, and makes room for its answers. */
+    Echoes prepareSensor(RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        Checks.present("pattern", pattern);
+        Checks.present("options", options);
+        Echoes echoes = Checks.present("out", out).echoes();
+        sensor.prepare(pattern, options, echoes);
+        return echoes;
+    }
+
+    /** Answers some beams of the sensor. */
+    void senseSome(RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
+        sensor.sense(view, pattern, options, out, from, to);
+    }
+
+    /**
+     * Tells for many upright poses of a moveable object whether it would touch anything there. Nothing is moved, and the
+     * object itself is not in the way. Each bit is set where {@link #testObject(GeometryObject)} would return false for
+     * the object at that pose; as there, the world's bounds are not asked.
+     *
+     * @param poses four numbers each: X, Y and Z of the centre, and the heading in degrees
+     * @param free  bit {@code k % 64} of element {@code k / 64} is the answer for pose k, the layout of
+     *              {@link java.util.BitSet#valueOf(long[])}; the other bits of the last element are cleared
+     * @return how many poses are free
+     */
+    public int freePoses(String name, double[] poses, long[] free) {
+        int id = registry.mover(name);
+        return places.poses(view, id, poses, 0, FreePlaces.check("poses", poses, FreePlaces.POSE, free), free);
+    }
+
+    /**
+     * Tells for many edges, each a straight move from one upright pose to another, whether a moveable object would touch
+     * nothing on the whole way, both ends included. Nothing is moved, and the object itself is not in the way. Each bit is
+     * set where {@link #placeObject} would put the object at the first pose and {@link #moveGlobal} would then move it by
+     * the differences of the coordinates, and in place turn it by that of the headings: a turn of 350 degrees is not one of
+     * -10. The way is swept, not sampled.
+     *
+     * @param edges eight numbers each: X, Y, Z and heading at the first pose, then at the second
+     * @param free  takes the answers as in {@link #freePoses}
+     * @return how many edges are free
+     */
+    public int freeEdges(String name, double[] edges, long[] free) {
+        int id = registry.mover(name);
+        return places.edges(view, id, edges, 0, FreePlaces.check("edges", edges, FreePlaces.EDGE, free), free);
+    }
+
+    /** Answers some poses. */
+    int somePoses(String name, double[] poses, int from, int to, long[] free) {
+        return places.poses(view, registry.mover(name), poses, from, to, free);
+    }
+
+    /** Answers some edges. */
+    int someEdges(String name, double[] edges, int from, int to, long[] free) {
+        return places.edges(view, registry.mover(name), edges, from, to, free);
     }
 }

@@ -21,6 +21,9 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectRows;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LocalLeaves;
@@ -54,6 +57,9 @@ public final class Snapshot implements Serializable {
 
     /** How many objects had been added, removed ones included. */
     private final transient long time;
+
+    /** Who answers questions about this snapshot itself. */
+    private final transient Crew crew = new Crew(this::toGeometry);
 
     private Snapshot(Settings settings, SharedIndex statics, GeometryObject[] movers, long[] arrivals, long time) {
         width = settings.width;
@@ -164,6 +170,47 @@ public final class Snapshot implements Serializable {
         }
         world.restored(time);
         return world;
+    }
+
+    /**
+     * All beams of a sensor that is mounted on a moveable object, as {@link Geometry#sense(String, Pose, RayPattern,
+     * SenseOptions, SenseBuffer)} answers them, to the bit. Safe to call from many threads at once, each with a buffer of
+     * its own.
+     *
+     * <p>With more than one thread, the calling thread is helped by those of the {@link java.util.concurrent.ForkJoinPool}
+     * that it belongs to, or of the common one; all have finished when the call returns, and it waits for none that is busy
+     * with something else. The call starts no threads of its own. The snapshot keeps a working copy of the world for each
+     * thread that has been at work for it at once.
+     */
+    public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        crew.sense(Checks.present("name", name), Checks.present("mount", mount), pattern, options, out);
+    }
+
+    /** All beams of a sensor that nothing carries; the same for a place in the world. */
+    public void sense(Pose sensor, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        crew.sense(null, Checks.present("sensor", sensor), pattern, options, out);
+    }
+
+    /**
+     * Tells for many poses of a moveable object whether it would touch anything there, as {@link Geometry#freePoses} does.
+     * Safe to call from many threads at once.
+     *
+     * @param threads how many may work on the answer, 1 to 1024; who helps is told at {@link #sense}
+     * @return how many poses are free
+     */
+    public int freePoses(String name, double[] poses, int threads, long[] free) {
+        return crew.free(Crew.Places.POSES, name, poses, threads, free);
+    }
+
+    /**
+     * Tells for many edges whether a moveable object would touch nothing on the whole way, as {@link Geometry#freeEdges}
+     * does. Safe to call from many threads at once.
+     *
+     * @param threads how many may work on the answer, 1 to 1024; who helps is told at {@link #sense}
+     * @return how many edges are free
+     */
+    public int freeEdges(String name, double[] edges, int threads, long[] free) {
+        return crew.free(Crew.Places.EDGES, name, edges, threads, free);
     }
 
     /** The serialized form of a snapshot. */

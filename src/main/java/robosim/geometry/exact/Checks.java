@@ -9,6 +9,9 @@ public final class Checks {
     /** The largest coordinate or size; products of three such numbers are far from overflow. */
     public static final double LIMIT = 0x1p100;
 
+    /** The largest number of threads for one question, more than machines have processors. */
+    private static final int MOST_THREADS = 1024;
+
     private Checks() {}
 
     /** Returns a value unless it is null. */
@@ -140,6 +143,14 @@ public final class Checks {
         if (time.compareTo(Duration.ofMillis(1)) < 0 || time.compareTo(longest) > 0) {
             throw new IllegalArgumentException(argument + " must be from a millisecond to a day (got: " + time + ")");
         }
+    }
+
+    /** Returns a valid number of threads. */
+    public static int threads(int count) {
+        if (count < 1 || count > MOST_THREADS) {
+            throw new IllegalArgumentException("threads must be from 1 to " + MOST_THREADS + " (got: " + count + ")");
+        }
+        return count;
     }
 
     public static void atLeastOne(String argument, int number) {

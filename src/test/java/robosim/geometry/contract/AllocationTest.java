@@ -10,6 +10,8 @@ import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.Snapshot;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -19,7 +21,10 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
 
 /** What a robot asks in each step of a simulation leaves nothing for the garbage collector, on any JDK. */
@@ -78,6 +83,37 @@ class AllocationTest {
             geometry.scan(robot(k), mast, k, 10, 0, 50, distances);
             return bounded(distances[k % 19]);
         });
+        RayPattern fan = RayPattern.fan(-90, 10, 19);
+        Pose top = Pose.of(mast, 20);
+        SenseOptions rays19 = SenseOptions.range(0, 50);
+        SenseOptions cones19 = rays19.withWidth(9);
+        SenseBuffer all = new SenseBuffer(SenseBuffer.Extra.OBJECTS, SenseBuffer.Extra.NORMALS);
+        SenseBuffer some = new SenseBuffer();
+        Snapshot snapshot = geometry.snapshot();
+        assertAllocatesNothing("pattern", k -> {
+            geometry.sense(robot(k), top, fan, rays19, all);
+            return bounded(all.distance(k % 19));
+        });
+        assertAllocatesNothing("pattern of cones", k -> {
+            geometry.sense(robot(k), top, fan, cones19, some);
+            return bounded(some.distance(k % 19));
+        });
+        assertAllocatesNothing("pattern in a snapshot", k -> {
+            snapshot.sense(robot(k), top, fan, rays19, all);
+            return bounded(all.distance(k % 19));
+        });
+        double[][] places = new double[64][8 * 5];
+        for (double[] few : places) {
+            for (int at = 0; at < few.length; at += 8) {
+                Point from = place(5);
+                double[] edge = {from.x(), from.y(), from.z(), at, from.x() + 3, from.y(), from.z() - 2, at + 40};
+                System.arraycopy(edge, 0, few, at, 8);
+            }
+        }
+        long[] free = new long[1];
+        assertAllocatesNothing("poses", k -> geometry.freePoses(robot(k), places[k & 63], free));
+        assertAllocatesNothing("poses in a snapshot", k -> snapshot.freePoses(robot(k), places[k & 63], 1, free));
+        assertAllocatesNothing("edges", k -> geometry.freeEdges(robot(k), places[k & 63], free));
         // They stand elsewhere now, and the world is asked again.
         assertAllocatesNothing("moves and sonars", k -> {
             String robot = robot(k);

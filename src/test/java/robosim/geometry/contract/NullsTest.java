@@ -16,6 +16,8 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Geometry;
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.Snapshot;
 import robosim.geometry.junit.Goal;
 import robosim.geometry.junit.Robot;
 import robosim.geometry.junit.RobotWorld;
@@ -23,6 +25,9 @@ import robosim.geometry.junit.Scenarios;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.sweep.Outcome;
 import robosim.geometry.sweep.Result;
@@ -129,6 +134,45 @@ class NullsTest {
         call("world", () -> WorldWriter.write(null, file));
         call("file", () -> WorldWriter.write(world, null));
         call("world", () -> WorldWriter.toXml(null));
+        check();
+    }
+
+    @Test
+    void ofPatternsAndBatches() {
+        Geometry world = new Geometry(9, 9, 9);
+        world.addObject(new SphereObject(new Point(), 1).moveable("r"));
+        Snapshot snapshot = world.snapshot();
+        RayPattern fan = RayPattern.fan(0, 1, 3);
+        SenseOptions options = SenseOptions.range(0, 9);
+        SenseBuffer out = new SenseBuffer();
+        Pose pose = Pose.ORIGIN;
+        call("elevationsDegrees", () -> RayPattern.layers(null, 0, 1, 2));
+        call("directions", () -> RayPattern.of(null));
+        call("out", () -> fan.directions(0, 1, null, 0));
+        call("carrier", () -> options.withCarrier(null));
+        call("extras", () -> new SenseBuffer((SenseBuffer.Extra[]) null));
+        call("extra", () -> new SenseBuffer((SenseBuffer.Extra) null));
+        call("name", () -> world.sense(null, pose, fan, options, out));
+        call("mount", () -> world.sense("r", null, fan, options, out));
+        call("sensor", () -> world.sense(null, fan, options, out));
+        call("pattern", () -> world.sense(pose, null, options, out));
+        call("options", () -> world.sense(pose, fan, null, out));
+        call("out", () -> world.sense(pose, fan, options, null));
+        call("name", () -> snapshot.sense(null, pose, fan, options, out));
+        call("mount", () -> snapshot.sense("r", null, fan, options, out));
+        call("sensor", () -> snapshot.sense(null, fan, options, out));
+        call("pattern", () -> snapshot.sense(pose, null, options, out));
+        call("options", () -> snapshot.sense(pose, fan, null, out));
+        call("out", () -> snapshot.sense(pose, fan, options, null));
+        call("name", () -> world.freePoses(null, new double[4], new long[1]));
+        call("poses", () -> world.freePoses("r", null, new long[1]));
+        call("free", () -> world.freePoses("r", new double[4], null));
+        call("name", () -> snapshot.freePoses(null, new double[4], 1, new long[1]));
+        call("poses", () -> snapshot.freePoses("r", null, 1, new long[1]));
+        call("free", () -> snapshot.freePoses("r", new double[4], 1, null));
+        call("name", () -> world.freeEdges(null, new double[8], new long[1]));
+        call("edges", () -> world.freeEdges("r", null, new long[1]));
+        call("free", () -> snapshot.freeEdges("r", new double[8], 1, null));
         check();
     }
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.SharedObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
@@ -241,12 +242,35 @@ public final class ObjectRegistry {
             }
         }
         own.placed(Checks.present("object", object), candidate);
+        return collides(at, ignored);
+    }
+
+    /** Whether the candidate touches or overlaps any object that is not ignored. */
+    private boolean collides(AccuracyView at, int ignored) {
         if (candidate.size() == 1) {
             candidate.roughBounds(0, box);
         } else {
             candidate.bounds(0, candidate.size(), box);
         }
         return overlaps.probe(at, box, ignored);
+    }
+
+    /** Whether a moveable object would touch or overlap any other one at another place, laid out as in the table of objects. */
+    public boolean collidesAt(AccuracyView at, int id, double[] place) {
+        Form form = at.form(id);
+        candidate.clear();
+        candidate.append(form.size());
+        form.place(dimension, place[0], place[1], place[2], place, 3, candidate, 0);
+        return collides(at, id);
+    }
+
+    /** Whether a moveable object would be within the world at another place. */
+    public boolean fitsAt(int id, double[] place) {
+        LocalLeaves own = view.form(id).own;
+        candidate.clear();
+        candidate.append(own.size());
+        own.place(place[0], place[1], place[2], place, 3, candidate, 0);
+        return worldBounds.holds(candidate, 0, candidate.size());
     }
 
     /**

@@ -145,6 +145,17 @@ public final class Motion {
         return isFree(0, 0, 0, Leg.VERTICAL, byDegrees);
     }
 
+    /**
+     * Whether a displacement in the world's axes and then a turn about the vertical are free from another place than the
+     * mover's own, laid out as in the table of objects; and no more.
+     */
+    public boolean allowsFrom(
+            AccuracyView inView, int mover, double[] place, double x, double y, double z, double byDegrees) {
+        begin(inView, mover, 0, false);
+        leg.begin(inView, mover, place, 0);
+        return isFree(x, y, z, Leg.NO_TURN, 0) && (byDegrees == 0 || isFree(0, 0, 0, Leg.VERTICAL, byDegrees));
+    }
+
     private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd) {
         isEndWanted = isToEnd;
         view = inView;

@@ -7,13 +7,12 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 
-/** Beams as callers ask for them: from a place or from a sensor on an object, one or a scan, between two ranges. */
+/** Beams as callers ask for them: one at a time, from a place or from a sensor on an object, between two ranges. */
 public final class Beams {
     private final Dimension dimension;
     private final ObjectTable objects;
     private final BeamQuery ranging;
     private final double[] vector = new double[3];
-    private final ScanDirections directions = new ScanDirections();
 
     // Where a beam begins that stands on an object.
     private double ox;
@@ -51,18 +50,22 @@ public final class Beams {
             int ignored) {
         Checks.range(min, max);
         Checks.width(width);
-        checkLevel(dx, dy, dz);
+        checkLevel(dimension, dx, dy, dz);
         ranging.beam(dimension, x, y, z, dx, dy, dz, width);
         double nearest = ranging.nearest(seen, max, ignored);
         return nearest < min ? min : nearest;
     }
 
-    private void checkLevel(double dx, double dy, double dz) {
+    static void checkLevel(Dimension dimension, double dx, double dy, double dz) {
         if (dimension == Dimension.PLANAR && dx == 0 && dz == 0) {
-            throw new IllegalArgumentException(
-                    "direction must not be vertical in a PLANAR world, which has no heights (got: (" + dx + ", " + dy
-                            + ", " + dz + "))");
+            throw vertical("direction", dx, dy, dz);
         }
+    }
+
+    static IllegalArgumentException vertical(String direction, double dx, double dy, double dz) {
+        return new IllegalArgumentException(
+                direction + " must not be vertical in a PLANAR world, which has no heights (got: (" + dx + ", " + dy
+                        + ", " + dz + "))");
     }
 
     /** What a sonar hears that stands at a point of an object's own frame and looks along one of its directions. */
@@ -93,30 +96,6 @@ public final class Beams {
         oz = places[at + 2] + vector[2];
     }
 
-    /** A scan: single rays from a point of an object's own frame, in the plane of its own X and Z, as many as there is room for. */
-    public void scan(
-            AccuracyView seen,
-            int id,
-            double x,
-            double y,
-            double z,
-            double firstDegrees,
-            double stepDegrees,
-            double min,
-            double max,
-            double[] out) {
-        Checks.angle("firstDegrees", firstDegrees);
-        Checks.angle("stepDegrees", stepDegrees);
-        Checks.range(min, max);
-        Checks.present("out", out);
-        mount(id, x, y, z);
-        for (int k = 0; k < out.length; k++) {
-            directions.aim(firstDegrees, stepDegrees, k);
-            objects.toWorld(id, directions.x(), 0, directions.z(), vector);
-            out[k] = distance(seen, ox, oy, oz, vector[0], vector[1], vector[2], min, max, 0, id);
-        }
-    }
-
     /**
      * How far a ray goes until it meets anything within a range, +Infinity where it meets nothing.
      *
@@ -126,7 +105,7 @@ public final class Beams {
         Point from = Checks.present("ray", ray).start();
         Point to = ray.direction();
         Checks.range(0, max);
-        checkLevel(to.x(), to.y(), to.z());
+        checkLevel(dimension, to.x(), to.y(), to.z());
         ranging.beam(dimension, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 0);
         double distance = ranging.nearest(seen, max, -1);
         if (ranging.hit() < 0) {

@@ -1,0 +1,157 @@
+package robosim.geometry;
+
+import java.util.Arrays;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.motion.FreePlaces;
+import robosim.geometry.engine.sensing.Echoes;
+import robosim.geometry.engine.sensing.PatternSensor;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
+
+/**
+ * Answers many questions about a snapshot, on one thread or several: keeps working copies of its world, of which each
+ * thread takes one.
+ */
+final class Crew {
+    /** Beams that a thread takes at once. */
+    private static final int BEAMS = 256;
+
+    /** Poses or edges that a thread takes at once: whole elements of the array of bits. */
+    private static final int BITS = 4 * Long.SIZE;
+
+    private final Supplier<Geometry> copies;
+
+    /** Copies that nobody uses now. */
+    private Geometry[] idle = new Geometry[2];
+
+    private int idleCount;
+
+    Crew(Supplier<Geometry> copies) {
+        this.copies = copies;
+    }
+
+    /** Poses or edges. */
+    enum Places {
+        POSES("poses", FreePlaces.POSE),
+        EDGES("edges", FreePlaces.EDGE);
+
+        private final String argument;
+        private final int stride;
+
+        Places(String argument, int stride) {
+            this.argument = argument;
+            this.stride = stride;
+        }
+
+        private int some(Geometry world, String name, double[] numbers, int from, int to, long[] free) {
+            return this == POSES
+                    ? world.somePoses(name, numbers, from, to, free)
+                    : world.someEdges(name, numbers, from, to, free);
+        }
+    }
+
+    private Geometry borrow() {
+        synchronized (this) {
+            if (idleCount > 0) {
+                return idle[--idleCount];
+            }
+        }
+        return copies.get();
+    }
+
+    /** Gives a copy back, which has not been changed. */
+    private synchronized void giveBack(Geometry world) {
+        if (idleCount == idle.length) {
+            idle = Arrays.copyOf(idle, 2 * idleCount);
+        }
+        idle[idleCount++] = world;
+    }
+
+    /** Answers all beams of a sensor, on an object or, where none is named, in the world. */
+    void sense(@Nullable String name, Pose pose, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        Geometry world = borrow();
+        try {
+            world.mountSensor(name, pose);
+            Echoes echoes = world.prepareSensor(pattern, options, out);
+            int parts = parts(pattern.size(), BEAMS);
+            if (Math.min(parts, options.threads()) == 1) {
+                world.senseSome(pattern, options, echoes, 0, pattern.size());
+            } else {
+                new CopiedWork(parts) {
+                    @Override
+                    Geometry begin() {
+                        Geometry copy = super.begin();
+                        copy.mountSensor(name, pose);
+                        return copy;
+                    }
+
+                    @Override
+                    void part(Geometry copy, int part) {
+                        int from = part * BEAMS;
+                        copy.senseSome(pattern, options, echoes, from, Math.min(from + BEAMS, pattern.size()));
+                    }
+                }.run(world, options.threads());
+            }
+            PatternSensor.finish(pattern, echoes);
+        } finally {
+            giveBack(world);
+        }
+    }
+
+    /** Answers poses or edges. */
+    int free(Places places, String name, double[] numbers, int threads, long[] free) {
+        Checks.threads(threads);
+        Checks.present("name", name);
+        Geometry world = borrow();
+        try {
+            int count = FreePlaces.check(places.argument, numbers, places.stride, free);
+            int parts = parts(count, BITS);
+            if (Math.min(parts, threads) <= 1) {
+                return places.some(world, name, numbers, 0, count, free);
+            }
+            places.some(world, name, numbers, 0, 0, free); // refuses a name that has no answers
+            new CopiedWork(parts) {
+                @Override
+                void part(Geometry copy, int part) {
+                    int from = part * BITS;
+                    places.some(copy, name, numbers, from, Math.min(from + BITS, count), free);
+                }
+            }.run(world, threads);
+            return bits(free, FreePlaces.words(count));
+        } finally {
+            giveBack(world);
+        }
+    }
+
+    /** Work with copies of the world. */
+    private abstract class CopiedWork extends SharedWork<Geometry> {
+        CopiedWork(int parts) {
+            super(parts);
+        }
+
+        @Override
+        Geometry begin() {
+            return borrow();
+        }
+
+        @Override
+        void end(Geometry copy) {
+            giveBack(copy);
+        }
+    }
+
+    private static int parts(int count, int each) {
+        return count / each + (count % each > 0 ? 1 : 0);
+    }
+
+    private static int bits(long[] words, int count) {
+        int bits = 0;
+        for (int k = 0; k < count; k++) {
+            bits += Long.bitCount(words[k]);
+        }
+        return bits;
+    }
+}

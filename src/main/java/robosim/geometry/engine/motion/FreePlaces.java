@@ -1,0 +1,146 @@
+package robosim.geometry.engine.motion;
+
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.Checks;
+
+/**
+ * Whether a moveable object could stand at other places than its own, and go from one to another: many answers at once,
+ * as bits. Nothing is moved.
+ */
+public final class FreePlaces {
+    /** The numbers of a pose: X, Y, Z and the heading. */
+    public static final int POSE = 4;
+
+    /** The numbers of an edge: two poses. */
+    public static final int EDGE = 2 * POSE;
+
+    private final ObjectRegistry registry;
+    private final Motion motion;
+    private final double[] place = new double[ObjectTable.PLACE];
+
+    /** The heading of the place as it was given. */
+    private double heading = Double.NaN;
+
+    public FreePlaces(ObjectRegistry registry, Motion motion) {
+        this.registry = registry;
+        this.motion = motion;
+        System.arraycopy(Attitude.identity(), 0, place, 3, Attitude.STRIDE);
+    }
+
+    /**
+     * Checks numbers and the array for their answers before any of them is given.
+     *
+     * @param stride how many numbers belong to one answer
+     * @return how many answers there are
+     */
+    public static int check(String argument, double[] numbers, int stride, long[] free) {
+        Checks.present(argument, numbers);
+        Checks.present("free", free);
+        if (numbers.length % stride != 0) {
+            throw new IllegalArgumentException(
+                    argument + " must have " + stride + " numbers each (got: " + numbers.length + " numbers)");
+        }
+        int count = numbers.length / stride;
+        if (free.length < words(count)) {
+            throw new IllegalArgumentException("free must have at least " + words(count) + " elements for " + count
+                    + " bits (got: " + free.length + ")");
+        }
+        for (int k = 0; k < numbers.length; k++) {
+            double number = numbers[k];
+            boolean isHeading = k % POSE == POSE - 1;
+            if (!(Math.abs(number) <= (isHeading ? Double.MAX_VALUE : Checks.LIMIT))) {
+                refuse(argument + "[" + k + "]", number, isHeading);
+            }
+        }
+        if (stride == EDGE) {
+            checkTurns(argument, numbers);
+        }
+        return count;
+    }
+
+    private static void refuse(String argument, double number, boolean isHeading) {
+        if (isHeading) {
+            Checks.angle(argument, number);
+        } else {
+            Checks.coordinate(argument, number);
+        }
+    }
+
+    private static void checkTurns(String argument, double[] edges) {
+        for (int at = POSE - 1; at < edges.length; at += EDGE) {
+            double turn = edges[at + POSE] - edges[at];
+            if (!Double.isFinite(turn)) {
+                Checks.angle("turn from " + argument + "[" + at + "] to [" + (at + POSE) + "]", turn);
+            }
+        }
+    }
+
+    /** How many elements of an array have so many bits. */
+    public static int words(int bits) {
+        return (bits + Long.SIZE - 1) / Long.SIZE;
+    }
+
+    /**
+     * Sets the bits of poses at which an object touches nothing, and clears the others.
+     *
+     * @param from the first pose, a multiple of 64
+     * @param to   behind the last one
+     * @return how many are free
+     */
+    public int poses(AccuracyView view, int id, double[] poses, int from, int to, long[] free) {
+        int found = 0;
+        for (int first = from; first < to; first += Long.SIZE) {
+            long bits = 0;
+            for (int k = first; k < Math.min(first + Long.SIZE, to); k++) {
+                take(poses, POSE * k);
+                bits |= registry.collidesAt(view, id, place) ? 0 : 1L << k;
+            }
+            free[first / Long.SIZE] = bits;
+            found += Long.bitCount(bits);
+        }
+        return found;
+    }
+
+    /** The same for edges along which it touches nothing. */
+    public int edges(AccuracyView view, int id, double[] edges, int from, int to, long[] free) {
+        int found = 0;
+        for (int first = from; first < to; first += Long.SIZE) {
+            long bits = 0;
+            for (int k = first; k < Math.min(first + Long.SIZE, to); k++) {
+                bits |= isFree(view, id, edges, EDGE * k) ? 1L << k : 0;
+            }
+            free[first / Long.SIZE] = bits;
+            found += Long.bitCount(bits);
+        }
+        return found;
+    }
+
+    private boolean isFree(AccuracyView view, int id, double[] edges, int at) {
+        take(edges, at);
+        return registry.fitsAt(id, place)
+                && !registry.collidesAt(view, id, place)
+                && motion.allowsFrom(
+                        view,
+                        id,
+                        place,
+                        edges[at + POSE] - place[0],
+                        edges[at + POSE + 1] - place[1],
+                        edges[at + POSE + 2] - place[2],
+                        edges[at + POSE + 3] - edges[at + 3]);
+    }
+
+    /** Makes {@link #place} an upright pose. */
+    private void take(double[] poses, int at) {
+        for (int axis = 0; axis < 3; axis++) {
+            place[axis] = poses[at + axis] + 0.0; // no -0.0
+        }
+        double degrees = poses[at + 3] + 0.0;
+        if (degrees != heading) { // planners ask about many places with one heading
+            Attitude.setHeading(place, 3, degrees, 0);
+            heading = degrees;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package robosim.geometry.engine.sensing;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.model.GeometryObject;
+
+/**
+ * What the beams of a pattern hear, in flat arrays that grow only for a larger pattern: distances always, objects and
+ * normals where they are wanted. Threads may write different beams at once.
+ */
+public final class Echoes {
+    private final boolean hasObjects;
+    private final boolean hasNormals;
+    private double[] distances = new double[0];
+    private @Nullable GeometryObject[] objects = new GeometryObject[0];
+    private double[] normals = new double[0];
+    private int size;
+
+    public Echoes(boolean hasObjects, boolean hasNormals) {
+        this.hasObjects = hasObjects;
+        this.hasNormals = hasNormals;
+    }
+
+    /** Forgets what was heard and makes room. */
+    void clear(int beams) {
+        if (beams > distances.length) {
+            distances = new double[beams];
+            objects = hasObjects ? new GeometryObject[beams] : objects;
+            normals = hasNormals ? new double[3 * beams] : normals;
+        } else if (hasObjects && beams < size) {
+            Arrays.fill(objects, beams, size, null); // else they could not be collected
+        }
+        size = 0;
+    }
+
+    /** Says that so many beams have been heard. */
+    void filled(int beams) {
+        size = beams;
+    }
+
+    /** How many beams have been heard. */
+    public int size() {
+        return size;
+    }
+
+    public boolean hasObjects() {
+        return hasObjects;
+    }
+
+    public boolean hasNormals() {
+        return hasNormals;
+    }
+
+    /** One for each beam. */
+    public double[] distances() {
+        return distances;
+    }
+
+    /** One for each beam, as it was added to its world; null where nothing echoes. Empty where they are not wanted. */
+    public @Nullable GeometryObject[] objects() {
+        return objects;
+    }
+
+    /** Three numbers for each beam, zeros where nothing echoes. Empty where they are not wanted. */
+    public double[] normals() {
+        return normals;
+    }
+
+    /** Notes whose echo a beam hears; an id, or -1. */
+    void object(int beam, ObjectTable table, int id) {
+        objects[beam] = id < 0 ? null : table.value(id);
+    }
+
+    /** Notes three numbers. */
+    void normal(int beam, double[] normal) {
+        System.arraycopy(normal, 0, normals, 3 * beam, 3);
+    }
+}

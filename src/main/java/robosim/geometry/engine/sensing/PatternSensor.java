@@ -1,0 +1,218 @@
+package robosim.geometry.engine.sensing;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
+
+/**
+ * All beams of a pattern from one place. They are answered tile by tile: the directions of a tile are known before the
+ * first of its beams is asked, so that what they share may be found once.
+ */
+public final class PatternSensor {
+    /** So many beams are aimed at once. */
+    private static final int TILE = 64;
+
+    private static final double[] NO_NORMAL = new double[3];
+
+    private final Dimension dimension;
+    private final ObjectTable objects;
+    private final BeamQuery ranging;
+    private final double[] vector = new double[3];
+    private final double[] mount = new double[9];
+    private final ScanDirections scans = new ScanDirections();
+
+    /** The directions of the tile in the world, three numbers each. */
+    private final double[] directions = new double[3 * TILE];
+
+    /** Where all beams begin. */
+    private double ox;
+
+    private double oy;
+    private double oz;
+
+    /** The object that carries the sensor; -1 for none. */
+    private int carrier = -1;
+
+    // What is asked of each beam.
+    private double min;
+    private double max;
+    private double width;
+
+    /** The object that does not echo; -1 for none. */
+    private int ignored;
+
+    public PatternSensor(Dimension dimension, ObjectTable objects, BeamQuery ranging) {
+        this.dimension = dimension;
+        this.objects = objects;
+        this.ranging = ranging;
+    }
+
+    /** Takes a sensor that is mounted on a moveable object, in its own frame. */
+    public void mounted(int id, Pose on) {
+        carrier = id;
+        on.rotation(mount, 0);
+        stand(id, on.center());
+    }
+
+    /** Takes a point of an object's own frame for where all beams begin. */
+    private void stand(int id, Point at) {
+        double[] places = objects.places();
+        int place = objects.place(id);
+        objects.toWorld(id, at.x(), at.y(), at.z(), vector);
+        ox = places[place] + vector[0];
+        oy = places[place + 1] + vector[1];
+        oz = places[place + 2] + vector[2];
+    }
+
+    /** Takes a sensor in the world that nothing carries. */
+    public void at(Pose pose) {
+        carrier = -1;
+        pose.rotation(mount, 0);
+        Point at = pose.center();
+        ox = at.x();
+        oy = at.y();
+        oz = at.z();
+    }
+
+    /**
+     * Makes room for the answers.
+     *
+     * @throws IllegalArgumentException if a beam has no answer in this world, or the answers want what it has not
+     */
+    public void prepare(RayPattern pattern, SenseOptions options, Echoes out) {
+        if (out.hasNormals() && options.width() > 0) {
+            throw new IllegalArgumentException(
+                    "width must be 0 for a buffer with normals, which cones have not (got: " + options.width() + ")");
+        }
+        if (dimension == Dimension.PLANAR) {
+            checkLevel(pattern);
+        }
+        out.clear(pattern.size());
+    }
+
+    private void checkLevel(RayPattern pattern) {
+        for (int first = 0; first < pattern.size(); first += TILE) {
+            int count = aim(pattern, first, pattern.size());
+            for (int at = 0; at < 3 * count; at += 3) {
+                if (directions[at] == 0 && directions[at + 2] == 0) {
+                    throw Beams.vertical(
+                            "direction " + (first + at / 3), directions[at], directions[at + 1], directions[at + 2]);
+                }
+            }
+        }
+    }
+
+    /** Answers the beams from one up to another, which is not among them. */
+    public void sense(AccuracyView view, RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
+        min = options.min();
+        max = options.max();
+        width = options.width();
+        ignored = options.carrier() == SenseOptions.Carrier.IGNORED ? carrier : -1;
+        Echoes more = out.hasObjects() || out.hasNormals() ? out : null;
+        for (int first = from; first < to; first += TILE) {
+            answer(view, aim(pattern, first, to), out.distances(), first, more);
+        }
+    }
+
+    /**
+     * A scan: single rays from a point of an object's own frame, in the plane of its own X and Z, as many as there is room
+     * for.
+     */
+    public void scan(
+            AccuracyView view,
+            int id,
+            Point from,
+            double firstDegrees,
+            double stepDegrees,
+            double least,
+            double most,
+            double[] out) {
+        Checks.angle("firstDegrees", firstDegrees);
+        Checks.angle("stepDegrees", stepDegrees);
+        Checks.range(least, most);
+        Checks.present("out", out);
+        stand(id, from);
+        min = least;
+        max = most;
+        width = 0;
+        ignored = id;
+        for (int first = 0; first < out.length; first += TILE) {
+            int count = Math.min(TILE, out.length - first);
+            for (int k = 0; k < count; k++) {
+                scans.aim(firstDegrees, stepDegrees, first + k);
+                objects.toWorld(id, scans.x(), 0, scans.z(), vector);
+                Beams.checkLevel(dimension, vector[0], vector[1], vector[2]);
+                System.arraycopy(vector, 0, directions, 3 * k, 3);
+            }
+            answer(view, count, out, first, null);
+        }
+    }
+
+    /** Turns the directions of a tile to the world's axes; answers how many there are. */
+    private int aim(RayPattern pattern, int first, int to) {
+        int count = Math.min(TILE, to - first);
+        pattern.directions(first, count, directions, 0);
+        for (int at = 0; at < 3 * count; at += 3) {
+            double x = directions[at];
+            double y = directions[at + 1];
+            double z = directions[at + 2];
+            // As a point has them, which has no -0.0.
+            double ownX = mount[0] * x + mount[1] * y + mount[2] * z + 0.0;
+            double ownY = mount[3] * x + mount[4] * y + mount[5] * z + 0.0;
+            double ownZ = mount[6] * x + mount[7] * y + mount[8] * z + 0.0;
+            if (carrier >= 0) {
+                objects.toWorld(carrier, ownX, ownY, ownZ, vector);
+                directions[at] = vector[0];
+                directions[at + 1] = vector[1];
+                directions[at + 2] = vector[2];
+            } else {
+                directions[at] = ownX;
+                directions[at + 1] = ownY;
+                directions[at + 2] = ownZ;
+            }
+        }
+        return count;
+    }
+
+    /**
+     * Answers the beams of the tile that was aimed last.
+     *
+     * @param first the first of them, where the answers begin
+     * @param more  takes more than distances; null if nothing does
+     */
+    private void answer(AccuracyView view, int count, double[] distances, int first, @Nullable Echoes more) {
+        for (int k = 0; k < count; k++) {
+            int at = 3 * k;
+            ranging.beam(dimension, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2], width);
+            double nearest = ranging.nearest(view, max, ignored);
+            distances[first + k] = nearest < min ? min : nearest;
+            if (more != null) {
+                note(view, more, first + k, nearest);
+            }
+        }
+    }
+
+    private void note(AccuracyView view, Echoes out, int beam, double nearest) {
+        int hit = ranging.hit();
+        if (out.hasObjects()) {
+            out.object(beam, objects, hit);
+        }
+        if (out.hasNormals() && hit >= 0) {
+            ranging.normal(view, nearest, vector);
+            out.normal(beam, vector);
+        } else if (out.hasNormals()) {
+            out.normal(beam, NO_NORMAL);
+        }
+    }
+
+    /** Says that all beams have been answered. */
+    public static void finish(RayPattern pattern, Echoes out) {
+        out.filled(pattern.size());
+    }
+}

@@ -1,0 +1,252 @@
+package robosim.geometry.model;
+
+import java.util.Arrays;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
+
+/**
+ * The beams of a range sensor: their directions in the sensor's own frame, whose +X is forward, +Y up and +Z to the
+ * right. The order is fixed, row by row, so that element {@code row * columns() + column} of an answer belongs to the
+ * same beam each time.
+ *
+ * <pre>{@code
+ * RayPattern laser = RayPattern.fan(-135, 0.25, 1081);                                     // from right to left
+ * RayPattern lidar = RayPattern.layers(new double[] {-15, -5, 5, 15}, 180, -0.2, 1800);    // a turn, clockwise
+ * RayPattern camera = RayPattern.pinhole(320, 240, 87);                                    // a depth image
+ * camera.size();                                                                           // 76800
+ * camera.rows();                                                                           // 240
+ * laser.direction(540).x();                                                                // 1: straight ahead
+ * }</pre>
+ *
+ * Patterns are immutable and equal where their directions, bit for bit, and their rows are. Making one computes all
+ * directions; keep it and use it again.
+ */
+public final class RayPattern {
+    /** The maximum number of beams: an image of 4096 x 4096, whose directions take 400 MB. */
+    public static final int MAX_SIZE = 1 << 24;
+
+    private final int rows;
+    private final int columns;
+
+    /** Three numbers for each beam. */
+    private final double[] directions;
+
+    private RayPattern(int rows, int columns) {
+        this(rows, columns, new double[3 * rows * columns]);
+    }
+
+    private RayPattern(int rows, int columns, double[] directions) {
+        this.rows = rows;
+        this.columns = columns;
+        this.directions = directions;
+    }
+
+    /**
+     * Beams in the sensor's own XZ plane, as a laser scanner or a ring of sonars has them. Beam k points
+     * {@code firstDegrees + k * stepDegrees} counter-clockwise from forward, seen from above.
+     *
+     * @param count number of beams, 1 to {@link #MAX_SIZE}
+     */
+    public static RayPattern fan(double firstDegrees, double stepDegrees, int count) {
+        Checks.angle("firstDegrees", firstDegrees);
+        Checks.angle("stepDegrees", stepDegrees);
+        checkSize("count", count, 1, "");
+        RayPattern pattern = new RayPattern(1, count);
+        pattern.sweep(0, 1, 0, firstDegrees, stepDegrees);
+        return pattern;
+    }
+
+    /**
+     * Layers of beams, as a lidar has them: row r has the beams of one elevation, column k those of one azimuth. A beam
+     * points {@code firstAzimuthDegrees + k * stepAzimuthDegrees} counter-clockwise from forward, seen from above, and
+     * from there up by its elevation.
+     *
+     * @param elevationsDegrees from -90 (down) to 90 (up), one for each row
+     * @param count             number of columns; rows times columns are at most {@link #MAX_SIZE}
+     */
+    public static RayPattern layers(
+            double[] elevationsDegrees, double firstAzimuthDegrees, double stepAzimuthDegrees, int count) {
+        int layers = Checks.present("elevationsDegrees", elevationsDegrees).length;
+        if (layers == 0) {
+            throw new IllegalArgumentException("elevationsDegrees must have at least one number (got: none)");
+        }
+        for (double elevation : elevationsDegrees) {
+            if (!(Math.abs(elevation) <= 90)) { // written so that NaN fails it
+                throw new IllegalArgumentException(
+                        "an elevation must be from -90 to 90 degrees (got: " + elevation + ")");
+            }
+        }
+        Checks.angle("firstAzimuthDegrees", firstAzimuthDegrees);
+        Checks.angle("stepAzimuthDegrees", stepAzimuthDegrees);
+        checkSize("count", count, layers, " columns of " + layers + " rows");
+        RayPattern pattern = new RayPattern(layers, count);
+        for (int row = 0; row < layers; row++) {
+            double level = Degrees.cos(elevationsDegrees[row]);
+            double up = Degrees.sin(elevationsDegrees[row]);
+            pattern.sweep(row, level, up, firstAzimuthDegrees, stepAzimuthDegrees);
+        }
+        return pattern;
+    }
+
+    /** Sets the directions of a row: all of one elevation. */
+    private void sweep(int row, double level, double up, double first, double step) {
+        int at = 3 * row * columns;
+        for (int k = 0; k < columns; k++) {
+            double degrees = Checks.angle("angle of the last beam", first + k * step);
+            directions[at++] = level * Degrees.cos(degrees) + 0.0; // no -0.0
+            directions[at++] = up + 0.0;
+            directions[at++] = level * -Degrees.sin(degrees) + 0.0;
+        }
+    }
+
+    /**
+     * One beam through the middle of each pixel of a camera without distortion: row by row from the top, each row from
+     * the left. The optical axis, through the middle of the image, is the sensor's own +X; +Y is up in the image and +Z
+     * to the right. Pixels are square. An answer is a distance along the beam from the pinhole, not a depth along the
+     * axis: for that, multiply it by the beam's {@link #x}.
+     *
+     * @param width                        pixels in a row, at least 1
+     * @param height                       rows, at least 1; all pixels are at most {@link #MAX_SIZE}
+     * @param horizontalFieldOfViewDegrees from the left edge of the image to the right one, above 0 and below 180
+     */
+    public static RayPattern pinhole(int width, int height, double horizontalFieldOfViewDegrees) {
+        checkSize("width", width, 1, "");
+        checkSize("height", height, width, " rows of " + width + " pixels");
+        if (!(horizontalFieldOfViewDegrees > 0 && horizontalFieldOfViewDegrees < 180)) {
+            throw new IllegalArgumentException("horizontalFieldOfViewDegrees must be above 0 and below 180 (got: "
+                    + horizontalFieldOfViewDegrees + ")");
+        }
+        RayPattern pattern = new RayPattern(height, width);
+        double half = horizontalFieldOfViewDegrees / 2;
+        double tangent = Degrees.sin(half) / Degrees.cos(half);
+        double[] out = pattern.directions;
+        int at = 0;
+        for (int row = 0; row < height; row++) {
+            double y = (double) (height - 1 - 2 * row) / width * tangent;
+            for (int column = 0; column < width; column++) {
+                double z = (double) (2 * column + 1 - width) / width * tangent;
+                double length = Math.sqrt(1 + y * y + z * z);
+                out[at++] = 1 / length;
+                out[at++] = y / length;
+                out[at++] = z / length;
+            }
+        }
+        return pattern;
+    }
+
+    /**
+     * Beams in any directions, in one row. The numbers are kept as given; the length of a direction has no effect on
+     * distances.
+     *
+     * @param directions X, Y and Z of each direction, of any length but zero; copied
+     */
+    public static RayPattern of(double[] directions) {
+        int length = Checks.present("directions", directions).length;
+        if (length == 0 || length % 3 != 0 || length / 3 > MAX_SIZE) {
+            throw new IllegalArgumentException("directions must have three numbers for each beam, of 1 to " + MAX_SIZE
+                    + " beams (got: " + length + " numbers)");
+        }
+        RayPattern pattern = new RayPattern(1, length / 3, directions.clone());
+        pattern.check();
+        return pattern;
+    }
+
+    private void check() {
+        for (int k = 0; k < directions.length; k++) {
+            if (!(Math.abs(directions[k]) <= Checks.LIMIT)) {
+                Checks.coordinate("directions[" + k + "]", directions[k]);
+            }
+            directions[k] += 0.0; // no -0.0
+        }
+        for (int k = 0; k < size(); k++) {
+            if (x(k) == 0 && y(k) == 0 && z(k) == 0) {
+                throw new IllegalArgumentException("direction " + k + " must not be zero (got: (0.0, 0.0, 0.0))");
+            }
+        }
+    }
+
+    private static void checkSize(String argument, int count, int times, String what) {
+        if (count < 1 || count > MAX_SIZE / times) {
+            throw new IllegalArgumentException(
+                    argument + " must be from 1 to " + MAX_SIZE / times + what + " (got: " + count + ")");
+        }
+    }
+
+    /** The number of beams. */
+    public int size() {
+        return rows * columns;
+    }
+
+    /** The number of rows: of layers, or of rows of pixels; else 1. */
+    public int rows() {
+        return rows;
+    }
+
+    /** The number of beams in a row. */
+    public int columns() {
+        return columns;
+    }
+
+    /** How far a beam's direction goes forward. */
+    public double x(int beam) {
+        return directions[3 * checked(beam)];
+    }
+
+    /** How far a beam's direction goes up. */
+    public double y(int beam) {
+        return directions[3 * checked(beam) + 1];
+    }
+
+    /** How far a beam's direction goes to the right. */
+    public double z(int beam) {
+        return directions[3 * checked(beam) + 2];
+    }
+
+    /** The direction of a beam. */
+    public Point direction(int beam) {
+        return new Point(x(beam), y(beam), z(beam));
+    }
+
+    /**
+     * Writes the directions of consecutive beams into an array, X, Y and Z of each.
+     *
+     * @param first the first beam
+     * @param count how many of them
+     * @param out   has room for three numbers for each
+     * @param at    where in the array they begin
+     */
+    public void directions(int first, int count, double[] out, int at) {
+        if (first < 0 || count < 0 || count > size() - first) {
+            throw new IllegalArgumentException("first and count must tell beams from 0 to " + (size() - 1) + " (got: "
+                    + first + " and " + count + ")");
+        }
+        Checks.present("out", out);
+        if (at < 0 || at > out.length - 3 * count) {
+            throw new IllegalArgumentException("at must leave room for " + 3 * count + " numbers in an array of "
+                    + out.length + " (got: " + at + ")");
+        }
+        System.arraycopy(directions, 3 * first, out, at, 3 * count);
+    }
+
+    private int checked(int beam) {
+        if (beam < 0 || beam >= size()) {
+            throw new IllegalArgumentException("beam must be from 0 to " + (size() - 1) + " (got: " + beam + ")");
+        }
+        return beam;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof RayPattern that && rows == that.rows && Arrays.equals(directions, that.directions);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * rows + Arrays.hashCode(directions);
+    }
+
+    @Override
+    public String toString() {
+        return "RayPattern of " + rows + " x " + columns + " beams";
+    }
+}

@@ -1,0 +1,121 @@
+package robosim.geometry.model;
+
+import robosim.geometry.exact.Checks;
+
+/**
+ * How the beams of a {@link RayPattern} are asked: their ranges and width, what they ignore, and on how many threads.
+ *
+ * <pre>{@code
+ * SenseOptions laser = SenseOptions.range(0.1, 30);
+ * SenseOptions sonars = SenseOptions.range(0, 4).withWidth(15);
+ * SenseOptions camera = SenseOptions.range(0.3, 10).withThreads(4);
+ * camera.threads(); // 4
+ * }</pre>
+ */
+public final class SenseOptions {
+    private final double min;
+    private final double max;
+    private final double width;
+    private final Carrier carrier;
+    private final int threads;
+
+    /** Whether a sensor sees the object that carries it. */
+    public enum Carrier {
+        /** It does not echo, as with {@code getSonarDistance} and {@code scan}. */
+        IGNORED,
+        /** It echoes like any other object; a sensor inside a solid carrier then sees nothing else. */
+        SEEN
+    }
+
+    private SenseOptions(double min, double max, double width, Carrier carrier, int threads) {
+        this.min = min;
+        this.max = max;
+        this.width = width;
+        this.carrier = carrier;
+        this.threads = threads;
+    }
+
+    /**
+     * Rays with given ranges, which ignore the object that carries the sensor, on one thread.
+     *
+     * @param min blind range, world units; a nearer echo is reported as {@code min} and still hides what is behind it
+     * @param max range, world units, {@code min <= max}; may be infinite
+     */
+    public static SenseOptions range(double min, double max) {
+        Checks.range(min, max);
+        return new SenseOptions(min + 0.0, max + 0.0, 0, Carrier.IGNORED, 1);
+    }
+
+    /**
+     * These options with beams of another width.
+     *
+     * @param degrees full opening angle of each beam, from 0 (a ray) up to, not including, 180
+     */
+    public SenseOptions withWidth(double degrees) {
+        return new SenseOptions(min, max, Checks.width(degrees) + 0.0, carrier, threads);
+    }
+
+    /** These options for a sensor that sees or does not see the object that carries it. */
+    public SenseOptions withCarrier(Carrier seen) {
+        return new SenseOptions(min, max, width, Checks.present("carrier", seen), threads);
+    }
+
+    /**
+     * These options on up to so many threads. No answer depends on the number. A world is used by one thread at a time
+     * and takes one whatever this says; a snapshot takes more.
+     *
+     * @param count 1 to 1024
+     */
+    public SenseOptions withThreads(int count) {
+        return new SenseOptions(min, max, width, carrier, Checks.threads(count));
+    }
+
+    /** Blind range in world units. */
+    public double min() {
+        return min;
+    }
+
+    /** Range in world units; may be infinite. */
+    public double max() {
+        return max;
+    }
+
+    /** Full opening angle of each beam in degrees; 0 for rays. */
+    public double width() {
+        return width;
+    }
+
+    /** Whether the sensor sees the object that carries it. */
+    public Carrier carrier() {
+        return carrier;
+    }
+
+    /** How many threads may work on the answer. */
+    public int threads() {
+        return threads;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof SenseOptions that
+                && min == that.min
+                && max == that.max
+                && width == that.width
+                && carrier == that.carrier
+                && threads == that.threads;
+    }
+
+    @Override
+    public int hashCode() {
+        return 31
+                        * (31 * (31 * (31 * Double.hashCode(min) + Double.hashCode(max)) + Double.hashCode(width))
+                                + carrier.name().hashCode())
+                + threads;
+    }
+
+    @Override
+    public String toString() {
+        return "SenseOptions[min=" + min + ", max=" + max + ", width=" + width + ", carrier=" + carrier + ", threads="
+                + threads + "]";
+    }
+}
