@@ -33,7 +33,7 @@ class ContactTimeTest {
 
     @Test
     void flatThingsNearlyInLine() {
-        int count = Effort.cases(350);
+        int count = Effort.cases(210);
         for (int k = 0; k < count; k++) {
             LeafKind kindA = FLAT[random.nextInt(FLAT.length)];
             LeafKind kindB = FLAT[random.nextInt(FLAT.length)];
@@ -54,7 +54,7 @@ class ContactTimeTest {
 
     @Test
     void flatThingsFarAwayAndOfAnySize() {
-        int count = Effort.cases(300);
+        int count = Effort.cases(180);
         for (int k = 0; k < count; k++) {
             LeafKind kindA = FLAT[random.nextInt(FLAT.length)];
             LeafKind kindB = FLAT[random.nextInt(FLAT.length)];
@@ -72,7 +72,7 @@ class ContactTimeTest {
 
     @Test
     void solidThings() {
-        int count = Effort.cases(200);
+        int count = Effort.cases(120);
         for (int k = 0; k < count; k++) {
             LeafKind kindA = SOLID[random.nextInt(SOLID.length)];
             LeafKind kindB = SOLID[random.nextInt(SOLID.length)];
@@ -94,7 +94,7 @@ class ContactTimeTest {
     @Test
     void contactAtTheStartIsJudgedExactlyOnAGrid() {
         int free = 0;
-        int count = Effort.cases(450);
+        int count = Effort.cases(270);
         for (int k = 0; k < count; k++) {
             LeafKind kindA = random.nextInt(3) == 0 ? LeafKind.TRIANGLE : LeafKind.BOX;
             double[] a = wholeNumbers(kindA);
