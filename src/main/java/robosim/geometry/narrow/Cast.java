@@ -11,7 +11,7 @@ import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.leaf.UprightRows;
 import robosim.geometry.narrow.mesh.MeshRay;
 import robosim.geometry.narrow.mesh.PointInMesh;
-import robosim.geometry.narrow.ray.Normals;
+import robosim.geometry.narrow.normal.Normals;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.RayDisc;
 import robosim.geometry.narrow.ray.RayRectangle;
@@ -23,6 +23,7 @@ import robosim.geometry.narrow.ray.SpatialRay;
  */
 public final class Cast {
     private final Scratch s;
+    private final Normals normals = new Normals();
 
     private Dimension dimension = Dimension.SPATIAL;
     private double ox;
@@ -247,6 +248,6 @@ public final class Cast {
             row = s.triangleA;
             at = 0;
         }
-        Normals.at(px, py, pz, distance, ux, uy, uz, kind, row, at, out, dimension, s);
+        normals.at(px, py, pz, distance, ux, uy, uz, kind, row, at, out, dimension);
     }
 }

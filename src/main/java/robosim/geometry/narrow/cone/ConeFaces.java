@@ -1,21 +1,23 @@
 package robosim.geometry.narrow.cone;
 
 import static robosim.geometry.exact.VectorMath.U;
-import static robosim.geometry.narrow.cone.ConePolytope.A;
-import static robosim.geometry.narrow.cone.ConePolytope.B;
-import static robosim.geometry.narrow.cone.ConePolytope.C;
-import static robosim.geometry.narrow.cone.ConePolytope.D;
-import static robosim.geometry.narrow.cone.ConePolytope.EDGE;
-import static robosim.geometry.narrow.cone.ConePolytope.NORMAL;
-import static robosim.geometry.narrow.cone.ConePolytope.OTHER;
-import static robosim.geometry.narrow.cone.ConePolytope.POINT;
-import static robosim.geometry.narrow.cone.ConePolytope.TEMPORARY;
 
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.VectorMath;
 
 /** The distances of a polytope's faces for {@link ConePolytope}: in doubles whether a face has its plane's nearest point, else in pairs. */
 final class ConeFaces {
+    // Where the pairs of doubles stand.
+    private static final int A = ConePolytope.A;
+    private static final int B = ConePolytope.B;
+    private static final int C = ConePolytope.C;
+    private static final int D = ConePolytope.D;
+    private static final int EDGE = ConePolytope.EDGE;
+    private static final int NORMAL = ConePolytope.NORMAL;
+    private static final int OTHER = ConePolytope.OTHER;
+    private static final int POINT = ConePolytope.POINT;
+    private static final int TEMPORARY = ConePolytope.TEMPORARY;
+
     private final ConeCorners corners;
 
     /** The unit normal of a face, from the first and the second of its edges, whose product is the largest. */

@@ -9,5 +9,4 @@ public class RayScratch extends OverlapScratch {
     final PlainCylinderFace plainCylinder = new PlainCylinderFace();
     final DoubleDoubles capsuleEnds = new DoubleDoubles(RayCapsule.PAIRS_NEEDED);
     public final RayRefine refine = new RayRefine();
-    public final NearestFace face = new NearestFace();
 }

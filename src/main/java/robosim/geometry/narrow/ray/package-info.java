@@ -1,4 +1,4 @@
-/** Where a ray hits a leaf, and the face that it hits. */
+/** Where a ray hits a leaf. */
 @NullMarked
 package robosim.geometry.narrow.ray;
 

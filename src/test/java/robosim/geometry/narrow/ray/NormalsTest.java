@@ -13,9 +13,11 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.normal.Normals;
 
 class NormalsTest {
     private final Scratch scratch = new Scratch();
+    private final Normals normals = new Normals();
     private final double[] normal = new double[3];
 
     /** Two more rays beside the one tell the slope of the surface. */
@@ -154,7 +156,7 @@ class NormalsTest {
     }
 
     private void at(double[] p, double[] d, LeafKind kind, double[] row, Dimension dimension) {
-        Normals.at(p[0], p[1], p[2], 0, d[0], d[1], d[2], kind, row, 0, normal, dimension, scratch);
+        normals.at(p[0], p[1], p[2], 0, d[0], d[1], d[2], kind, row, 0, normal, dimension);
     }
 
     /** A point of a leaf that is not near its edges. */

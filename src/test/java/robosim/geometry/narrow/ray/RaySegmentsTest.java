@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.normal.Normals;
 
 /** Triangles that are segments, and rays along their own lines: whichever corners coincide, at any magnitude. */
 class RaySegmentsTest {
@@ -83,20 +84,8 @@ class RaySegmentsTest {
     }
 
     private void facing(double[] p, double[] way, double[] row, double x, double z) {
-        Normals.at(
-                p[0],
-                p[1],
-                p[2],
-                0,
-                way[0],
-                way[1],
-                way[2],
-                LeafKind.TRIANGLE,
-                row,
-                0,
-                normal,
-                Dimension.PLANAR,
-                scratch);
+        new Normals()
+                .at(p[0], p[1], p[2], 0, way[0], way[1], way[2], LeafKind.TRIANGLE, row, 0, normal, Dimension.PLANAR);
         assertThat(normal).containsExactly(new double[] {x, 0, z}, within(1e-15));
     }
 
@@ -123,7 +112,7 @@ class RaySegmentsTest {
     @ValueSource(doubles = {1, -1})
     void aCapsuleOnEndHasADiscsNormals(double up) {
         double[] row = {1, 2, 3, 5, 2, 0, 1, 0, 0, 0, up, 0, 0, 0, up, 0};
-        Normals.at(4, 9, 7, 0, -3, 0, -4, LeafKind.CAPSULE, row, 0, normal, Dimension.PLANAR, scratch);
+        new Normals().at(4, 9, 7, 0, -3, 0, -4, LeafKind.CAPSULE, row, 0, normal, Dimension.PLANAR);
         assertThat(normal).containsExactly(new double[] {0.6, 0, 0.8}, within(1e-15));
     }
 }

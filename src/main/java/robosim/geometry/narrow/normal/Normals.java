@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.ray;
+package robosim.geometry.narrow.normal;
 
 import static robosim.geometry.exact.VectorMath.U;
 
@@ -14,13 +14,13 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * of the distance travelled, which may exceed the leaf's thickness, so a face counts as near if it is within that. If
  * no face is that near, the ray started inside. The normal is then opposite to the ray's direction; so it is where
  * there is no normal (a segment hit end on, a point). If the ray grazes a round side to within rounding, the normal is
- * perpendicular to the ray.
+ * perpendicular to the ray. An instance belongs to one owner of queries.
  */
 public final class Normals {
     /** How far rounding may put a hit below the surface, as a share of the coordinates and the distance: 2^-46. */
     private static final double DEPTH = 128 * U;
 
-    private Normals() {}
+    private final NearestFace face = new NearestFace();
 
     /**
      * Writes the normal.
@@ -30,7 +30,7 @@ public final class Normals {
      * @param ux direction of the ray, any length but zero; its height is ignored in {@code PLANAR}
      * @param normal receives three numbers, a unit vector; in {@code PLANAR} that of the projected leaf, horizontal
      */
-    public static void at(
+    public void at(
             double px,
             double py,
             double pz,
@@ -42,10 +42,8 @@ public final class Normals {
             double[] row,
             int j,
             double[] normal,
-            Dimension dimension,
-            RayScratch s) {
+            Dimension dimension) {
         boolean isPlanar = dimension == Dimension.PLANAR;
-        NearestFace face = s.face;
         double size = VectorMath.largest(ux, uy, uz);
         face.reset(px, isPlanar ? 0 : py, pz, ux / size, isPlanar ? 0 : uy / size, uz / size);
         if (isPlanar) {

@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.ray;
+package robosim.geometry.narrow.normal;
 
 import robosim.geometry.exact.VectorMath;
 
