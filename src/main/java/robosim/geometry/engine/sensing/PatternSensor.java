@@ -27,8 +27,8 @@ public final class PatternSensor {
     private final double[] mount = new double[9];
     private final ScanDirections scans = new ScanDirections();
 
-    /** The directions of the tile in the world, three numbers each. */
-    private final double[] directions = new double[3 * TILE];
+    /** The directions of the tile in the world, three numbers each; made for the first one, as many worlds have no sensor. */
+    private double[] directions = new double[0];
 
     /** Where all beams begin. */
     private double ox;
@@ -142,6 +142,7 @@ public final class PatternSensor {
         max = most;
         width = 0;
         ignored = id;
+        reserve();
         for (int first = 0; first < out.length; first += TILE) {
             int count = Math.min(TILE, out.length - first);
             for (int k = 0; k < count; k++) {
@@ -154,9 +155,16 @@ public final class PatternSensor {
         }
     }
 
+    private void reserve() {
+        if (directions.length == 0) {
+            directions = new double[3 * TILE];
+        }
+    }
+
     /** Turns the directions of a tile to the world's axes; answers how many there are. */
     private int aim(RayPattern pattern, int first, int to) {
         int count = Math.min(TILE, to - first);
+        reserve();
         pattern.directions(first, count, directions, 0);
         for (int at = 0; at < 3 * count; at += 3) {
             double x = directions[at];

@@ -7,7 +7,7 @@ public final class BoxCursor {
     private static final int WIDTH = Hierarchy.WIDTH;
     private static final int PART = Hierarchy.PART;
 
-    private Hierarchy tree = new Hierarchy(() -> {});
+    private Hierarchy tree = Hierarchy.EMPTY;
     private int[] links = new int[Hierarchy.STACK];
     private int depth;
     private float minX;

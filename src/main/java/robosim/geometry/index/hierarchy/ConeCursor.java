@@ -46,7 +46,7 @@ public final class ConeCursor {
     /** More than any entry. */
     private static final long MISSED = Long.MAX_VALUE;
 
-    private Hierarchy first = new Hierarchy(() -> {});
+    private Hierarchy first = Hierarchy.EMPTY;
     private Hierarchy second = first;
     private boolean isWhole;
     private double pad;

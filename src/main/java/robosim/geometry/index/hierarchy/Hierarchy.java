@@ -22,6 +22,9 @@ public final class Hierarchy {
     /** The most children of a node. */
     static final int WIDTH = 4;
 
+    /** What a cursor has before its first query. */
+    static final Hierarchy EMPTY = new Hierarchy(() -> {});
+
     /** Number of floats in a child's bounds: minimum corner, maximum corner. */
     static final int PART = 6;
 

@@ -13,7 +13,7 @@ public final class NearestCursor {
     /** The bit that is set in the links of the second hierarchy. */
     private static final int SECOND = 1 << 29;
 
-    private Hierarchy first = new Hierarchy(() -> {});
+    private Hierarchy first = Hierarchy.EMPTY;
     private Hierarchy second = first;
     private double x;
     private double y;

@@ -38,7 +38,7 @@ public final class RayCursor {
     /** More than any key; its lower half is below 0, as of an object. */
     private static final long MISSED = Long.MAX_VALUE;
 
-    private Hierarchy tree = new Hierarchy(() -> {});
+    private Hierarchy tree = Hierarchy.EMPTY;
     /**
      * What is still to be looked at: links in the lower halves, and above them where the ray enters, as the bits of floats of at
      * least 0, which sort like the floats.
