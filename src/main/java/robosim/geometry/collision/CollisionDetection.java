@@ -69,7 +69,7 @@ public final class CollisionDetection {
         GeometryObject volume = switch (object.kind()) {
             case MESH -> ((MeshObject) object).boundingVolume();
             case GROUP -> ((ObjectGroup) object).boundingVolume();
-            case BOX, CYLINDER, SPHERE, CAPSULE -> null;
+            case BOX, CYLINDER, SPHERE, CAPSULE, GRID -> null;
         };
         // The volume was checked to enclose the object only in the object's own frame, so only unplaced are its numbers
         // exact.

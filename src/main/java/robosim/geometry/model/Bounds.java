@@ -5,6 +5,7 @@ import java.util.Collection;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.index.cells.PlacedCells;
 
 /**
  * A box along the world's axes that holds an object, by its least and greatest coordinates in world units. Rounded
@@ -59,6 +60,10 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
             }
             return;
         }
+        if (object instanceof GridObject grid) {
+            add(grid, all);
+            return;
+        }
         double[] place = within(outer, own);
         if (object instanceof MeshObject mesh) {
             add(mesh.triangles(), place, all);
@@ -84,9 +89,28 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 CapsuleObject capsule = (CapsuleObject) object;
                 yield Outward.ofCapsule(capsule.radius(), capsule.segment() / 2, place[ROTATION + 1 + 3 * axis]);
             }
-            case MESH, GROUP ->
-                throw new IllegalArgumentException("object must be neither a mesh nor a group (got: " + object + ")");
+            case MESH, GROUP, GRID ->
+                throw new IllegalArgumentException("object must be a single convex shape (got: " + object + ")");
         };
+    }
+
+    /** Adds the occupied cells of a grid, which is a member of no group. */
+    private static void add(GridObject grid, double[] all) {
+        PlacedCells cells = grid.placed();
+        double y = grid.center().y();
+        double half = grid.height() / 2;
+        double[] box = {
+            cells.bound(0),
+            0 - Outward.sum(-y, half),
+            cells.bound(1),
+            cells.bound(2),
+            Outward.sum(y, half),
+            cells.bound(3)
+        };
+        for (int axis = 0; axis < 3; axis++) {
+            all[axis] = Math.min(all[axis], box[axis]);
+            all[3 + axis] = Math.max(all[3 + axis], box[3 + axis]);
+        }
     }
 
     private static double half(CylinderObject cylinder, double[] place, int axis) {

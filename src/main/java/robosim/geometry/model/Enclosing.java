@@ -14,7 +14,7 @@ final class Enclosing {
     static void check(GeometryObject volume, GeometryObject object) {
         switch (volume.kind()) {
             case BOX, CYLINDER, SPHERE -> {}
-            case CAPSULE, MESH, GROUP -> throw notAVolume(volume);
+            case CAPSULE, MESH, GROUP, GRID -> throw notAVolume(volume);
         }
         double[] frame = identity();
         double[] origin = new double[3];
@@ -67,6 +67,7 @@ final class Enclosing {
                     check(volume, member, rotation, place);
                 }
             }
+            case GRID -> throw ObjectGroup.refused(object);
         }
     }
 
@@ -119,7 +120,7 @@ final class Enclosing {
                         : Math.sqrt(dx * dx + dy * dy + dz * dz) + radius;
                 yield far <= ((SphereObject) volume).radius();
             }
-            case CAPSULE, MESH, GROUP -> throw notAVolume(volume);
+            case CAPSULE, MESH, GROUP, GRID -> throw notAVolume(volume);
         };
         if (!inside) {
             throw new IllegalArgumentException("boundingVolume must enclose its object, else collisions would be lost;"

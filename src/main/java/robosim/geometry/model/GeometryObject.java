@@ -11,24 +11,25 @@ import org.jspecify.annotations.Nullable;
  * be created that its constructor would refuse.
  */
 public sealed interface GeometryObject extends Serializable
-        permits BoxObject, CylinderObject, SphereObject, CapsuleObject, MeshObject, ObjectGroup {
+        permits BoxObject, CylinderObject, SphereObject, CapsuleObject, MeshObject, ObjectGroup, GridObject {
 
-    /** The six shapes, for a switch that the compiler checks. */
+    /** The seven shapes, for a switch that the compiler checks. */
     enum Kind {
         BOX,
         CYLINDER,
         SPHERE,
         CAPSULE,
         MESH,
-        GROUP;
+        GROUP,
+        GRID;
 
-        /** As in files and sentences: {@code box}, {@code cylinder}, {@code sphere}, {@code mesh} or {@code group}. */
+        /** As in files and sentences: {@code box}, {@code cylinder}, {@code sphere}, {@code capsule}, {@code mesh}, {@code group} or {@code grid}. */
         public String word() {
             return name().toLowerCase(Locale.ROOT);
         }
     }
 
-    /** Which of the six shapes this is. */
+    /** Which of the seven shapes this is. */
     Kind kind();
 
     /** The name, unique in a world, or null for a static object without one. */
@@ -41,7 +42,7 @@ public sealed interface GeometryObject extends Serializable
     /** The place and attitude. */
     Pose pose();
 
-    /** The place: the middle of a box, cylinder, sphere or capsule; the origin of the own frame of a mesh or group. */
+    /** The place: the middle of a box, cylinder, sphere, capsule or grid; the origin of the own frame of a mesh or group. */
     default Point center() {
         return pose().center();
     }

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * The union of its members, which are given in the group's own frame; groups may hold groups.
+ * The union of its members, which are given in the group's own frame; groups may hold groups, but no grid.
  *
  * <p>The frame's origin is the group's centre: (0, 0, 0) until it is moved. Inside a group, the names of the members
  * and whether they are moveable have no meaning.
@@ -77,9 +77,17 @@ public final class ObjectGroup implements GeometryObject {
         }
         int k = 0;
         for (GeometryObject member : members) {
-            Checks.present("members[" + k++ + "]", member);
+            if (Checks.present("members[" + k++ + "]", member) instanceof GridObject) {
+                throw refused(member);
+            }
         }
         return List.copyOf(members);
+    }
+
+    /** What is thrown for a grid among the members. */
+    static IllegalArgumentException refused(GeometryObject grid) {
+        return new IllegalArgumentException(
+                "members must not hold a grid, which is an object of the world itself (got: " + grid + ")");
     }
 
     /** The same shape with another tag and pose. */

@@ -12,14 +12,14 @@ import robosim.geometry.exact.Checks;
 
 /**
  * Many objects as columns of plain values, for serialization: sizes, names and places to the last bit, with the
- * rounding errors of centres. Data that placements of one mesh or group share is written once, and shared again after
+ * rounding errors of centres. Data that placements of one mesh, group or grid share is written once, and shared again after
  * reading.
  *
  * <p>For internal use. Nothing read is trusted: {@link #objects()} creates each object through its constructor.
  *
  * @param kinds    by object: which constructor makes it
  * @param sizes    by object: three numbers of a box, two of a cylinder or capsule, one of a sphere
- * @param shapes   the meshes and groups, each once
+ * @param shapes   the meshes, groups and grids, each once
  * @param shapeOf  by object: the index of its shape in {@code shapes}; unused for other kinds
  * @param names    by object: null if it has none
  * @param moveable by object
@@ -45,7 +45,7 @@ public record ObjectRows(
     private static final byte CAPSULE = 4;
     private static final int SIZES = 3;
 
-    /** What placements of one mesh or group have in common, by identity. */
+    /** What placements of one mesh, group or grid have in common, by identity. */
     private static final class Shape {
         private final Object parts;
         private final boolean solid;
@@ -108,8 +108,9 @@ public record ObjectRows(
                 ObjectGroup group = (ObjectGroup) object;
                 yield new Shape(group.members(), false, group.boundingVolume());
             }
+            case GRID -> new Shape(((GridObject) object).cells(), false, null);
             case BOX, CYLINDER, SPHERE, CAPSULE ->
-                throw new IllegalArgumentException("object must be a mesh or a group (got: " + object + ")");
+                throw new IllegalArgumentException("object must be a mesh, a group or a grid (got: " + object + ")");
         };
     }
 
@@ -136,7 +137,7 @@ public record ObjectRows(
                 sizes[at + 1] = ((CapsuleObject) object).segment();
                 yield CAPSULE;
             }
-            case MESH, GROUP -> OTHER;
+            case MESH, GROUP, GRID -> OTHER;
         };
     }
 
@@ -148,6 +149,7 @@ public record ObjectRows(
             case CAPSULE -> ((CapsuleObject) object).with(tag, pose);
             case MESH -> ((MeshObject) object).with(tag, pose);
             case GROUP -> ((ObjectGroup) object).with(tag, pose);
+            case GRID -> ((GridObject) object).with(tag, pose);
         };
     }
 

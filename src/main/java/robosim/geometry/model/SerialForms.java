@@ -30,7 +30,8 @@ public final class SerialForms {
                 Sphere.class,
                 Capsule.class,
                 Mesh.class,
-                Group.class);
+                Group.class,
+                Grid.class);
     }
 
     static InvalidObjectException formRequired() {
@@ -132,6 +133,18 @@ public final class SerialForms {
         @Serial
         private Object readResolve() {
             return new ObjectGroup(members, boundingVolume).with(place.tag(), place.pose());
+        }
+    }
+
+    /** The occupied cells as bits, eight a byte; free ones are sent too, so that no small message asks for a large grid. */
+    record Grid(Place place, double cell, double height, int columns, int rows, byte[] occupied)
+            implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return GridObject.of(place.tag(), place.pose(), cell, height, columns, rows, occupied);
         }
     }
 }

@@ -5,6 +5,7 @@ import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.cone.SpatialCone;
+import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
@@ -18,7 +19,7 @@ import robosim.geometry.narrow.ray.RayRectangle;
 import robosim.geometry.narrow.ray.SpatialRay;
 
 /**
- * Casts a line or a cone against one placed leaf, meshes included: the only switch over leaf kinds for beams. An
+ * Casts a line or a cone against one placed leaf, meshes and grids included: the only switch over leaf kinds for beams. An
  * instance holds the beam and belongs to one owner of queries.
  */
 public final class Cast {
@@ -43,7 +44,10 @@ public final class Cast {
     /** Whether the start is already too far from the origin for any scaling, see {@link UnderflowScaling}. */
     private boolean isFarFromOrigin;
 
-    /** The triangle of a mesh that gave the last answer, as its position in the order of the tree's leaves; else -1. */
+    /**
+     * The triangle of a mesh that gave the last answer, as its position in the order of the tree's leaves, or the cell of a
+     * grid; else -1.
+     */
     private int triangle;
 
     private double nearest;
@@ -128,8 +132,11 @@ public final class Cast {
     public double distance(LeafColumn column, int leaf, double limit) {
         triangle = -1;
         LeafKind kind = column.kind(leaf);
-        if (!kind.isMesh()) {
+        if (!kind.hasPieces()) {
             return convex(kind, column.rows(leaf), column.at(leaf), limit);
+        }
+        if (kind.isGrid()) {
+            return grid(column, leaf, limit);
         }
         if (PointInMesh.counts(dimension, column, leaf) && PointInMesh.holds(column, leaf, ox, oy, oz, s)) {
             return 0;
@@ -151,6 +158,30 @@ public final class Cast {
         }
         s.meshSight.find(column.mesh(leaf), limit, judge);
         return nearest;
+    }
+
+    private double grid(LeafColumn column, int leaf, double limit) {
+        takeUnit();
+        GridWalk walk = s.cells(LeafKind.UPRIGHT_BOX);
+        if (cone) {
+            walk.startCone(column, leaf, ox, oz, ux, uz, halfSin);
+        } else {
+            walk.startLine(column, leaf, dimension == Dimension.PLANAR, ox, oy, oz, ux, uy, uz, limit);
+        }
+        double best = Double.POSITIVE_INFINITY;
+        for (int cell = nextCell(walk, limit); cell >= 0; cell = nextCell(walk, Math.min(limit, best))) {
+            walk.corners(cell, s.triangleA, 0);
+            double distance = convex(LeafKind.UPRIGHT_BOX, s.triangleA, 0, best);
+            if (distance < best || (distance == best && cell < triangle)) {
+                best = distance;
+                triangle = cell;
+            }
+        }
+        return best;
+    }
+
+    private int nextCell(GridWalk walk, double reach) {
+        return cone ? walk.nextAround(reach) : walk.nextOnLine(reach);
     }
 
     /** Starts the search of a mesh; a direction that is of unit length but for some roundings is taken as it is. */
@@ -235,7 +266,13 @@ public final class Cast {
         LeafKind kind = column.kind(leaf);
         double[] row = column.rows(leaf);
         int at = column.at(leaf);
-        if (kind.isMesh()) {
+        if (kind.isGrid()) {
+            distance(column, leaf, Double.POSITIVE_INFINITY);
+            s.cells(LeafKind.UPRIGHT_BOX).corners(triangle, s.triangleA, 0);
+            kind = LeafKind.UPRIGHT_BOX;
+            row = s.triangleA;
+            at = 0;
+        } else if (kind.isMesh()) {
             distance(column, leaf, Double.POSITIVE_INFINITY);
             if (triangle < 0) { // inside a solid mesh
                 out[0] = -ux;

@@ -4,6 +4,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.distance.ConvexContact;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -11,7 +12,7 @@ import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.mesh.PointInMesh;
 
 /**
- * The distance of two placed leaves, meshes included, and their nearest points: the only switch over leaf kinds for
+ * The distance of two placed leaves, meshes and grids included, and their nearest points: the only switch over leaf kinds for
  * distances. An instance belongs to one owner of queries.
  */
 public final class Distance {
@@ -24,9 +25,14 @@ public final class Distance {
 
     private final Scratch s;
 
+    /** Cells of grids in contact. */
+    private final LeafColumn piece = new LeafColumn(1);
+
+    private final LeafColumn otherPiece = new LeafColumn(1);
+
     /**
-     * The triangles that gave the last answer, as positions in the order of the leaves; -1 if a leaf is not a mesh or
-     * contains the other one.
+     * The pieces that gave the last answer: triangles as positions in the order of the leaves, and cells of grids; -1 if a
+     * leaf is not made of pieces or contains the other one.
      */
     private int triangleA;
 
@@ -46,6 +52,16 @@ public final class Distance {
         triangleB = -1;
         LeafKind kindA = a.kind(i);
         LeafKind kindB = b.kind(j);
+        if (kindB.isGrid()) {
+            return grid(dimension, b, j, kindA, a, i, limit);
+        }
+        if (kindA.isGrid()) {
+            double distance = grid(dimension, a, i, kindB, b, j, limit);
+            int cell = triangleB;
+            triangleB = triangleA;
+            triangleA = cell;
+            return distance;
+        }
         if (kindA.isMesh() && kindB.isMesh()) {
             return meshes(dimension, a, i, b, j, limit);
         }
@@ -59,6 +75,31 @@ public final class Distance {
             return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), limit);
         }
         return convex(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j));
+    }
+
+    /** Afterwards the other leaf's piece is in the first place, the cell in the second one. */
+    private double grid(
+            Dimension dimension, LeafColumn grid, int leaf, LeafKind kind, LeafColumn other, int k, double limit) {
+        GridWalk walk = s.cells(kind);
+        other.bounds(k, s.box);
+        walk.startNearest(grid, leaf, s.box);
+        double sizes = walk.sides() + sides(s.box);
+        double best = Double.POSITIVE_INFINITY;
+        int nearest = -1;
+        int piece = -1;
+        for (int cell = walk.nextAround(reach(limit, sizes));
+                cell >= 0;
+                cell = walk.nextAround(reach(Math.min(limit, best), sizes))) {
+            double distance = between(dimension, other, k, walk.piece(cell, kind), 0, Math.min(limit, best));
+            if (distance < best || (distance == best && cell < nearest)) {
+                best = distance;
+                nearest = cell;
+                piece = triangleA;
+            }
+        }
+        triangleA = piece;
+        triangleB = nearest;
+        return best;
     }
 
     private double convex(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
@@ -173,16 +214,26 @@ public final class Distance {
         double[] rowB = b.rows(j);
         int atA = a.at(i);
         int atB = b.at(j);
-        if (kindA.isMesh() || kindB.isMesh()) {
+        if (kindA.hasPieces() || kindB.hasPieces()) {
             between(dimension, a, i, b, j, Double.POSITIVE_INFINITY);
-            if (triangleA >= 0) {
+            if (kindA.isGrid()) {
+                piece.setPiece(a, i, triangleA);
+                kindA = piece.kind(0);
+                rowA = piece.rows();
+                atA = 0;
+            } else if (triangleA >= 0) {
                 s.outer.open(a, i);
                 s.outer.corners(triangleA, s.triangleA, 0);
                 kindA = LeafKind.TRIANGLE;
                 rowA = s.triangleA;
                 atA = 0;
             }
-            if (triangleB >= 0) {
+            if (kindB.isGrid()) {
+                otherPiece.setPiece(b, j, triangleB);
+                kindB = otherPiece.kind(0);
+                rowB = otherPiece.rows();
+                atB = 0;
+            } else if (triangleB >= 0) {
                 s.outer.open(b, j);
                 s.outer.corners(triangleB, s.triangleB, 0);
                 kindB = LeafKind.TRIANGLE;

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -12,7 +13,7 @@ import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.planar.DiscDisc;
 import robosim.geometry.narrow.planar.DiscRectangle;
 
-/** Whether two placed leaves have a point in common, meshes included: the only switch over leaf kinds for overlaps. */
+/** Whether two placed leaves have a point in common, meshes and grids included: the only switch over leaf kinds for overlaps. */
 public final class Overlap {
     private Overlap() {}
 
@@ -22,6 +23,12 @@ public final class Overlap {
         LeafKind kindB = b.kind(j);
         if (dimension == Dimension.PLANAR && LeafColumn.isUpright(j) && kindA.isDisc()) {
             return disc(kindA, a.rows(i), a.at(i), kindB, b, j, s);
+        }
+        if (kindB.isGrid()) {
+            return grid(dimension, b, j, kindA, a, i, s);
+        }
+        if (kindA.isGrid()) {
+            return grid(dimension, a, i, kindB, b, j, s);
         }
         if (kindA.isMesh()) {
             return kindB.isMesh()
@@ -62,6 +69,20 @@ public final class Overlap {
                 x, z, r, row[at], row[at + 2], half, row[at + Leaf.SIZE + 2], row[at + UprightRows.COS], sin);
     }
 
+    private static boolean grid(
+            Dimension dimension, LeafColumn grid, int leaf, LeafKind kind, LeafColumn other, int k, Scratch s) {
+        GridWalk walk = s.cells(kind);
+        other.bounds(k, s.box);
+        widen(dimension, s.box);
+        walk.startBox(grid, leaf, s.box);
+        for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
+            if (test(dimension, other, k, walk.piece(cell, kind), 0, s)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         if (dimension == Dimension.PLANAR) {
             return s.pairs().touch(dimension, a, i, b, j);
@@ -98,11 +119,12 @@ public final class Overlap {
     }
 
     /**
-     * Whether two leaves, neither of them a mesh, certainly overlap by more than rounding; false if that is not known.
+     * Whether two leaves, neither of them a mesh or a grid, certainly overlap by more than rounding; false if that is not
+     * known.
      */
     public static boolean isDeep(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
-        return !a.kind(i).isMesh()
-                && !b.kind(j).isMesh()
+        return !a.kind(i).hasPieces()
+                && !b.kind(j).hasPieces()
                 && ConvexOverlap.isDeep(dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s);
     }
 }

@@ -1,11 +1,12 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Visits the pairs of convex pieces of two leaves that may touch; each triangle of a mesh is a piece. */
+/** Visits the pairs of convex pieces of two leaves that may touch; each triangle of a mesh and each cell of a grid is a piece. */
 final class PiecePairs {
     /** Receives the pairs. */
     interface Visitor {
@@ -13,7 +14,7 @@ final class PiecePairs {
          * Visits a pair; the rows are valid until this method returns.
          *
          * @param t triangle of the first mesh, as a position in the order of the leaves; -1 if it is not a mesh
-         * @param u the same for the second
+         * @param u the same for the second, or the cell of a grid
          * @return true to stop
          */
         boolean visit(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u);
@@ -48,15 +49,30 @@ final class PiecePairs {
     private boolean anyOf(
             Dimension dimension, LeafKind kind, double[] row, int at, int t, LeafColumn b, int j, Visitor visitor) {
         LeafKind kindB = b.kind(j);
-        if (!kindB.isMesh()) {
+        if (!kindB.hasPieces()) {
             return visitor.visit(kind, row, at, t, kindB, b.rows(j), b.at(j), -1);
         }
         LeafBounds.of(kind, row, at, own);
         widen(dimension, own);
+        if (kindB.isGrid()) {
+            return anyCell(kind, row, at, t, b, j, visitor);
+        }
         s.inner.startBox(b, j, own);
         for (int u = s.inner.next(0); u >= 0; u = s.inner.next(0)) {
             s.inner.corners(u, s.triangleB, 0);
             if (visitor.visit(kind, row, at, t, LeafKind.TRIANGLE, s.triangleB, 0, u)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean anyCell(LeafKind kind, double[] row, int at, int t, LeafColumn grid, int leaf, Visitor visitor) {
+        GridWalk walk = s.cells(kind);
+        walk.startBox(grid, leaf, own);
+        for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
+            LeafColumn box = walk.piece(cell, kind);
+            if (visitor.visit(kind, row, at, t, box.kind(0), box.rows(), 0, cell)) {
                 return true;
             }
         }

@@ -6,7 +6,9 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
@@ -19,7 +21,7 @@ import robosim.geometry.narrow.turn.SpatialTurnSweep;
 import robosim.geometry.narrow.turn.SweptBounds;
 
 /**
- * Sweeps one placed leaf against another at rest, meshes included: the only switch over leaf kinds for sweeps. An
+ * Sweeps one placed leaf against another at rest, meshes and grids included: the only switch over leaf kinds for sweeps. An
  * instance holds the motion and belongs to one owner of queries.
  */
 public final class Sweep {
@@ -88,7 +90,7 @@ public final class Sweep {
                 ExactExtent.axis(kind, row, at)
                         .cross(ExactVector.of(wx, wy, wz))
                         .isZero();
-            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH -> false;
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> false;
         };
     }
 
@@ -211,7 +213,7 @@ public final class Sweep {
         return ownPiece;
     }
 
-    /** The same for the triangle that was hit. */
+    /** The same for the triangle that was hit, or the cell of a grid. */
     public int otherPiece() {
         return otherPiece;
     }
@@ -254,11 +256,11 @@ public final class Sweep {
         otherPiece = -1;
         LeafKind kindA = a.kind(i);
         LeafKind kindB = b.kind(j);
-        if (!kindA.isMesh() && !kindB.isMesh()) {
+        if (!kindA.isMesh() && !kindB.hasPieces()) {
             return piece(kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), -1, Double.POSITIVE_INFINITY);
         }
         if (!kindA.isMesh()) {
-            return againstMesh(kindA, a.rows(i), a.at(i), b, j);
+            return againstPieces(kindA, a.rows(i), a.at(i), b, j);
         }
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
@@ -270,8 +272,8 @@ public final class Sweep {
             if (meets(swept, s.triangleBox)) {
                 own = t;
                 int before = otherPiece;
-                double share = kindB.isMesh()
-                        ? againstMesh(LeafKind.TRIANGLE, s.triangleA, 0, b, j)
+                double share = kindB.hasPieces()
+                        ? againstPieces(LeafKind.TRIANGLE, s.triangleA, 0, b, j)
                         : piece(LeafKind.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
                 boolean isFirst = share < least || (share == least && ownPiece >= 0 && isLower(s.outer, t, ownPiece));
                 if (share != Double.POSITIVE_INFINITY && isFirst) {
@@ -329,6 +331,46 @@ public final class Sweep {
                 && a[2] <= b[5]
                 && b[2] <= a[5]
                 && (dimension == Dimension.PLANAR || (a[1] <= b[4] && b[1] <= a[4]));
+    }
+
+    private double againstPieces(LeafKind kind, double[] row, int at, LeafColumn b, int j) {
+        return b.kind(j).isGrid() ? againstGrid(kind, row, at, b, j) : againstMesh(kind, row, at, b, j);
+    }
+
+    private double againstGrid(LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
+        GridWalk walk = s.cells(kind);
+        startCells(walk, kind, row, at, grid, of);
+        double least = Double.POSITIVE_INFINITY;
+        int first = -1;
+        for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
+            LeafColumn box = walk.piece(cell, kind);
+            double share = piece(kind, row, at, box.kind(0), box.rows(), 0, cell, least);
+            if (share < least || (share == least && cell < first)) {
+                least = share;
+                first = cell;
+            }
+        }
+        otherPiece = first;
+        return least;
+    }
+
+    /** Starts with all cells that the motion may meet. */
+    private void startCells(GridWalk walk, LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
+        bounds(kind, row, at, swept);
+        if (dimension == Dimension.PLANAR) {
+            swept[1] = Double.NEGATIVE_INFINITY;
+            swept[4] = Double.POSITIVE_INFINITY;
+        }
+        if (turns) {
+            walk.startBox(grid, of, swept);
+            return;
+        }
+        double low = swept[1];
+        double high = swept[4];
+        LeafBounds.of(kind, row, at, swept);
+        swept[1] = low;
+        swept[4] = high;
+        walk.startSwept(grid, of, swept, dx, dz);
     }
 
     private double againstMesh(LeafKind kind, double[] row, int at, LeafColumn mesh, int of) {

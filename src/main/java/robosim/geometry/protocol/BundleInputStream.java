@@ -142,6 +142,7 @@ final class BundleInputStream extends ObjectInputStream {
         return switch (object.kind()) {
             case BOX, CYLINDER, SPHERE, CAPSULE -> 1;
             case MESH -> ((MeshObject) object).triangles().size();
+            case GRID -> throw new UnsupportedOperationException("grid");
             case GROUP -> groups.getOrDefault((ObjectGroup) object, 1L);
         };
     }

@@ -86,6 +86,7 @@ public final class ObjWriter {
                 ball(capsule.radius(), capsule.segment() / 2, place);
             }
             case MESH -> mesh((MeshObject) object, place);
+            case GRID -> throw new UnsupportedOperationException("grid");
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     object(member, place);

@@ -202,6 +202,7 @@ public final class WorldWriter {
                 }
             }
             case GROUP -> {}
+            case GRID -> throw new UnsupportedOperationException("grid");
         }
     }
 

@@ -119,9 +119,12 @@ public abstract class BeamSearch {
      */
     protected void search(AccuracyView view, double limit, int ignored) {
         LeafTable shared = view.shared;
-        double reach = shared == null ? limit : searchTrees(shared, limit, ignored);
-        reach = searchTrees(view.own, reach, ignored);
-        searchBesideTree(view.own, reach, ignored);
+        double reach = shared == null ? limit : searchTable(shared, limit, ignored);
+        searchTable(view.own, reach, ignored);
+    }
+
+    private double searchTable(LeafTable table, double limit, int ignored) {
+        return searchBesideTree(table, searchTrees(table, limit, ignored), ignored);
     }
 
     private double searchTrees(LeafTable table, double limit, int ignored) {
@@ -135,10 +138,10 @@ public abstract class BeamSearch {
         return searchLine(table, limit, ignored, cast.way(0), cast.way(2));
     }
 
-    private void searchBesideTree(LeafTable table, double limit, int ignored) {
-        int movers = table.moversBesideTree();
-        if (movers == 0) {
-            return;
+    private double searchBesideTree(LeafTable table, double limit, int ignored) {
+        int count = table.besideTree();
+        if (count == 0) {
+            return limit;
         }
         takeUnit();
         if (isCone) {
@@ -146,12 +149,13 @@ public abstract class BeamSearch {
         }
         double slack = slack(table);
         double reach = limit;
-        for (int k = 0; k < movers; k++) {
-            int id = objects.mover(k);
+        for (int k = 0; k < count; k++) {
+            int id = table.besideTree(k);
             if (id != ignored && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
                 reach = meet(table, id, reach);
             }
         }
+        return reach;
     }
 
     /** Searches the quadtree along a line. */

@@ -70,8 +70,8 @@ public final class BoxQuery {
             gather(of, space.boxes, space.still, box, but);
             gather(of, space.boxes, space.moving, box, but);
         }
-        for (int k = 0; k < of.moversBesideTree(); k++) {
-            int id = objects.mover(k);
+        for (int k = 0; k < of.besideTree(); k++) {
+            int id = of.besideTree(k);
             if (id != but && of.meets(id, box)) {
                 add(id);
             }
@@ -162,8 +162,8 @@ public final class BoxQuery {
     }
 
     private boolean meetsBesideTree(LeafTable of, double[] box, int but) {
-        for (int k = 0; k < of.moversBesideTree(); k++) {
-            int id = objects.mover(k);
+        for (int k = 0; k < of.besideTree(); k++) {
+            int id = of.besideTree(k);
             if (id != but && of.meets(id, box) && target.meet(of, id)) {
                 return true;
             }

@@ -49,6 +49,11 @@ public final class LeafTable {
     private static final int FEW_MOVERS = 16;
 
     private int movers;
+
+    /** Grids, which are in no tree: one lies over most of a world, and finds for itself what is near. */
+    private int[] grids = new int[0];
+
+    private int gridCount;
     private boolean hasMoversInTree;
 
     /** The longest sum of three sides of bounds that were taken in. */
@@ -71,6 +76,9 @@ public final class LeafTable {
 
     /** It is moveable. */
     private static final byte MOVER = 8;
+
+    /** It is a grid. */
+    private static final byte GRID = 16;
 
     private final ObjectTable objects;
     private final LeafColumn incoming = new LeafColumn(1);
@@ -109,6 +117,8 @@ public final class LeafTable {
         spans = of.spans;
         shapes = of.shapes;
         longest = of.longest;
+        grids = of.grids;
+        gridCount = of.gridCount;
     }
 
     /** Builds now what is otherwise built on demand. From now on nothing may change here, and many threads may ask views of it. */
@@ -128,7 +138,7 @@ public final class LeafTable {
 
     /** Makes a column hold what stands here for an object that is not, or not yet, in the world. */
     void placed(GeometryObject object, LeafColumn column) {
-        if (accuracy == Accuracy.EXACT) {
+        if (accuracy == Accuracy.EXACT || object.kind() == GeometryObject.Kind.GRID) {
             LocalLeaves.placed(object, column);
             return;
         }
@@ -169,10 +179,14 @@ public final class LeafTable {
         int leaf = claim(id, object, placed);
         leaves.copy(placed, leaf);
         tree.keep(id, box);
-        longest = Math.max(longest, Distance.sides(box));
         if (space == null) {
             leaves.outline(id, box[0], box[2], box[3], box[5]);
         }
+        if (object.kind() == GeometryObject.Kind.GRID) {
+            takeGrid(id);
+            return;
+        }
+        longest = Math.max(longest, Distance.sides(box));
         shapes[id] = placed.size() == 1 && leaves.kind(leaf).isDisc() ? DISC : 0;
         if (object.isMoveable()) {
             shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
@@ -183,6 +197,23 @@ public final class LeafTable {
         } else {
             space.still.add(id, tree.boxes());
         }
+    }
+
+    private void takeGrid(int id) {
+        shapes[id] = GRID;
+        if (gridCount == grids.length) {
+            grids = Arrays.copyOf(grids, gridCount + 1);
+        }
+        grids[gridCount++] = id;
+    }
+
+    private void giveUpGrid(int id) {
+        int at = 0;
+        while (grids[at] != id) {
+            at++;
+        }
+        System.arraycopy(grids, at + 1, grids, at, gridCount - at - 1);
+        gridCount--;
     }
 
     /** Where an object's leaves are to stand: in the plane, an upright static one has half a row. */
@@ -198,7 +229,7 @@ public final class LeafTable {
         }
         return switch (object.kind()) {
             case BOX, CYLINDER, SPHERE, CAPSULE -> CONVEX | SINGLE;
-            case MESH -> 0;
+            case MESH, GRID -> 0;
             case GROUP -> form(id).own.hasMesh() ? 0 : CONVEX;
         };
     }
@@ -230,9 +261,14 @@ public final class LeafTable {
         }
     }
 
-    /** How many moveable objects are in no tree: all of them or none. */
-    int moversBesideTree() {
-        return hasMoversInTree ? 0 : movers;
+    /** How many objects are in no tree: all moveable ones or none, and all grids. */
+    int besideTree() {
+        return hasMoversInTree ? gridCount : movers + gridCount;
+    }
+
+    /** One of them. */
+    int besideTree(int k) {
+        return k < gridCount ? grids[k] | mark : objects.mover(k - gridCount);
     }
 
     /** Gives up room that there is for more objects. */
@@ -252,7 +288,9 @@ public final class LeafTable {
     }
 
     void remove(int id) {
-        if (!objects.isMoveable(id)) {
+        if (shapes[id] == GRID) {
+            giveUpGrid(id);
+        } else if (!objects.isMoveable(id)) {
             if (space == null) {
                 tree.remove(id);
             } else {

@@ -27,13 +27,18 @@ public final class NearestSearch {
      */
     public void search(AccuracyView view, double[] box, double limit, int ignored) {
         LeafTable shared = view.shared;
-        double reach = shared == null ? limit : searchTrees(shared, box, limit, ignored);
-        reach = searchTrees(view.own, box, reach, ignored);
-        for (int k = 0; k < view.own.moversBesideTree(); k++) {
-            if (objects.mover(k) != ignored) {
-                reach = target.meet(view.own, objects.mover(k), reach);
+        double reach = shared == null ? limit : searchTable(shared, box, limit, ignored);
+        searchTable(view.own, box, reach, ignored);
+    }
+
+    private double searchTable(LeafTable table, double[] box, double limit, int ignored) {
+        double reach = searchTrees(table, box, limit, ignored);
+        for (int k = 0; k < table.besideTree(); k++) {
+            if (table.besideTree(k) != ignored) {
+                reach = target.meet(table, table.besideTree(k), reach);
             }
         }
+        return reach;
     }
 
     private double searchTrees(LeafTable table, double[] box, double limit, int ignored) {

@@ -237,7 +237,7 @@ public final class ObjectRegistry {
                 && Checks.present("object", object) instanceof CylinderObject cylinder
                 && cylinder.pose().isUpright()) {
             int met = probe(own, cylinder);
-            if (met == QuadCursor.ENOUGH || (met == QuadCursor.ALL && own.moversBesideTree() == 0)) {
+            if (met == QuadCursor.ENOUGH || (met == QuadCursor.ALL && own.besideTree() == 0)) {
                 return met == QuadCursor.ENOUGH;
             }
         }

@@ -4,22 +4,37 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.GridWalk;
+import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
 final class EnclosureTurn {
     private static final double HALF_ROOT = 0.7071067811865476;
 
     private final Leg leg;
+    private final GridWalk walk = new GridWalk();
     private final double[] atStart = new double[6];
+    private final double[] swept = new double[6];
 
     /** Bounds of x + z and of x - z, for octagons. */
     private final double[] diagonals = new double[4];
 
+    /** The bounds of what may be met, and those of its diagonals. */
+    private final double[] bounds = new double[6];
+
+    private final double[] octagon = new double[4];
+
     private AccuracyView view;
+    private int piece;
 
     @SuppressWarnings("NullAway.Init") // a question sets the view
     EnclosureTurn(Leg leg) {
         this.leg = leg;
+    }
+
+    /** The cell that is met first; -1 if the object is not a grid, or is not met. */
+    int piece() {
+        return piece;
     }
 
     /**
@@ -28,14 +43,54 @@ final class EnclosureTurn {
      * @param box what holds all of the turn; the same after the call
      */
     double met(AccuracyView inView, int other, double[] box) {
-        if (!inView.table(other).meets(other, box)) {
+        piece = -1;
+        LeafTable table = inView.table(other);
+        if (!table.meets(other, box)) {
             return Double.POSITIVE_INFINITY;
         }
         view = inView;
         leg.atStart.bounds(0, leg.atStart.size(), atStart);
+        LeafColumn leaves = table.leaves();
+        int leaf = table.first(other);
+        if (leaves.kind(leaf).isGrid()) {
+            return metCells(leaves, leaf, box);
+        }
+        System.arraycopy(table.bounds(), table.boundsAt(other), bounds, 0, 6);
+        takeOctagon(leaves, leaf);
+        return met(box);
+    }
+
+    private double metCells(LeafColumn leaves, int leaf, double[] box) {
+        System.arraycopy(box, 0, swept, 0, 6);
+        if (view.dimension == Dimension.PLANAR) {
+            swept[1] = Double.NEGATIVE_INFINITY;
+            swept[4] = Double.POSITIVE_INFINITY;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        walk.startBox(leaves, leaf, swept);
+        for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
+            LeafColumn own = walk.piece(cell, leg.atStart.kind(0));
+            own.bounds(0, bounds);
+            takeOctagon(own, 0);
+            double met = met(box);
+            if (met < least) {
+                least = met;
+                piece = cell;
+            }
+        }
+        return least;
+    }
+
+    private void takeOctagon(LeafColumn leaves, int leaf) {
+        if (view.accuracy == Accuracy.DOP) {
+            System.arraycopy(leaves.rows(leaf), leaves.at(leaf) + 4, octagon, 0, 4);
+        }
+    }
+
+    private double met(double[] box) {
         takeDiagonals(0);
-        double before = depth(other, atStart);
-        if (!deepens(other, 1, box, before)) {
+        double before = depth(atStart);
+        if (!deepens(1, box, before)) {
             return Double.POSITIVE_INFINITY;
         }
         double low = 0;
@@ -43,7 +98,7 @@ final class EnclosureTurn {
         for (int halving = 0; halving < 50; halving++) {
             double middle = low / 2 + high / 2;
             leg.sweptBox(middle, box);
-            if (deepens(other, middle, box, before)) {
+            if (deepens(middle, box, before)) {
                 high = middle;
             } else {
                 low = middle;
@@ -53,13 +108,13 @@ final class EnclosureTurn {
         return low;
     }
 
-    /** Whether what holds the object up to a share of the turn, a box, overlaps another more deeply than before. */
-    private boolean deepens(int other, double share, double[] box, double before) {
-        if (depthOfBoxes(other, box) < 0) {
+    /** Whether what holds the object up to a share of the turn, a box, overlaps the other more deeply than before. */
+    private boolean deepens(double share, double[] box, double before) {
+        if (depthOfBoxes(box) < 0) {
             return false;
         }
         takeDiagonals(share);
-        double after = depth(other, box);
+        double after = depth(box);
         return after >= 0 && (before < 0 || after > before);
     }
 
@@ -70,29 +125,23 @@ final class EnclosureTurn {
     }
 
     /** How deeply two enclosures overlap, below 0 where they do not: along the axes and, of octagons, between them. */
-    private double depth(int other, double[] of) {
-        double least = depthOfBoxes(other, of);
+    private double depth(double[] of) {
+        double least = depthOfBoxes(of);
         if (view.accuracy == Accuracy.DOP) {
-            LeafTable home = view.table(other);
-            int leaf = home.first(other);
-            double[] row = home.leaves().rows(leaf);
-            int at = home.leaves().at(leaf) + 4;
             for (int k = 0; k < 4; k += 2) {
-                double one = diagonals[k + 1] - row[at + k];
-                double two = row[at + k + 1] - diagonals[k];
+                double one = diagonals[k + 1] - octagon[k];
+                double two = octagon[k + 1] - diagonals[k];
                 least = Math.min(least, HALF_ROOT * Math.min(one, two));
             }
         }
         return least;
     }
 
-    private double depthOfBoxes(int other, double[] of) {
-        double[] b = view.table(other).bounds();
-        int at = view.table(other).boundsAt(other);
+    private double depthOfBoxes(double[] of) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < 3; k += view.dimension == Dimension.PLANAR ? 2 : 1) {
-            double one = of[3 + k] - b[at + k];
-            double two = b[at + 3 + k] - of[k];
+            double one = of[3 + k] - bounds[k];
+            double two = bounds[3 + k] - of[k];
             least = Math.min(least, Math.min(one, two));
         }
         return least;

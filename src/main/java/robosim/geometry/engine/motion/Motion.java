@@ -249,7 +249,7 @@ public final class Motion {
         }
         double met = enclosure.met(view, other, box);
         if (met != Double.POSITIVE_INFINITY) {
-            meet(0, -1, view.table(other).first(other), -1);
+            meet(0, -1, view.table(other).first(other), enclosure.piece());
         }
         return met;
     }
@@ -261,7 +261,7 @@ public final class Motion {
         double least = Double.POSITIVE_INFINITY;
         for (int j = first; j < first + of.count(other); j++) {
             for (int i = 0; i < atStart.size(); i++) {
-                boolean isOnFloor = isOnMesh(of, other, i, j) && stands(); // whose planes spare most of a sweep
+                boolean isOnFloor = hasPieces(of, other, i, j) && stands(); // whose planes spare most of a sweep
                 double free = isOnFloor
                         ? leg.sweep.free(atStart, i, of.leaves(), j, standing, null)
                         : leg.sweep.free(atStart, i, of.leaves(), j);
@@ -280,9 +280,9 @@ public final class Motion {
         return least;
     }
 
-    /** Whether one of the leaves is a mesh, and the object may touch the other at the start. */
-    private boolean isOnMesh(LeafTable of, int other, int i, int j) {
-        if (!leg.atStart.kind(i).isMesh() && !of.leaves().kind(j).isMesh()) {
+    /** Whether one of the leaves is a mesh or a grid, and the object may touch the other at the start. */
+    private boolean hasPieces(LeafTable of, int other, int i, int j) {
+        if (!leg.atStart.kind(i).hasPieces() && !of.leaves().kind(j).hasPieces()) {
             return false;
         }
         leg.atStart.bounds(0, leg.atStart.size(), part);

@@ -239,8 +239,8 @@ public final class TranslationFastPath {
         sweep.translation(view.dimension, dx, dy, dz);
         for (int j = others; j < othersEnd; j++) {
             for (int i = first; i < last; i++) {
-                // Who drives on a mesh may be stopped by its next triangle only where the contacts say so.
-                isUnsure = theirs.kind(j).isMesh() && Overlap.test(view.dimension, leaves, i, theirs, j, s);
+                // Who touches a mesh or a grid may be stopped by its next piece only where the contacts say so.
+                isUnsure = theirs.kind(j).hasPieces() && Overlap.test(view.dimension, leaves, i, theirs, j, s);
                 if (isUnsure || sweep.free(leaves, i, theirs, j) != Double.POSITIVE_INFINITY) {
                     return false;
                 }
@@ -250,8 +250,9 @@ public final class TranslationFastPath {
         for (int j = others; j < othersEnd; j++) {
             for (int i = first; i < last; i++) {
                 if (Overlap.test(view.dimension, probe, i - first, theirs, j, s)) {
-                    // Each face of a mesh is a piece of its own, any of which may be touched anew.
-                    isUnsure = theirs.kind(j).isMesh();
+                    // Each face of a mesh and each cell of a grid is a piece of its own, any of which may be touched
+                    // anew.
+                    isUnsure = theirs.kind(j).hasPieces();
                     if (isUnsure || !Overlap.test(view.dimension, leaves, i, theirs, j, s)) {
                         return false;
                     }

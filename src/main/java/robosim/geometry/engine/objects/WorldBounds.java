@@ -5,6 +5,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Expansion;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
+import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -32,6 +33,10 @@ public final class WorldBounds {
     private final double[] half;
 
     private final Dimension dimension;
+    private final double[] box = new double[6];
+
+    /** A cell of a grid. */
+    private final LeafColumn piece = new LeafColumn(1);
 
     /**
      * The terms of a sum that is added without rounding: two doubles, and a product of two parts for each half size.
@@ -84,6 +89,9 @@ public final class WorldBounds {
 
     private boolean holds(LeafColumn column, int leaf) {
         LeafKind kind = column.kind(leaf);
+        if (kind.isGrid()) {
+            return holdsGrid(column, leaf);
+        }
         double[] row = column.rows();
         int at = leaf * Leaf.STRIDE;
         for (int axis = 0; axis < 3; axis += step()) {
@@ -92,6 +100,21 @@ public final class WorldBounds {
                     return false;
                 }
             } else if (!holds(kind, row, at, axis, 1) || !holds(kind, row, at, axis, -1)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean holdsGrid(LeafColumn column, int leaf) {
+        column.bounds(leaf, box);
+        if (clearlyHolds(box)) {
+            return true;
+        }
+        PlacedCells cells = column.cells(leaf);
+        for (int cell = cells.map.next(0); cell >= 0; cell = cells.map.next(cell + 1)) {
+            piece.setPiece(column, leaf, cell);
+            if (!holds(piece, 0)) {
                 return false;
             }
         }
@@ -126,7 +149,7 @@ public final class WorldBounds {
         return switch (kind) {
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX -> FILTER;
             case CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> CYLINDER_FILTER;
-            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -136,7 +159,7 @@ public final class WorldBounds {
             case UPRIGHT_BOX, BOX -> productsFit(row, at, axis);
             case UPRIGHT_CYLINDER, SPHERE -> true;
             case CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -190,7 +213,7 @@ public final class WorldBounds {
                 row[at + 3] * Math.abs(row[r])
                         + row[at + 4] * Math.abs(row[r + 1])
                         + row[at + 5] * Math.abs(row[r + 2]);
-            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -230,7 +253,7 @@ public final class WorldBounds {
                 }
                 yield room.signum() >= 0;
             }
-            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -78,7 +78,8 @@ final class ConeCorners {
             case TRIANGLE -> triangle(cone, row, j);
             case PRISM -> prism(cone, row, j);
             case UPRIGHT_BOX, BOX -> box(cone, row, j);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID ->
+                throw kind.refused();
         }
     }
 
@@ -87,7 +88,8 @@ final class ConeCorners {
             case UPRIGHT_BOX, BOX -> BOX_EDGES;
             case TRIANGLE -> TRIANGLE_EDGES;
             case PRISM -> PRISM_EDGES;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID ->
+                throw kind.refused();
         };
     }
 
@@ -101,7 +103,8 @@ final class ConeCorners {
             case UPRIGHT_BOX, BOX -> BOX_FACES;
             case TRIANGLE -> TRIANGLE_FACES;
             case PRISM -> PRISM_FACES;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID ->
+                throw kind.refused();
         };
     }
 
@@ -294,7 +297,8 @@ final class ConeCorners {
             case UPRIGHT_BOX, BOX -> exactBox(ray, row, j, corner);
             case TRIANGLE -> ray.point(row, j + 3 * corner);
             case PRISM -> exactPrism(ray, row, j, corner);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID ->
+                throw kind.refused();
         };
     }
 

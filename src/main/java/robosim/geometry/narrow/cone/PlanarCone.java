@@ -152,7 +152,7 @@ public final class PlanarCone {
             case DISC -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
             case POLYGON -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
             case OVAL -> oval(ox, oz, ux, uz, halfCos, kind, b, j, s);
-            case TRIANGLES -> throw kind.refused();
+            case TRIANGLES, CELLS -> throw kind.refused();
         };
     }
 
@@ -236,7 +236,7 @@ public final class PlanarCone {
                     out[k] = 0;
                 }
             }
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

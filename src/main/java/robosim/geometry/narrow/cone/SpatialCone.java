@@ -127,7 +127,7 @@ public final class SpatialCone {
             case CYLINDER -> s.cones().cylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
             case UPRIGHT_CAPSULE -> s.cones().capsule.distance(cone, row, j, 0, 1, 0);
             case CAPSULE -> s.cones().capsule.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
         return Math.min(axis, nearest);
     }
@@ -206,7 +206,7 @@ public final class SpatialCone {
             }
             case UPRIGHT_CAPSULE -> row[j + 3] + row[j + 4] * Math.abs(ny);
             case CAPSULE -> row[j + 3] + row[j + 4] * Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
-            case SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 }

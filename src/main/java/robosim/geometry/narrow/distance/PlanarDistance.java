@@ -32,7 +32,7 @@ public final class PlanarDistance {
             case DISC -> disc(kindA, a, i, kindB, b, j, s);
             case POLYGON -> polygon(kindA, a, i, kindB, b, j, s);
             case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES -> throw kindA.refused();
+            case TRIANGLES, CELLS -> throw kindA.refused();
         };
     }
 
@@ -42,7 +42,7 @@ public final class PlanarDistance {
             case DISC -> DiscDisc.distance(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3]);
             case POLYGON -> discPolygon(a, i, kindB, b, j, s);
             case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES -> throw kindB.refused();
+            case TRIANGLES, CELLS -> throw kindB.refused();
         };
     }
 
@@ -52,7 +52,7 @@ public final class PlanarDistance {
             case DISC -> discPolygon(b, j, kindA, a, i, s);
             case POLYGON -> PolygonPolygon.distance(kindA, a, i, kindB, b, j, s);
             case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES -> throw kindB.refused();
+            case TRIANGLES, CELLS -> throw kindB.refused();
         };
     }
 

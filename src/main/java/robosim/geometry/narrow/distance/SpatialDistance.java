@@ -61,7 +61,7 @@ public final class SpatialDistance {
         return switch (kind) {
             case UPRIGHT_CYLINDER, CYLINDER -> true;
             case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -48,7 +48,7 @@ final class SphereDistance {
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE ->
                 size(kind, sphere, i, row, j) > SMALL;
             case PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -84,7 +84,7 @@ final class SphereDistance {
             case CYLINDER -> cylinder(row, j, row[j + 7], row[j + 10], row[j + 13]);
             case TRIANGLE -> triangle(row, j);
             case UPRIGHT_BOX, BOX -> box(row, j);
-            case PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
         p.difference(TEMPORARY, sphere[i + Leaf.SIZE], kind == LeafKind.SPHERE ? -row[j + Leaf.SIZE] : 0);
         p.subtract(LEAST, LEAST, TEMPORARY);

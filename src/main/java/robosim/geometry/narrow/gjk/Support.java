@@ -146,7 +146,7 @@ public final class Support {
                 surround();
                 extent *= 2; // its corners have larger errors
             }
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

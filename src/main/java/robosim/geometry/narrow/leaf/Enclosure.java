@@ -90,7 +90,7 @@ public final class Enclosure {
             case CAPSULE -> capsuleReach(dx, dy, dz, row, at, level) + row[at + 3];
             case UPRIGHT_BOX, BOX -> boxReach(row, at, level);
             case MESH, SOLID_MESH -> meshReach(column.mesh(leaf), row, at, level);
-            case UPRIGHT_CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE -> throw kind.refused(); // no object's own
+            case UPRIGHT_CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE, GRID -> throw kind.refused(); // nothing enclosed
         };
     }
 
@@ -246,7 +246,8 @@ public final class Enclosure {
         }
     }
 
-    private static void prism(LeafColumn placed, LeafColumn out, int leaf) {
+    /** Writes the prism around all leaves of a column. */
+    static void prism(LeafColumn placed, LeafColumn out, int leaf) {
         double[] row = out.rows();
         int to = leaf * Leaf.STRIDE;
         for (int k = 0; k < 10; k += 2) {
@@ -305,7 +306,7 @@ public final class Enclosure {
                 row[at + 3] * Math.abs(row[r] * x + row[r + 3] * y + row[r + 6] * z)
                         + row[at + 4] * Math.abs(row[r + 1] * x + row[r + 4] * y + row[r + 7] * z)
                         + row[at + 5] * Math.abs(row[r + 2] * x + row[r + 5] * y + row[r + 8] * z);
-            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -39,7 +39,7 @@ public final class FeatureDirections {
             case UPRIGHT_CAPSULE -> edge(0, 1, 0);
             case CAPSULE -> edge(row[at + 7], row[at + 10], row[at + 13]);
             case SPHERE -> {} // has no flat sides or edges
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 
@@ -68,7 +68,7 @@ public final class FeatureDirections {
                 face(1, 0, -1);
             }
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE -> {} // a disc
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

@@ -17,6 +17,7 @@ package robosim.geometry.narrow.leaf;
  * <tr><td>{@link LeafKind#PRISM}</td><td>least and greatest x (0, 1), z (2, 3), x+z (4, 5), x-z (6, 7) and y (8, 9)</td></tr>
  * <tr><td>{@link LeafKind#MESH}, {@link LeafKind#SOLID_MESH}</td><td>0-2 centre, 6-14 rotation; the triangles stand beside the
  * row</td></tr>
+ * <tr><td>{@link LeafKind#GRID}</td><td>0-2 centre, 4 half height, 6-14 rotation; the cells stand beside the row</td></tr>
  * </table>
  *
  * <p>A rotation is row-major and its columns are the own axes in the world. An upright box has its own Y along the

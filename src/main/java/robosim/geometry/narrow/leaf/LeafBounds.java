@@ -26,7 +26,7 @@ public final class LeafBounds {
                 out6[4] = rows[at + 9];
                 out6[5] = rows[at + 3];
             }
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

@@ -2,7 +2,9 @@ package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Outward;
 import robosim.geometry.index.boxes.BoxTree;
+import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.model.TriangleMesh;
 
@@ -32,6 +34,9 @@ public final class LeafColumn {
     /** Null until the first mesh is added. */
     private @Nullable TriangleMesh @Nullable [] meshes;
 
+    /** Null until the first grid is added. */
+    private @Nullable PlacedCells @Nullable [] grids;
+
     /** The bounds of one of several leaves. */
     private final double[] part = new double[6];
 
@@ -46,6 +51,7 @@ public final class LeafColumn {
         kinds = of.kinds;
         rows = of.rows;
         meshes = of.meshes;
+        grids = of.grids;
         upright = of.upright.view();
     }
 
@@ -71,7 +77,7 @@ public final class LeafColumn {
 
     /** Whether the only leaf of this column fits into a half row. */
     public boolean fitsUpright() {
-        return size == 1 && !kind(0).isMesh() && UprightRows.takes(kind(0), rows, 0);
+        return size == 1 && !kind(0).hasPieces() && UprightRows.takes(kind(0), rows, 0);
     }
 
     /** Makes room for the half row of an object. */
@@ -145,6 +151,8 @@ public final class LeafColumn {
         for (int k = 0; k < count; k++) {
             if (kind(at + k).isMesh()) {
                 setMesh(at + k, other.mesh(first + k));
+            } else if (kind(at + k).isGrid()) {
+                setCells(at + k, other.cells(first + k));
             }
         }
     }
@@ -163,6 +171,9 @@ public final class LeafColumn {
         if (meshes != null) {
             meshes = Arrays.copyOf(meshes, capacity);
         }
+        if (grids != null) {
+            grids = Arrays.copyOf(grids, capacity);
+        }
     }
 
     /** Marks a leaf as vacant. */
@@ -175,6 +186,9 @@ public final class LeafColumn {
         if (meshes != null) {
             meshes[leaf] = null;
         }
+        if (grids != null) {
+            grids[leaf] = null;
+        }
     }
 
     /** Whether a leaf is vacant. */
@@ -186,6 +200,7 @@ public final class LeafColumn {
     public void clear() {
         size = 0;
         meshes = null;
+        grids = null;
     }
 
     public LeafKind kind(int leaf) {
@@ -221,18 +236,23 @@ public final class LeafColumn {
     }
 
     /**
-     * Sets this column to a single piece: a leaf of another column, or a triangle of its mesh, given its position in
-     * the order of the leaves.
+     * Sets this column to a single piece: a leaf of another column, a triangle of its mesh, given its position in the
+     * order of the leaves, or a cell of its grid.
      */
-    public void setPiece(LeafColumn other, int leaf, int triangle) {
+    public void setPiece(LeafColumn other, int leaf, int piece) {
         clear();
-        if (triangle < 0) {
+        if (piece < 0) {
             appendWhole(other, leaf, 1);
             return;
         }
         append(1);
+        if (other.kind(leaf).isGrid()) {
+            setKind(0, LeafKind.UPRIGHT_BOX);
+            GridWalk.box(other.cells(leaf), other.rows, leaf * Leaf.STRIDE, piece, rows, 0);
+            return;
+        }
         setKind(0, LeafKind.TRIANGLE);
-        other.mesh(leaf).placedAt(triangle, other.rows, leaf * Leaf.STRIDE, rows, 0);
+        other.mesh(leaf).placedAt(piece, other.rows, leaf * Leaf.STRIDE, rows, 0);
     }
 
     /** The triangles of a leaf that is a mesh. */
@@ -250,6 +270,8 @@ public final class LeafColumn {
     public void bounds(int leaf, double[] out) {
         if (kind(leaf).isMesh()) {
             meshBounds(leaf, out);
+        } else if (kind(leaf).isGrid()) {
+            gridBounds(leaf, out);
         } else {
             LeafBounds.of(kind(leaf), rows(leaf), at(leaf), out);
         }
@@ -275,7 +297,7 @@ public final class LeafColumn {
                 double halfZ = (rows[at + 3] * sin + rows[at + 5] * cos) * OUTWARD;
                 roughBounds(at, halfX, rows[at + 4], halfZ, out);
             }
-            case BOX, CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> bounds(leaf, out);
+            case BOX, CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> bounds(leaf, out);
         }
     }
 
@@ -311,6 +333,36 @@ public final class LeafColumn {
             out[k] = middle - half - pad;
             out[3 + k] = middle + half + pad;
         }
+    }
+
+    /** The bounds of the occupied cells. */
+    private void gridBounds(int leaf, double[] out) {
+        int at = leaf * Leaf.STRIDE;
+        PlacedCells cells = cells(leaf);
+        out[0] = cells.bound(0);
+        out[1] = 0 - Outward.sum(-rows[at + 1], rows[at + 4]);
+        out[2] = cells.bound(1);
+        out[3] = cells.bound(2);
+        out[4] = Outward.sum(rows[at + 1], rows[at + 4]);
+        out[5] = cells.bound(3);
+    }
+
+    /** The cells of a leaf that is a grid. */
+    public PlacedCells cells(int leaf) {
+        if (grids != null) {
+            PlacedCells cells = grids[leaf];
+            if (cells != null) {
+                return cells;
+            }
+        }
+        throw new IllegalStateException("leaf must be a grid (got: leaf " + leaf + " of kind " + kind(leaf) + ")");
+    }
+
+    void setCells(int leaf, PlacedCells cells) {
+        if (grids == null) {
+            grids = new PlacedCells[kinds.length];
+        }
+        grids[leaf] = cells;
     }
 
     void setMesh(int leaf, TriangleMesh mesh) {

@@ -19,7 +19,10 @@ public enum LeafKind {
     MESH(Layout.CENTRE, Surface.TRIANGLES, Heights.TURNED, FromAbove.TRIANGLES, 3, 15),
 
     /** A closed surface with its inside. */
-    SOLID_MESH(Layout.CENTRE, Surface.TRIANGLES, Heights.TURNED, FromAbove.TRIANGLES, 3, 15);
+    SOLID_MESH(Layout.CENTRE, Surface.TRIANGLES, Heights.TURNED, FromAbove.TRIANGLES, 3, 15),
+
+    /** The occupied cells of a grid, upright boxes of one height. */
+    GRID(Layout.CENTRE, Surface.CELLS, Heights.INTERVAL, FromAbove.CELLS, 5, 15);
 
     /** What a row begins with. */
     public enum Layout {
@@ -38,7 +41,8 @@ public enum LeafKind {
         ROUND,
         /** Flat, and somewhere outside what it stands for. */
         ENCLOSING,
-        TRIANGLES
+        TRIANGLES,
+        CELLS
     }
 
     /** A shape with flat sides whose numbers are its own: for kernels of these alone. */
@@ -65,7 +69,8 @@ public enum LeafKind {
         DISC,
         /** That of a turned cylinder or capsule: two ends that are half ellipses or half discs, and two sides between them. */
         OVAL,
-        TRIANGLES
+        TRIANGLES,
+        CELLS
     }
 
     private static final LeafKind[] ALL = values();
@@ -106,6 +111,16 @@ public enum LeafKind {
         return surface == Surface.TRIANGLES;
     }
 
+    /** Whether it is the cells of a grid, which stand beside the row. */
+    public boolean isGrid() {
+        return surface == Surface.CELLS;
+    }
+
+    /** Whether it is made of many pieces, each of which is one of its own to a mover: a mesh or a grid. */
+    public boolean hasPieces() {
+        return isMesh() || isGrid();
+    }
+
     /** Whether it is a {@link Polytope}. */
     public boolean isPolytope() {
         return surface == Surface.FLAT;
@@ -116,7 +131,7 @@ public enum LeafKind {
         return switch (this) {
             case UPRIGHT_BOX, BOX -> Polytope.BOX;
             case TRIANGLE -> Polytope.TRIANGLE;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID ->
                 throw refused();
         };
     }

@@ -9,6 +9,14 @@ public class LeafScratch {
     public final MeshWalk inner = new MeshWalk();
     public final MeshWalk around = new MeshWalk();
 
+    private final GridWalk cells = new GridWalk();
+    private final GridWalk cellsOfGrid = new GridWalk();
+
+    /** Walks a grid for a leaf of a kind: another one than for its cells where that is a grid, too. */
+    public GridWalk cells(LeafKind kind) {
+        return kind.isGrid() ? cellsOfGrid : cells;
+    }
+
     /** A placed triangle of the first and of the second mesh, as leaf rows. */
     public final double[] triangleA = new double[Leaf.STRIDE];
 

@@ -5,6 +5,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -43,6 +44,7 @@ public final class LocalLeaves {
         leaves.clear();
         switch (object.kind()) {
             case BOX, CYLINDER, SPHERE, CAPSULE -> placeSimple(object, leaves);
+            case GRID -> placeGrid((GridObject) object, leaves);
             case MESH, GROUP -> {
                 LocalLeaves own = of(object);
                 leaves.append(own.size());
@@ -69,12 +71,26 @@ public final class LocalLeaves {
         leaves.setKind(leaf, kind);
     }
 
+    private static void placeGrid(GridObject grid, LeafColumn leaves) {
+        int leaf = leaves.append(1);
+        double[] row = leaves.rows();
+        Point c = grid.center();
+        row[0] = c.x();
+        row[1] = c.y();
+        row[2] = c.z();
+        row[4] = grid.height() / 2;
+        grid.pose().rotation(row, Leaf.ROTATION);
+        leaves.setKind(leaf, LeafKind.GRID);
+        leaves.setCells(leaf, grid.placed());
+    }
+
     /** The kind of an object at a pose, where that alone tells that its rotation means nothing. */
     private static LeafKind upright(LeafKind kind, Pose pose) {
         return switch (kind) {
             case CYLINDER -> pose.isUpright() ? LeafKind.UPRIGHT_CYLINDER : kind;
             case CAPSULE -> pose.isUpright() ? LeafKind.UPRIGHT_CAPSULE : kind;
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH -> kind;
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH, GRID ->
+                kind;
         };
     }
 
@@ -104,7 +120,7 @@ public final class LocalLeaves {
                 row[at + 4] = capsule.segment() / 2;
                 yield LeafKind.CAPSULE;
             }
-            case MESH, GROUP ->
+            case MESH, GROUP, GRID ->
                 throw new IllegalArgumentException(
                         "object must be a box, a cylinder, a sphere or a capsule (got: " + object + ")");
         };
@@ -147,6 +163,7 @@ public final class LocalLeaves {
                     add(member, within(frame, member));
                 }
             }
+            case GRID -> throw new IllegalArgumentException("a grid has no leaves of its own (got: " + object + ")");
         }
     }
 

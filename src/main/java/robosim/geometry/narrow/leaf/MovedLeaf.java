@@ -36,7 +36,7 @@ public final class MovedLeaf {
             case UPRIGHT_BOX -> LeafKind.BOX;
             case UPRIGHT_CYLINDER -> LeafKind.CYLINDER;
             case UPRIGHT_CAPSULE -> LeafKind.CAPSULE;
-            case SPHERE, BOX, CYLINDER, TRIANGLE, PRISM, CAPSULE, MESH, SOLID_MESH -> kind;
+            case SPHERE, BOX, CYLINDER, TRIANGLE, PRISM, CAPSULE, MESH, SOLID_MESH, GRID -> kind;
         };
     }
 
@@ -69,7 +69,7 @@ public final class MovedLeaf {
             }
             case SPHERE -> turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
             case TRIANGLE -> turnPoints(out, 9, px, py, pz, wx, wy, wz, cos, sin);
-            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

@@ -64,7 +64,7 @@ public final class UnderflowScaling {
             }
             case SPHERE, BOX, CYLINDER, CAPSULE ->
                 out[1] = 0; // a tilted leaf's size along its axis affects its projection
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

@@ -22,7 +22,8 @@ final class UprightDetection {
             }
             case CYLINDER -> isVertical(rows, at, 1) ? LeafKind.UPRIGHT_CYLINDER : kind;
             case CAPSULE -> isVertical(rows, at, 1) ? LeafKind.UPRIGHT_CAPSULE : kind;
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH -> kind;
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH, GRID ->
+                kind;
         };
     }
 

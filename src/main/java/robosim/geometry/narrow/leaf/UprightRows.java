@@ -59,7 +59,7 @@ public final class UprightRows {
                         && same(row[at + 12], 0.0 - row[at + 8])
                         && same(row[at + 14], row[at + 6])
                         && !same(row[at + 8], ROUND);
-            case BOX, CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> false;
+            case BOX, CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> false;
         };
     }
 

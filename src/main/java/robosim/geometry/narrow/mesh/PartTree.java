@@ -260,7 +260,7 @@ final class PartTree {
         boolean isUncertain = switch (kind) {
             case UPRIGHT_CYLINDER, CYLINDER -> true;
             case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
         if (isUncertain) {
             double pad = DOUBTFUL * BoxGap.size(box);

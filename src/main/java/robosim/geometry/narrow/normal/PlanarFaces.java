@@ -20,7 +20,7 @@ final class PlanarFaces {
                 SpatialFaces.slab(face, face.px + face.pz, b[j + 4], b[j + 5], 1, 0, 1);
                 SpatialFaces.slab(face, face.px - face.pz, b[j + 6], b[j + 7], 1, 0, -1);
             }
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

@@ -18,7 +18,7 @@ final class SpatialFaces {
             case SPHERE -> round(face, face.px - b[j], face.py - b[j + 1], face.pz - b[j + 2], b[j + 3]);
             case TRIANGLE -> triangle(face, b, j);
             case PRISM -> prism(face, b, j);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

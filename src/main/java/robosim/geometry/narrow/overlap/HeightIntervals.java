@@ -17,7 +17,7 @@ public final class HeightIntervals {
                         : Math.min(Math.min(row[at + 1], row[at + 4]), row[at + 7]);
             case PRISM -> side > 0 ? row[at + 9] : row[at + 8];
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE -> row[at + 1];
-            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -27,7 +27,7 @@ public final class HeightIntervals {
             case TRIANGLE, PRISM -> 0;
             case SPHERE -> row[at + 3];
             case UPRIGHT_BOX, UPRIGHT_CYLINDER -> row[at + 4];
-            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -59,7 +59,7 @@ public final class HeightIntervals {
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, PRISM -> true;
             case SPHERE -> false;
             case TRIANGLE -> row[at + 1] == row[at + 4] && row[at + 4] == row[at + 7];
-            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -81,7 +81,7 @@ public final class HeightIntervals {
                     }
                 }
             }
-            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

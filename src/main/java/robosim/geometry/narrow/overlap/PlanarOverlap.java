@@ -39,7 +39,7 @@ public final class PlanarOverlap {
             case DISC -> disc(kindA, a, i, kindB, b, j, s);
             case POLYGON -> polygon(kindA, a, i, kindB, b, j, s);
             case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES -> throw kindA.refused();
+            case TRIANGLES, CELLS -> throw kindA.refused();
         };
     }
 
@@ -49,7 +49,7 @@ public final class PlanarOverlap {
             case DISC -> DiscDisc.touch(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3]);
             case POLYGON -> discPolygon(a, i, kindB, b, j, s);
             case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES -> throw kindB.refused();
+            case TRIANGLES, CELLS -> throw kindB.refused();
         };
     }
 
@@ -59,7 +59,7 @@ public final class PlanarOverlap {
             case DISC -> discPolygon(b, j, kindA, a, i, s);
             case POLYGON -> polygons(kindA, a, i, kindB, b, j, s);
             case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES -> throw kindB.refused();
+            case TRIANGLES, CELLS -> throw kindB.refused();
         };
     }
 

@@ -82,7 +82,7 @@ public final class SpatialOverlap {
             case SPHERE -> sphere(a, i, kindB, b, j, s);
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kindA, a, i, kindB, b, j, s);
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindA, a, i, kindB, b, j, s);
-            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kindA.refused();
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kindA.refused();
         };
     }
 
@@ -92,7 +92,7 @@ public final class SpatialOverlap {
             case SPHERE -> new ExactSphere(a, i).touchesSphere(b, j);
             case UPRIGHT_CYLINDER, CYLINDER -> new ExactSphere(a, i).touchesCylinder(new ExactCylinder(kindB, b, j));
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, LeafKind.SPHERE, a, i, s);
-            case PRISM, MESH, SOLID_MESH -> throw kindB.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused();
         };
     }
 
@@ -103,7 +103,7 @@ public final class SpatialOverlap {
                 new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
             case SPHERE -> sphere(b, j, kindA, a, i, s);
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, kindA, a, i, s);
-            case UPRIGHT_CYLINDER, CYLINDER, PRISM, MESH, SOLID_MESH -> throw kindB.refused(); // CylinderCylinder
+            case UPRIGHT_CYLINDER, CYLINDER, PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused(); // CylinderCylinder
         };
     }
 
@@ -115,7 +115,7 @@ public final class SpatialOverlap {
             case SPHERE, UPRIGHT_CAPSULE, CAPSULE ->
                 new ExactCapsule(kindA, a, i).touches(new ExactCapsule(kindB, b, j));
             case UPRIGHT_CYLINDER, CYLINDER -> CapsuleCylinder.touch(kindA, a, i, kindB, b, j, s);
-            case PRISM, MESH, SOLID_MESH -> throw kindB.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused();
         };
     }
 

@@ -99,7 +99,7 @@ public final class PlanarShape {
             case DISC -> Outline.DISC;
             case POLYGON -> Outline.POLYGON;
             case OVAL -> Outline.OVAL;
-            case TRIANGLES -> throw kind.refused();
+            case TRIANGLES, CELLS -> throw kind.refused();
         };
     }
 
@@ -154,7 +154,7 @@ public final class PlanarShape {
             case TRIANGLE -> triangle(row, at, ox, oz);
             case PRISM -> octagon(row, at, ox, oz);
             case UPRIGHT_BOX, BOX -> box(row, at, ox, oz);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

@@ -42,7 +42,7 @@ public final class PlanarRay {
             case CYLINDER -> RayOval.distance(ox, oz, ux, uz, kind, b, j, s.planarB);
             case CAPSULE -> stadium(ox, oz, ux, uz, b, j, s);
             case BOX, TRIANGLE, PRISM -> RayPolygon.distance(ox, oz, ux, uz, kind, b, j, s);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -69,7 +69,7 @@ public final class SpatialRay {
             case UPRIGHT_CAPSULE -> RayCapsule.distance(ox, oy, oz, ux, uy, uz, row, j, 0, 1, 0, s);
             case CAPSULE ->
                 RayCapsule.distance(ox, oy, oz, ux, uy, uz, row, j, row[j + 7], row[j + 10], row[j + 13], s);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 }

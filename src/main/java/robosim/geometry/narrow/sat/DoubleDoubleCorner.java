@@ -43,7 +43,7 @@ public final class DoubleDoubleCorner {
                     addProduct(half, row[at + 12 + k], out[2]);
                 }
             }
-            case CYLINDER, CAPSULE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case CYLINDER, CAPSULE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
 

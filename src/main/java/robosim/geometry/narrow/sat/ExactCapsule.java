@@ -24,7 +24,7 @@ public final class ExactCapsule {
             case SPHERE -> ExactVector.of(0, 0, 0);
             case UPRIGHT_CAPSULE -> ExactVector.of(0, row[at + Leaf.SIZE + 1], 0);
             case CAPSULE -> ExactVector.column(row, at + Leaf.ROTATION + 1).times(Dyadic.of(row[at + Leaf.SIZE + 1]));
-            case UPRIGHT_BOX, BOX, UPRIGHT_CYLINDER, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH ->
+            case UPRIGHT_BOX, BOX, UPRIGHT_CYLINDER, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID ->
                 throw new IllegalArgumentException("kind must be a capsule or a sphere (got: " + kind + ")");
         };
     }

@@ -38,7 +38,7 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
                 Dyadic c = n.dot(ExactVector.of(row, at + 6, 1));
                 yield new ExactExtent(a.min(b).min(c), a.max(b).max(c), Dyadic.ZERO, Dyadic.ONE);
             }
-            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

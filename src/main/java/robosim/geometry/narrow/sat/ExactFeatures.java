@@ -31,7 +31,7 @@ public final class ExactFeatures {
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kind, row, at);
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, at);
             case TRIANGLE -> triangle(row, at);
-            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
         if (flat) {
             for (ExactVector edge : edges) {

@@ -15,7 +15,7 @@ record ExactProjectedPolygon(List<Dyadic[]> corners, List<Dyadic[]> normals) {
                         List.<Dyadic[]>of(pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]))), List.of());
             case UPRIGHT_BOX, BOX -> zonogon(row, at);
             case TRIANGLE -> triangle(row, at);
-            case CYLINDER, PRISM, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case CYLINDER, PRISM, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -85,7 +85,7 @@ final class MovingBall {
             case UPRIGHT_CYLINDER -> cylinder(near, a, i);
             case TRIANGLE -> triangle(near);
             case UPRIGHT_BOX, BOX -> box(near);
-            case CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kindB.refused();
+            case CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kindB.refused();
         };
         return time > 1 ? Double.POSITIVE_INFINITY : time == 1 ? Double.NaN : time;
     }

@@ -68,7 +68,7 @@ public final class SpatialSweep {
         boolean exact = switch (kindB) {
             case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE -> true;
             case UPRIGHT_CYLINDER, CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case PRISM, MESH, SOLID_MESH -> throw kindB.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused();
         };
         if (kindB == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
             return Double.POSITIVE_INFINITY;

@@ -95,7 +95,7 @@ final class TurnBody {
             case CYLINDER -> cylinder(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
             case UPRIGHT_CYLINDER -> cylinder(row, at, px, py, pz, 0, 1, 0);
             case UPRIGHT_BOX, BOX -> box(row, at, px, py, pz);
-            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
         measure();
     }

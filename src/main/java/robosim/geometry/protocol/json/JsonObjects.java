@@ -220,6 +220,7 @@ final class JsonObjects {
                 case CAPSULE -> new CapsuleObject(center, radius, segment);
                 case MESH -> mesh();
                 case GROUP -> new ObjectGroup(members, boundingVolume);
+                case GRID -> throw new UnsupportedOperationException("grid");
             };
         }
 

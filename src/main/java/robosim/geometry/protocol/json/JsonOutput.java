@@ -234,6 +234,7 @@ final class JsonOutput {
                 objects("members", group.members());
                 bounding(group.boundingVolume());
             }
+            case GRID -> throw new UnsupportedOperationException("grid");
         }
         out.writeEndObject();
     }

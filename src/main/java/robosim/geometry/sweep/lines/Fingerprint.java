@@ -75,6 +75,7 @@ public final class Fingerprint {
             case SPHERE -> add(((SphereObject) object).radius());
             case CAPSULE -> add(((CapsuleObject) object).radius()).add(((CapsuleObject) object).segment());
             case MESH -> add((MeshObject) object);
+            case GRID -> throw new UnsupportedOperationException("grid");
             case GROUP -> {
                 List<GeometryObject> members = ((ObjectGroup) object).members();
                 add(members.size());

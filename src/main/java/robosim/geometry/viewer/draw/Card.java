@@ -60,6 +60,7 @@ public record Card(String heading, List<String> lines) {
                 yield "radius " + number(capsule.radius()) + ", segment " + number(capsule.segment());
             }
             case MESH -> ((MeshObject) object).triangles().size() + " triangles, " + covers(object);
+            case GRID -> throw new UnsupportedOperationException("grid");
             case GROUP -> ((ObjectGroup) object).members().size() + " members, " + covers(object);
         };
     }

@@ -46,6 +46,7 @@ public final class Palette {
             case CAPSULE -> CAPSULE;
             case MESH -> MESH;
             case GROUP -> GROUP;
+            case GRID -> BOX;
         };
     }
 

@@ -71,6 +71,7 @@ public sealed interface Footprint {
             case SPHERE -> outlines.add(new Disc(frame.origin.x(), frame.origin.z(), ((SphereObject) object).radius()));
             case CAPSULE -> outlines.add(capsule((CapsuleObject) object, frame));
             case MESH -> mesh(((MeshObject) object).triangles(), frame, outlines);
+            case GRID -> throw new UnsupportedOperationException("grid");
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     add(member, frame, outlines);

@@ -60,6 +60,7 @@ public final class Heights {
                 }
                 yield most;
             }
+            case GRID -> object.center().y() + ((robosim.geometry.model.GridObject) object).height() / 2;
             case GROUP -> {
                 double most = Double.NEGATIVE_INFINITY;
                 for (GeometryObject member : ((ObjectGroup) object).members()) {

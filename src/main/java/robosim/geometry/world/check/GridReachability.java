@@ -119,7 +119,7 @@ final class GridReachability {
         boolean round = switch (robot.kind()) {
             case SPHERE -> true;
             case CYLINDER, CAPSULE -> upright;
-            case BOX, MESH, GROUP -> false;
+            case BOX, MESH, GROUP, GRID -> false;
         };
         return round || !upright ? 1 : TURNS;
     }

@@ -256,7 +256,7 @@ final class Questions {
         return object.pose().isUpright()
                 && switch (object.kind()) {
                     case BOX, CYLINDER -> true;
-                    case SPHERE, CAPSULE, MESH, GROUP -> false;
+                    case SPHERE, CAPSULE, MESH, GROUP, GRID -> false;
                 };
     }
 }

@@ -141,7 +141,7 @@ final class Rooms {
         return switch (robot.kind()) {
             case MESH -> true;
             case GROUP -> ((ObjectGroup) robot).members().stream().anyMatch(Rooms::isMany);
-            case BOX, CYLINDER, SPHERE, CAPSULE -> false;
+            case BOX, CYLINDER, SPHERE, CAPSULE, GRID -> false;
         };
     }
 

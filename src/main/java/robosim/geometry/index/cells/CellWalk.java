@@ -1,0 +1,201 @@
+package robosim.geometry.index.cells;
+
+/**
+ * Walks the cells that a line may pass through, in its order, and shows those that are occupied: a square that is known to be
+ * free is passed in one step. Where the line runs within rounding of an edge or a corner, the cells on both sides are shown,
+ * so the walk may show a cell that the line misses, and one twice, but misses none. A walk belongs to one thread.
+ *
+ * <p>All coordinates are the cells' own ({@link PlacedCells}); how far along the line is in a unit of the caller's.
+ */
+public final class CellWalk {
+    private ClearanceMap map;
+    private double u;
+    private double v;
+    private double du;
+    private double dv;
+    private double perU;
+    private double perV;
+    private double to;
+    private double slack;
+    private double slackAlong;
+
+    // The cells that hold the point of the line reached so far, of which there is more than one near an edge.
+    private int lowI;
+    private int highI;
+    private int lowJ;
+    private int highJ;
+
+    // The next of them to be looked at; behind the last row where all have been.
+    private int i;
+    private int j;
+
+    /** How many cells away from any of these nothing is occupied; 0 if one of them is. */
+    private int free;
+
+    @SuppressWarnings("NullAway.Init") // a walk starts with its map
+    public CellWalk() {}
+
+    /**
+     * Begins a walk.
+     *
+     * @param u     where the line begins
+     * @param du    how far it goes for each unit along it
+     * @param from  where along the line to begin
+     * @param to    where to end at the latest
+     * @param slack more than the error of any of its coordinates; below 1/8
+     */
+    public void start(
+            ClearanceMap map, double u, double v, double du, double dv, double from, double to, double slack) {
+        this.map = map;
+        this.u = u;
+        this.v = v;
+        this.du = du;
+        this.dv = dv;
+        this.slack = slack;
+        perU = 1 / du;
+        perV = 1 / dv;
+        slackAlong = 2 * slack * Math.min(Math.abs(perU), Math.abs(perV));
+        double begin = Math.max(from, Math.max(enters(u, du, perU, map.columns()), enters(v, dv, perV, map.rows())));
+        this.to = Math.min(to, Math.min(leaves(u, du, perU, map.columns()), leaves(v, dv, perV, map.rows())));
+        if (!(begin <= this.to)) {
+            finish();
+            return;
+        }
+        double atU = du == 0 ? u : u + begin * du;
+        double atV = dv == 0 ? v : v + begin * dv;
+        takeColumns(atU);
+        takeRows(atV);
+        enter();
+    }
+
+    /** Where the line enters the range of one coordinate from 0 to a count, or somewhat before. */
+    private double enters(double at, double by, double per, int count) {
+        if (by == 0) {
+            return at < -slack || at > count + slack ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
+        }
+        return ((by > 0 ? -slack : count + slack) - at) * per;
+    }
+
+    private double leaves(double at, double by, double per, int count) {
+        return by == 0 ? Double.POSITIVE_INFINITY : ((by > 0 ? count + slack : -slack) - at) * per;
+    }
+
+    private void finish() {
+        to = Double.NEGATIVE_INFINITY;
+        lowJ = 0;
+        highJ = -1;
+        j = 0;
+        free = 1;
+        lowI = 0;
+        highI = -1;
+    }
+
+    private void takeColumns(double at) {
+        int most = map.columns() - 1;
+        lowI = clamp(at - slack, most);
+        highI = clamp(at + slack, most);
+    }
+
+    private void takeRows(double at) {
+        int most = map.rows() - 1;
+        lowJ = clamp(at - slack, most);
+        highJ = clamp(at + slack, most);
+    }
+
+    private static int clamp(double at, int most) {
+        return at < 0 ? 0 : Math.min((int) at, most);
+    }
+
+    private void enter() {
+        i = lowI;
+        j = lowJ;
+        free = ClearanceMap.MOST;
+    }
+
+    /**
+     * The number of the next occupied cell that the line may pass through; -1 if there is none.
+     *
+     * @param limit how far along the line to look; may only shrink
+     */
+    public int next(double limit) {
+        while (true) {
+            while (j <= highJ) {
+                int cell = map.cell(i, j);
+                if (i++ == highI) {
+                    i = lowI;
+                    j++;
+                }
+                int clearance = map.clearance(cell);
+                if (clearance < free) {
+                    free = clearance;
+                }
+                if (clearance == 0) {
+                    return cell;
+                }
+            }
+            if (!advance(limit)) {
+                return -1;
+            }
+        }
+    }
+
+    /** Goes to where the line leaves the cells around it that need no look any more; false where it ends before. */
+    private boolean advance(double limit) {
+        int reach = Math.max(1, free);
+        int lineU = du > 0 ? highI + reach : lowI - reach + 1;
+        int lineV = dv > 0 ? highJ + reach : lowJ - reach + 1;
+        double alongU = du == 0 ? Double.POSITIVE_INFINITY : (lineU - u) * perU;
+        double alongV = dv == 0 ? Double.POSITIVE_INFINITY : (lineV - v) * perV;
+        double along = Math.min(alongU, alongV);
+        if (!(along <= to && along - slackAlong <= limit)) {
+            finish();
+            return false;
+        }
+        if (alongU <= alongV) {
+            double at = dv == 0 ? v : v + along * dv;
+            if (dv != 0 && Math.abs(at - lineV) <= 2 * slack) {
+                takeCorner(lineU, lineV);
+            } else {
+                crossColumns(lineU);
+                takeRows(at);
+            }
+        } else {
+            double at = du == 0 ? u : u + along * du;
+            if (du != 0 && Math.abs(at - lineU) <= 2 * slack) {
+                takeCorner(lineU, lineV);
+            } else {
+                crossRows(lineV);
+                takeColumns(at);
+            }
+        }
+        if (lowI > highI || lowJ > highJ) {
+            finish();
+            return false;
+        }
+        enter();
+        return true;
+    }
+
+    /** Takes the column behind a line; none where that is outside. */
+    private void crossColumns(int line) {
+        int column = du > 0 ? line : line - 1;
+        boolean isInside = column >= 0 && column < map.columns();
+        lowI = isInside ? column : 0;
+        highI = isInside ? column : -1;
+    }
+
+    private void crossRows(int line) {
+        int row = dv > 0 ? line : line - 1;
+        boolean isInside = row >= 0 && row < map.rows();
+        lowJ = isInside ? row : 0;
+        highJ = isInside ? row : -1;
+    }
+
+    /** Takes all cells at a corner, which the line passes within rounding: either of two beside it may be entered first. */
+    private void takeCorner(int lineU, int lineV) {
+        lowI = Math.max(lineU - 1, 0);
+        highI = Math.min(lineU, map.columns() - 1);
+        lowJ = Math.max(lineV - 1, 0);
+        highJ = Math.min(lineV, map.rows() - 1);
+    }
+}
