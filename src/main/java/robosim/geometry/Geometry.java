@@ -156,7 +156,7 @@ public final class Geometry {
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(objects, registry.worldBounds, scratch);
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
-        places = new FreePlaces(registry, motion);
+        places = new FreePlaces(registry, motion, scratch);
     }
 
     /** Extent along X in world units. */

@@ -12,6 +12,7 @@ import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.planar.DiscDisc;
 import robosim.geometry.narrow.planar.DiscRectangle;
+import robosim.geometry.narrow.planar.PlainCells;
 
 /** Whether two placed leaves have a point in common, meshes and grids included: the only switch over leaf kinds for overlaps. */
 public final class Overlap {
@@ -71,6 +72,12 @@ public final class Overlap {
 
     private static boolean grid(
             Dimension dimension, LeafColumn grid, int leaf, LeafKind kind, LeafColumn other, int k, Scratch s) {
+        if (!kind.hasPieces()) {
+            int plain = s.plainCells.compare(dimension, kind, other.rows(k), other.at(k), 0, 0, 0, grid, leaf);
+            if (plain != PlainCells.UNSURE) {
+                return plain == PlainCells.MET;
+            }
+        }
         GridWalk walk = s.cells(kind);
         other.bounds(k, s.box);
         widen(dimension, s.box);

@@ -13,6 +13,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
+import robosim.geometry.narrow.planar.PlainCells;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
@@ -337,7 +338,19 @@ public final class Sweep {
         return b.kind(j).isGrid() ? againstGrid(kind, row, at, b, j) : againstMesh(kind, row, at, b, j);
     }
 
+    /**
+     * Whether leaf i of a passes by all cells of a grid on a translation, or meets one that it does not touch at the start: see
+     * {@link PlainCells#compare}. Doubles do not always tell.
+     */
+    public int passesCells(LeafColumn a, int i, LeafColumn grid, int of) {
+        return s.plainCells.compare(dimension, a.kind(i), a.rows(i), a.at(i), dx, dy, dz, grid, of);
+    }
+
     private double againstGrid(LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
+        if (!turns && s.plainCells.compare(dimension, kind, row, at, dx, dy, dz, grid, of) == PlainCells.PAST) {
+            otherPiece = -1;
+            return Double.POSITIVE_INFINITY;
+        }
         GridWalk walk = s.cells(kind);
         startCells(walk, kind, row, at, grid, of);
         double least = Double.POSITIVE_INFINITY;

@@ -266,6 +266,11 @@ public final class LeafTable {
         return hasMoversInTree ? gridCount : movers + gridCount;
     }
 
+    /** Whether all of them are grids. */
+    boolean hasOnlyGridsBesideTree() {
+        return hasMoversInTree || movers == 0;
+    }
+
     /** One of them. */
     int besideTree(int k) {
         return k < gridCount ? grids[k] | mark : objects.mover(k - gridCount);

@@ -240,6 +240,10 @@ public final class ObjectRegistry {
             if (met == QuadCursor.ENOUGH || (met == QuadCursor.ALL && own.besideTree() == 0)) {
                 return met == QuadCursor.ENOUGH;
             }
+            if (met == QuadCursor.ALL && own.hasOnlyGridsBesideTree()) {
+                own.placed(object, candidate);
+                return touchesBesideTree(own);
+            }
         }
         own.placed(Checks.present("object", object), candidate);
         return collides(at, ignored);
@@ -295,6 +299,15 @@ public final class ObjectRegistry {
         int sure = Overlap.sure(discX, discZ, discRadius, asked.leaves(), id);
         isDoubtful |= sure == 0;
         return sure < 0;
+    }
+
+    private boolean touchesBesideTree(LeafTable table) {
+        for (int k = 0; k < table.besideTree(); k++) {
+            if (Overlap.test(dimension, candidate, 0, table.leaves(), table.first(table.besideTree(k)), s)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether the leaves of the candidate touch those of an object. */

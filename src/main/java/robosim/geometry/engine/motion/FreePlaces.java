@@ -5,6 +5,8 @@ import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.planar.PlainCells;
 
 /**
  * Whether a moveable object could stand at other places than its own, and go from one to another: many answers at once,
@@ -19,12 +21,14 @@ public final class FreePlaces {
 
     private final ObjectRegistry registry;
     private final Motion motion;
+    private final EdgeFastPath fastPath;
     private final double[] place = new double[ObjectTable.PLACE];
 
     /** The heading of the place as it was given. */
     private double heading = Double.NaN;
 
-    public FreePlaces(ObjectRegistry registry, Motion motion) {
+    public FreePlaces(ObjectRegistry registry, Motion motion, Scratch scratch) {
+        fastPath = new EdgeFastPath(registry.objects, registry.worldBounds, scratch);
         this.registry = registry;
         this.motion = motion;
         System.arraycopy(Attitude.identity(), 0, place, 3, Attitude.STRIDE);
@@ -120,16 +124,17 @@ public final class FreePlaces {
 
     private boolean isFree(AccuracyView view, int id, double[] edges, int at) {
         take(edges, at);
+        double dx = edges[at + POSE] - place[0];
+        double dy = edges[at + POSE + 1] - place[1];
+        double dz = edges[at + POSE + 2] - place[2];
+        double degrees = edges[at + POSE + 3] - edges[at + 3];
+        int quick = fastPath.ask(view, id, place, dx, dy, dz, degrees);
+        if (quick != PlainCells.UNSURE) {
+            return quick == PlainCells.PAST;
+        }
         return registry.fitsAt(id, place)
                 && !registry.collidesAt(view, id, place)
-                && motion.allowsFrom(
-                        view,
-                        id,
-                        place,
-                        edges[at + POSE] - place[0],
-                        edges[at + POSE + 1] - place[1],
-                        edges[at + POSE + 2] - place[2],
-                        edges[at + POSE + 3] - edges[at + 3]);
+                && motion.allowsFrom(view, id, place, dx, dy, dz, degrees);
     }
 
     /** Makes {@link #place} an upright pose. */

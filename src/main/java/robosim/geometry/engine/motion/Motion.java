@@ -271,13 +271,18 @@ public final class Motion {
                     stands();
                     free = leg.sweep.free(atStart, i, of.leaves(), j, standing, stop);
                 }
-                if (free < least) {
+                if (free < least || (free == least && isLowerCell(of.leaves(), j))) {
                     least = free;
                     meet(i, leg.sweep.ownPiece(), j, leg.sweep.otherPiece());
                 }
             }
         }
         return least;
+    }
+
+    /** Whether the last sweep met a cell of a grid that comes before the one that was met by another leaf of the object. */
+    private boolean isLowerCell(LeafColumn leaves, int j) {
+        return leaves.kind(j).isGrid() && leg.sweep.otherPiece() >= 0 && leg.sweep.otherPiece() < metPiece;
     }
 
     /** Whether one of the leaves is a mesh or a grid, and the object may touch the other at the start. */

@@ -14,6 +14,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.planar.DiscWay;
+import robosim.geometry.narrow.planar.PlainCells;
 
 /**
  * Answers whether a straight move is free, and no more; the verdict is that of {@link Motion}. Most moves meet nothing, and
@@ -183,9 +184,28 @@ public final class TranslationFastPath {
 
     /** Whether another object stops this one. */
     private boolean stops(LeafTable table, int other) {
-        int quick = quickly(table, other);
+        int quick = isGrid(table, other) ? pastCells(table, other) : quickly(table, other);
         isCertain = quick == DiscWay.MET;
         return isCertain || (quick == DiscWay.UNSURE && table.meets(other, box) && !passes(table, other));
+    }
+
+    private static boolean isGrid(LeafTable table, int other) {
+        return table.leaves().kind(table.first(other)).isGrid();
+    }
+
+    /** What doubles can tell of the cells of a grid. */
+    private int pastCells(LeafTable table, int other) {
+        int first = own.first(id);
+        sweep.translation(view.dimension, dx, dy, dz);
+        int all = DiscWay.CLEAR;
+        for (int i = first; i < first + own.count(id); i++) {
+            int one = sweep.passesCells(own.leaves(), i, table.leaves(), table.first(other));
+            if (one == PlainCells.MET) {
+                return DiscWay.MET;
+            }
+            all = one == PlainCells.PAST ? all : DiscWay.UNSURE;
+        }
+        return all;
     }
 
     /** The disc around the object, as seen from above: its own where it is one, or that through the corners of its bounds. */

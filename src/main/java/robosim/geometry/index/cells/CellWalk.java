@@ -25,6 +25,11 @@ public final class CellWalk {
     private int lowJ;
     private int highJ;
 
+    /** The foremost of their columns and rows along the line; outside the grid where it leaves that at a corner. */
+    private int aheadI;
+
+    private int aheadJ;
+
     // The next of them to be looked at; behind the last row where all have been.
     private int i;
     private int j;
@@ -55,11 +60,15 @@ public final class CellWalk {
         perU = 1 / du;
         perV = 1 / dv;
         slackAlong = 2 * slack * Math.min(Math.abs(perU), Math.abs(perV));
-        double begin = Math.max(from, Math.max(enters(u, du, perU, map.columns()), enters(v, dv, perV, map.rows())));
-        this.to = Math.min(to, Math.min(leaves(u, du, perU, map.columns()), leaves(v, dv, perV, map.rows())));
-        if (!(begin <= this.to)) {
-            finish();
-            return;
+        this.to = to;
+        double begin = from;
+        if (!(u >= 0 && v >= 0 && u <= map.columns() && v <= map.rows())) {
+            begin = Math.max(from, Math.max(enters(u, du, perU, map.columns()), enters(v, dv, perV, map.rows())));
+            double end = Math.min(leaves(u, du, perU, map.columns()), leaves(v, dv, perV, map.rows()));
+            if (!(begin <= Math.min(to, end))) {
+                finish();
+                return;
+            }
         }
         double atU = du == 0 ? u : u + begin * du;
         double atV = dv == 0 ? v : v + begin * dv;
@@ -94,12 +103,14 @@ public final class CellWalk {
         int most = map.columns() - 1;
         lowI = clamp(at - slack, most);
         highI = clamp(at + slack, most);
+        aheadI = du > 0 ? highI : lowI;
     }
 
     private void takeRows(double at) {
         int most = map.rows() - 1;
         lowJ = clamp(at - slack, most);
         highJ = clamp(at + slack, most);
+        aheadJ = dv > 0 ? highJ : lowJ;
     }
 
     private static int clamp(double at, int most) {
@@ -133,17 +144,83 @@ public final class CellWalk {
                     return cell;
                 }
             }
-            if (!advance(limit)) {
+            boolean isInside = lowI == highI && lowJ == highJ && lowI == aheadI && lowJ == aheadJ;
+            if (!(isInside && du != 0 && dv != 0 ? run(limit) : advance(limit))) {
                 return -1;
             }
         }
     }
 
+    /**
+     * Goes on as {@link #advance} does, from a single cell and over single cells, until one is occupied or the line comes near
+     * an edge that it does not cross there; false where the line ends before.
+     */
+    private boolean run(double limit) {
+        ClearanceMap of = map;
+        int columns = of.columns();
+        int rows = of.rows();
+        double beginU = u;
+        double beginV = v;
+        double byU = du;
+        double byV = dv;
+        double end = Math.min(to, limit + slackAlong);
+        double most = 0.5 - slack;
+        int stepU = byU > 0 ? 1 : -1;
+        int stepV = byV > 0 ? 1 : -1;
+        int behindU = byU > 0 ? 0 : 1;
+        int behindV = byV > 0 ? 0 : 1;
+        int column = aheadI;
+        int row = aheadJ;
+        int reach = Math.max(1, free);
+        while (true) {
+            int lineU = column + behindU + stepU * reach;
+            int lineV = row + behindV + stepV * reach;
+            double alongU = (lineU - beginU) * perU;
+            double alongV = (lineV - beginV) * perV;
+            boolean isU = alongU <= alongV;
+            double along = isU ? alongU : alongV;
+            if (!(along <= end)) {
+                break;
+            }
+            double past; // how far off the middle of the cell across
+            if (isU) {
+                column = lineU - behindU;
+                double at = beginV + along * byV;
+                row = (int) at;
+                past = at - row;
+            } else {
+                row = lineV - behindV;
+                double at = beginU + along * byU;
+                column = (int) at;
+                past = at - column;
+            }
+            if (Math.abs(past - 0.5) > most) {
+                return cross(lineU, lineV, alongU, alongV);
+            }
+            if (Integer.compareUnsigned(column, columns) >= 0 || Integer.compareUnsigned(row, rows) >= 0) {
+                break;
+            }
+            reach = of.clearance(of.cell(column, row));
+            if (reach == 0) {
+                lowI = column;
+                highI = column;
+                aheadI = column;
+                lowJ = row;
+                highJ = row;
+                aheadJ = row;
+                enter();
+                return true;
+            }
+        }
+        finish();
+        return false;
+    }
+
     /** Goes to where the line leaves the cells around it that need no look any more; false where it ends before. */
     private boolean advance(double limit) {
         int reach = Math.max(1, free);
-        int lineU = du > 0 ? highI + reach : lowI - reach + 1;
-        int lineV = dv > 0 ? highJ + reach : lowJ - reach + 1;
+        int lineU = du > 0 ? aheadI + reach : aheadI - reach + 1;
+        int lineV = dv > 0 ? aheadJ + reach : aheadJ - reach + 1;
         double alongU = du == 0 ? Double.POSITIVE_INFINITY : (lineU - u) * perU;
         double alongV = dv == 0 ? Double.POSITIVE_INFINITY : (lineV - v) * perV;
         double along = Math.min(alongU, alongV);
@@ -151,6 +228,12 @@ public final class CellWalk {
             finish();
             return false;
         }
+        return cross(lineU, lineV, alongU, alongV);
+    }
+
+    /** Goes to the nearer one of two lines, and to the corner if it is that; false where the line leaves the grid. */
+    private boolean cross(int lineU, int lineV, double alongU, double alongV) {
+        double along = Math.min(alongU, alongV);
         if (alongU <= alongV) {
             double at = dv == 0 ? v : v + along * dv;
             if (dv != 0 && Math.abs(at - lineV) <= 2 * slack) {
@@ -179,6 +262,7 @@ public final class CellWalk {
     /** Takes the column behind a line; none where that is outside. */
     private void crossColumns(int line) {
         int column = du > 0 ? line : line - 1;
+        aheadI = column;
         boolean isInside = column >= 0 && column < map.columns();
         lowI = isInside ? column : 0;
         highI = isInside ? column : -1;
@@ -186,6 +270,7 @@ public final class CellWalk {
 
     private void crossRows(int line) {
         int row = dv > 0 ? line : line - 1;
+        aheadJ = row;
         boolean isInside = row >= 0 && row < map.rows();
         lowJ = isInside ? row : 0;
         highJ = isInside ? row : -1;
@@ -197,5 +282,7 @@ public final class CellWalk {
         highI = Math.min(lineU, map.columns() - 1);
         lowJ = Math.max(lineV - 1, 0);
         highJ = Math.min(lineV, map.rows() - 1);
+        aheadI = du > 0 ? lineU : lineU - 1;
+        aheadJ = dv > 0 ? lineV : lineV - 1;
     }
 }

@@ -13,6 +13,8 @@ public class PlanarScratch extends LeafScratch {
     public final DoubleDoubleOverlap fine = new DoubleDoubleOverlap();
     public final DoubleDoubles planarPairs = new DoubleDoubles(7);
 
+    public final PlainCells plainCells = new PlainCells();
+
     /** A direction and the depth along it. */
     public final double[] planarNormal = new double[3];
 
