@@ -10,16 +10,14 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.mesh.ContactPairs;
 import robosim.geometry.narrow.mesh.NearestPairs;
 
 /**
  * Finds where two objects touch and, within a budget of work, whether they touch and how far apart they are.
  *
- * <p>A contact is a pair of pieces, one of each object, that have a point in common: boxes, cylinders, spheres and the
- * triangles of meshes. The decisions are those of {@link CollisionDetection#intersects}: there is a contact exactly if
+ * <p>A contact is a pair of pieces, one of each object, that have a point in common: boxes, cylinders, spheres, capsules,
+ * the triangles of meshes and the occupied cells of grids. The decisions are those of {@link CollisionDetection#intersects}: there is a contact exactly if
  * that is true. No pieces are reported that do not meet, and none that do are left out, including faces in one plane,
  * edges and corners that only touch, and faces without area. If no faces of two parts meet but one part is a solid mesh
  * that contains the other, that is one more contact: no face is named for the solid, and for a mesh inside it the first
@@ -81,7 +79,9 @@ public final class ContactQuery {
         if (limit < 1) {
             throw new IllegalArgumentException("limit must be at least 1 (got: " + limit + ")");
         }
-        return MEMORY.get().find(LocalLeaves.placed(a), LocalLeaves.placed(b), dimension, limit);
+        Parts first = Parts.near(a, b);
+        Parts second = Parts.near(b, a);
+        return first.isEmpty() || second.isEmpty() ? List.of() : MEMORY.get().find(first, second, dimension, limit);
     }
 
     /**
@@ -135,7 +135,7 @@ public final class ContactQuery {
         check(a, b, dimension);
         Checks.present("budget", budget);
         NearestPairs nearest = MEMORY.get().nearest;
-        nearest.start(dimension, LocalLeaves.placed(a), LocalLeaves.placed(b));
+        nearest.start(dimension, Parts.of(a).leaves(), Parts.of(b).leaves());
         long nanos = budget.nanos();
         while (!(measures ? nearest.isMeasured() : nearest.isDecided()) && nearest.steps() < budget.steps()) {
             if (nearest.steps() % STEPS_A_LOOK == 0 && System.nanoTime() - start >= nanos) {
@@ -166,14 +166,14 @@ public final class ContactQuery {
         Checks.present("dimension", dimension);
     }
 
-    private List<Contact> find(LeafColumn a, LeafColumn b, Dimension dimension, int limit) {
-        pairs.find(dimension, a, b, limit);
+    private List<Contact> find(Parts a, Parts b, Dimension dimension, int limit) {
+        pairs.find(dimension, a.leaves(), b.leaves(), limit);
         List<Contact> found = new ArrayList<>(pairs.count());
         for (int k = 0; k < pairs.count(); k++) {
             pairs.witness(k, witness);
             found.add(new Contact(
-                    new ContactPart(pairs.partA(k), pairs.faceA(k), pairs.halfA(k)),
-                    new ContactPart(pairs.partB(k), pairs.faceB(k), pairs.halfB(k)),
+                    new ContactPart(a.number(pairs.partA(k)), pairs.faceA(k), pairs.halfA(k)),
+                    new ContactPart(b.number(pairs.partB(k)), pairs.faceB(k), pairs.halfB(k)),
                     new Point(witness[0], witness[1], witness[2]),
                     new Point(witness[3], witness[4], witness[5]),
                     witness[6],

@@ -1,0 +1,67 @@
+package robosim.geometry.collision;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.narrow.leaf.GridWalk;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LocalLeaves;
+
+/**
+ * The simple parts of an object at its place; those of a grid are its occupied cells.
+ *
+ * @param cells of a grid, the number of each part's cell; null for other objects, whose parts are numbered from 0
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared
+record Parts(LeafColumn leaves, int @Nullable [] cells) {
+    /** All parts. */
+    static Parts of(GeometryObject object) {
+        return of(object, null);
+    }
+
+    /** All parts but, of a grid, cells that another object certainly does not touch. */
+    static Parts near(GeometryObject object, GeometryObject other) {
+        return of(object, other);
+    }
+
+    private static Parts of(GeometryObject object, @Nullable GeometryObject near) {
+        LeafColumn placed = LocalLeaves.placed(object);
+        return object instanceof GridObject ? cells(placed, near) : new Parts(placed, null);
+    }
+
+    private static Parts cells(LeafColumn grid, @Nullable GeometryObject near) {
+        double[] box = new double[6];
+        if (near == null) {
+            grid.bounds(0, box);
+        } else {
+            Bounds b = near.bounds();
+            box = new double[] {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()};
+        }
+        // Heights are left to the contact itself, as in the plane they do not count.
+        box[1] = Double.NEGATIVE_INFINITY;
+        box[4] = Double.POSITIVE_INFINITY;
+        GridWalk walk = new GridWalk();
+        LeafColumn leaves = new LeafColumn(1);
+        int[] cells = new int[16];
+        walk.startBox(grid, 0, box);
+        for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
+            int part = leaves.appendWhole(walk.piece(cell, grid.kind(0)), 0, 1);
+            if (part == cells.length) {
+                cells = Arrays.copyOf(cells, 2 * part);
+            }
+            cells[part] = cell;
+        }
+        return new Parts(leaves, Arrays.copyOf(cells, leaves.size()));
+    }
+
+    boolean isEmpty() {
+        return leaves.size() == 0;
+    }
+
+    /** The number by which a part goes. */
+    int number(int part) {
+        return cells == null ? part : cells[part];
+    }
+}
