@@ -171,13 +171,35 @@ public final class Cast {
         double best = Double.POSITIVE_INFINITY;
         for (int cell = nextCell(walk, limit); cell >= 0; cell = nextCell(walk, Math.min(limit, best))) {
             walk.corners(cell, s.triangleA, 0);
-            double distance = convex(LeafKind.UPRIGHT_BOX, s.triangleA, 0, best);
+            double distance = cell(walk, best);
             if (distance < best || (distance == best && cell < triangle)) {
                 best = distance;
                 triangle = cell;
             }
         }
         return best;
+    }
+
+    /** The distance of the cell whose row was written, the same to the bit however it is found. */
+    private double cell(GridWalk walk, double limit) {
+        boolean isFlat = dimension == Dimension.PLANAR;
+        int face = cone || !isModerate() ? -1 : isFlat ? walk.face() : walk.face(oy, uy);
+        if (face >= 0) {
+            double distance = isFlat
+                    ? RayRectangle.side(ox, oz, dx, dz, s.triangleA, 0, face == 0)
+                    : SpatialRay.uprightFace(ox, oy, oz, dx, dy, dz, s.triangleA, 0, face, s);
+            // Only a small distance may have been spoiled by what underflowed.
+            if (distance > UnderflowScaling.SMALL) {
+                return distance;
+            }
+        }
+        return convex(LeafKind.UPRIGHT_BOX, s.triangleA, 0, limit);
+    }
+
+    /** Whether the direction is of a length at which nothing overflows or underflows. */
+    private boolean isModerate() {
+        double sum = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+        return sum > 0x1p-90 && sum < 0x1p90;
     }
 
     private int nextCell(GridWalk walk, double reach) {

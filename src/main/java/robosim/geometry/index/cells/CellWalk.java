@@ -8,6 +8,15 @@ package robosim.geometry.index.cells;
  * <p>All coordinates are the cells' own ({@link PlacedCells}); how far along the line is in a unit of the caller's.
  */
 public final class CellWalk {
+    /** The line enters a cell somehow. */
+    public static final int UNKNOWN = 0;
+
+    /** The line enters a cell across a line between columns. */
+    public static final int COLUMN = 1;
+
+    /** The line enters a cell across a line between rows. */
+    public static final int ROW = 2;
+
     private ClearanceMap map;
     private double u;
     private double v;
@@ -33,6 +42,11 @@ public final class CellWalk {
     // The next of them to be looked at; behind the last row where all have been.
     private int i;
     private int j;
+
+    /** Across which coordinate the line certainly entered the only one of these cells; {@link #UNKNOWN} where that is not known. */
+    private int entered;
+
+    private double enteredAlong;
 
     /** How many cells away from any of these nothing is occupied; 0 if one of them is. */
     private int free;
@@ -121,6 +135,17 @@ public final class CellWalk {
         i = lowI;
         j = lowJ;
         free = ClearanceMap.MOST;
+        entered = UNKNOWN;
+    }
+
+    /** How the line certainly enters the cell that was shown last, by more than the slack off its corners. */
+    public int entered() {
+        return entered;
+    }
+
+    /** How far along the line that is; to within the slack. */
+    public double enteredAlong() {
+        return enteredAlong;
     }
 
     /**
@@ -209,6 +234,8 @@ public final class CellWalk {
                 highJ = row;
                 aheadJ = row;
                 enter();
+                entered = isU ? COLUMN : ROW;
+                enteredAlong = along;
                 return true;
             }
         }

@@ -56,6 +56,11 @@ public final class PlacedCells {
         return (cos == 0 && Math.abs(sin) == 1) || (sin == 0 && Math.abs(cos) == 1);
     }
 
+    /** Whether columns go along the world's X, either way, of a grid that {@link #isAlongAxes}. */
+    public boolean isAlongX() {
+        return sin == 0;
+    }
+
     /** Lines are multiples of this. */
     public double quantum() {
         return Math.ulp(rounder);

@@ -229,6 +229,30 @@ public final class GridWalk {
         return line.next(limit * (1 + 0x1p-40));
     }
 
+    /**
+     * The face by which the line certainly enters the cell that was found last, as seen from above: 0 for one across X, 2 for
+     * one across Z; -1 where that is not known, or the cells' axes are not the world's.
+     */
+    public int face() {
+        if (isBlind || line.entered() == CellWalk.UNKNOWN || !cells.isAlongAxes()) {
+            return -1;
+        }
+        return (line.entered() == CellWalk.COLUMN) == cells.isAlongX() ? 0 : 2;
+    }
+
+    /**
+     * The same where heights count.
+     *
+     * @param y  where the line begins
+     * @param uy the height that it gains for each unit
+     */
+    public int face(double y, double uy) {
+        double along = line.enteredAlong();
+        double off = Math.abs(y + along * uy - row[at + 1]);
+        double room = row[at + 4] - heightSlack(y) - (slack / cells.perCell() + WIDEN * along);
+        return off < room ? face() : -1;
+    }
+
     /** Writes a cell, an {@link LeafKind#UPRIGHT_BOX}, as a leaf's row. */
     public void corners(int cell, double[] out, int to) {
         box(cells, row, at, cell, out, to);

@@ -266,6 +266,22 @@ final class RayBox {
                 : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(mx, mz, dx, dz, b, j, face), s);
     }
 
+    /** The same for a ray that certainly enters a box across one of its vertical faces, 0 or 2, from outside. */
+    static double uprightFace(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            int face,
+            RayScratch s) {
+        double t = enterPlan(ox - b[j], oz - b[j + 2], dx, dz, b, j, face);
+        return uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, t, s);
+    }
+
     /** Where the ray enters an interval of heights, as {@link #clipHeights} has it. */
     static double enterHeights(double oy, double c, double h, double dy) {
         double offset = oy - c;

@@ -95,6 +95,18 @@ public final class RayRectangle {
         return Double.NaN;
     }
 
+    /**
+     * The same distance for a ray that certainly enters a rectangle along the axes across one of its sides, from outside.
+     *
+     * @param isAcrossX whether that is a side across X
+     */
+    public static double side(double ox, double oz, double ux, double uz, double[] row, int at, boolean isAcrossX) {
+        double nx = isAcrossX ? 1 : 0;
+        double nz = isAcrossX ? 0 : 1;
+        double gap = DiscRectangle.gap(ox, oz, row[at], row[at + 2], nx, nz, row[at + (isAcrossX ? 3 : 5)]);
+        return gap / Math.abs(isAcrossX ? ux : uz) * Math.sqrt(ux * ux + uz * uz);
+    }
+
     private static long bits(double number) {
         return Double.doubleToRawLongBits(number);
     }

@@ -38,6 +38,24 @@ public final class SpatialRay {
         return scaled(ox, oy, oz, ux, uy, uz, kind, row, j, s);
     }
 
+    /**
+     * The same for an upright box, and a direction of moderate length, where the ray certainly enters by a vertical face, 0
+     * for one across the own X, 2 for one across the own Z.
+     */
+    public static double uprightFace(
+            double ox,
+            double oy,
+            double oz,
+            double ux,
+            double uy,
+            double uz,
+            double[] row,
+            int j,
+            int face,
+            RayScratch s) {
+        return RayBox.uprightFace(ox, oy, oz, ux, uy, uz, row, j, face, s);
+    }
+
     public static double scale(double value, int power) {
         if (power == 0) {
             return value;
