@@ -12,6 +12,9 @@ public final class PlacedCells {
     /** How far below the largest coordinate the quantum is: sums of two lines, and half of them, need no rounding then. */
     private static final int BITS = 49;
 
+    /** The share of all coordinates, and of a cell, that covers some ten roundings and the quantum. */
+    private static final double ERROR = 0x1p-46;
+
     public final ClearanceMap map;
 
     private final double cos;
@@ -165,6 +168,6 @@ public final class PlacedCells {
      * @param farthest the sum of the magnitudes of all coordinates that were transformed
      */
     public double slack(double farthest) {
-        return ((0x1p-46 + 2 * skew) * (farthest + largest)) * perCell + 0x1p-46;
+        return ((ERROR + 2 * skew) * (farthest + largest)) * perCell + ERROR;
     }
 }
