@@ -115,6 +115,13 @@ public final class MapQuestions {
         } else {
             world.addObjectUnchecked(grid());
         }
+        // The edges of the map, as its reader adds them.
+        double width = COLUMNS * CELL;
+        double length = ROWS * CELL;
+        for (int side = -1; side <= 1; side += 2) {
+            world.addObjectUnchecked(new BoxObject(new Point(side * (width + CELL) / 2, 1, 0), CELL, 2, length));
+            world.addObjectUnchecked(new BoxObject(new Point(0, 1, side * (length + CELL) / 2), width, 2, CELL));
+        }
         world.addObjectUnchecked(new CylinderObject(new Point(x[0], 1, z[0]), RADIUS, 0.4).moveable("robot"));
         world.addObjectUnchecked(new BoxObject(new Point(x[0], 1, z[0]), 0.5, 0.4, 0.3).moveable("cart"));
         return world;
@@ -222,7 +229,7 @@ public final class MapQuestions {
         };
     }
 
-    private double[] anywhere(int numbers) {
+    private double[] anywhere(int numbers, boolean isTurned) {
         double[] poses = new double[numbers * 4096];
         for (int k = 0; k < poses.length; k += numbers) {
             int at = random.nextInt(POSES);
@@ -231,20 +238,20 @@ public final class MapQuestions {
                 poses[k + each] = x[at] + (each == 0 ? 0 : StrictMath.cos(turn));
                 poses[k + each + 1] = 1;
                 poses[k + each + 2] = z[at] + (each == 0 ? 0 : StrictMath.sin(turn));
-                poses[k + each + 3] = heading[at];
+                poses[k + each + 3] = isTurned ? heading[at] : 0;
             }
         }
         return poses;
     }
 
     private LongSupplier poses(Geometry world, String name) {
-        double[] poses = anywhere(4);
+        double[] poses = anywhere(4, name.equals("cart"));
         long[] free = new long[64];
         return () -> world.freePoses(name, poses, free);
     }
 
     private LongSupplier edges(Geometry world, String name) {
-        double[] edges = anywhere(8);
+        double[] edges = anywhere(8, name.equals("cart"));
         long[] free = new long[64];
         return () -> world.freeEdges(name, edges, free);
     }

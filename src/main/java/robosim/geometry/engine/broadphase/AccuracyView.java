@@ -50,6 +50,11 @@ public final class AccuracyView {
         return own.form(id);
     }
 
+    /** Whether one convex leaf about its centre stands for a moveable object, at its place to the bit. */
+    public boolean isSingle(int id) {
+        return own.isSingle(id);
+    }
+
     /** Whether what stands for a moveable object is made of convex leaves that keep their shape as it moves. */
     public boolean keepsShape(int id) {
         return own.keepsShape(id);

@@ -124,7 +124,13 @@ public abstract class BeamSearch {
     }
 
     private double searchTable(LeafTable table, double limit, int ignored) {
-        return searchBesideTree(table, searchTrees(table, limit, ignored), ignored);
+        double reach = limit;
+        for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
+            if (table.grid(k) != ignored) {
+                reach = meet(table, table.grid(k), reach);
+            }
+        }
+        return searchBesideTree(table, searchTrees(table, reach, ignored), ignored);
     }
 
     private double searchTrees(LeafTable table, double limit, int ignored) {
@@ -139,7 +145,7 @@ public abstract class BeamSearch {
     }
 
     private double searchBesideTree(LeafTable table, double limit, int ignored) {
-        int count = table.besideTree();
+        int count = table.moversBesideTree();
         if (count == 0) {
             return limit;
         }
@@ -150,7 +156,7 @@ public abstract class BeamSearch {
         double slack = slack(table);
         double reach = limit;
         for (int k = 0; k < count; k++) {
-            int id = table.besideTree(k);
+            int id = objects.mover(k);
             if (id != ignored && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
                 reach = meet(table, id, reach);
             }

@@ -70,11 +70,11 @@ public final class BoxQuery {
             gather(of, space.boxes, space.still, box, but);
             gather(of, space.boxes, space.moving, box, but);
         }
-        for (int k = 0; k < of.besideTree(); k++) {
-            int id = of.besideTree(k);
-            if (id != but && of.meets(id, box)) {
-                add(id);
-            }
+        for (int k = 0; k < of.gridCount(); k++) {
+            addNear(of, of.grid(k), box, but);
+        }
+        for (int k = 0; k < of.moversBesideTree(); k++) {
+            addNear(of, objects.mover(k), box, but);
         }
     }
 
@@ -84,6 +84,12 @@ public final class BoxQuery {
             if ((local | of.mark) != but) {
                 add(local | of.mark);
             }
+        }
+    }
+
+    private void addNear(LeafTable of, int id, double[] box, int but) {
+        if (id != but && of.meets(id, box)) {
+            add(id);
         }
     }
 
@@ -162,12 +168,20 @@ public final class BoxQuery {
     }
 
     private boolean meetsBesideTree(LeafTable of, double[] box, int but) {
-        for (int k = 0; k < of.besideTree(); k++) {
-            int id = of.besideTree(k);
-            if (id != but && of.meets(id, box) && target.meet(of, id)) {
+        for (int k = 0; k < of.gridCount(); k++) {
+            if (meets(of, of.grid(k), box, but)) {
+                return true;
+            }
+        }
+        for (int k = 0; k < of.moversBesideTree(); k++) {
+            if (meets(of, objects.mover(k), box, but)) {
                 return true;
             }
         }
         return false;
+    }
+
+    private boolean meets(LeafTable of, int id, double[] box, int but) {
+        return id != but && of.meets(id, box) && target.meet(of, id);
     }
 }

@@ -261,19 +261,19 @@ public final class LeafTable {
         }
     }
 
-    /** How many objects are in no tree: all moveable ones or none, and all grids. */
-    int besideTree() {
-        return hasMoversInTree ? gridCount : movers + gridCount;
+    /** How many moveable objects are in no tree: all of them or none. */
+    int moversBesideTree() {
+        return hasMoversInTree ? 0 : movers;
     }
 
-    /** Whether all of them are grids. */
-    boolean hasOnlyGridsBesideTree() {
-        return hasMoversInTree || movers == 0;
+    /** How many grids there are, none of which is in a tree. */
+    int gridCount() {
+        return gridCount;
     }
 
-    /** One of them. */
-    int besideTree(int k) {
-        return k < gridCount ? grids[k] | mark : objects.mover(k - gridCount);
+    /** One of the grids. */
+    int grid(int k) {
+        return grids[k] | mark;
     }
 
     /** Gives up room that there is for more objects. */
@@ -363,6 +363,11 @@ public final class LeafTable {
     /** Whether the leaves of a moveable object are convex and keep their shape as it moves. */
     boolean keepsShape(int id) {
         return (shapes[id] & CONVEX) != 0;
+    }
+
+    /** Whether there is one such leaf, about the object's centre. */
+    boolean isSingle(int id) {
+        return (shapes[id] & SINGLE) != 0;
     }
 
     /** Whether an object is a disc as seen from above, where it is now. */

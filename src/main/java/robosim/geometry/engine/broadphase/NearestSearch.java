@@ -33,9 +33,14 @@ public final class NearestSearch {
 
     private double searchTable(LeafTable table, double[] box, double limit, int ignored) {
         double reach = searchTrees(table, box, limit, ignored);
-        for (int k = 0; k < table.besideTree(); k++) {
-            if (table.besideTree(k) != ignored) {
-                reach = target.meet(table, table.besideTree(k), reach);
+        for (int k = 0; k < table.gridCount(); k++) {
+            if (table.grid(k) != ignored) {
+                reach = target.meet(table, table.grid(k), reach);
+            }
+        }
+        for (int k = 0; k < table.moversBesideTree(); k++) {
+            if (objects.mover(k) != ignored) {
+                reach = target.meet(table, objects.mover(k), reach);
             }
         }
         return reach;

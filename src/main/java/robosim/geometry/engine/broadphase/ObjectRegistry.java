@@ -237,12 +237,11 @@ public final class ObjectRegistry {
                 && Checks.present("object", object) instanceof CylinderObject cylinder
                 && cylinder.pose().isUpright()) {
             int met = probe(own, cylinder);
-            if (met == QuadCursor.ENOUGH || (met == QuadCursor.ALL && own.besideTree() == 0)) {
-                return met == QuadCursor.ENOUGH;
+            if (met == QuadCursor.ENOUGH) {
+                return true;
             }
-            if (met == QuadCursor.ALL && own.hasOnlyGridsBesideTree()) {
-                own.placed(object, candidate);
-                return touchesBesideTree(own);
+            if (met == QuadCursor.ALL && own.moversBesideTree() == 0) {
+                return own.gridCount() > 0 && touchesGrid(own, cylinder);
             }
         }
         own.placed(Checks.present("object", object), candidate);
@@ -265,6 +264,18 @@ public final class ObjectRegistry {
         candidate.clear();
         candidate.append(form.size());
         form.place(dimension, place[0], place[1], place[2], place, 3, candidate, 0);
+        return collides(at, id);
+    }
+
+    /**
+     * The same at one more place with the same attitude, directly after {@link #collidesAt}, for an object of one leaf about its
+     * centre.
+     */
+    public boolean collidesShifted(AccuracyView at, int id, double[] place) {
+        double[] row = candidate.rows();
+        row[0] = place[0];
+        row[1] = place[1];
+        row[2] = place[2];
         return collides(at, id);
     }
 
@@ -301,9 +312,10 @@ public final class ObjectRegistry {
         return sure < 0;
     }
 
-    private boolean touchesBesideTree(LeafTable table) {
-        for (int k = 0; k < table.besideTree(); k++) {
-            if (Overlap.test(dimension, candidate, 0, table.leaves(), table.first(table.besideTree(k)), s)) {
+    private boolean touchesGrid(LeafTable table, CylinderObject cylinder) {
+        table.placed(cylinder, candidate);
+        for (int k = 0; k < table.gridCount(); k++) {
+            if (Overlap.test(dimension, candidate, 0, table.leaves(), table.first(table.grid(k)), s)) {
                 return true;
             }
         }

@@ -96,11 +96,17 @@ public final class FreePlaces {
      */
     public int poses(AccuracyView view, int id, double[] poses, int from, int to, long[] free) {
         int found = 0;
+        boolean isSingle = view.isSingle(id);
+        double before = Double.NaN; // the heading of the pose before
         for (int first = from; first < to; first += Long.SIZE) {
             long bits = 0;
             for (int k = first; k < Math.min(first + Long.SIZE, to); k++) {
                 take(poses, POSE * k);
-                bits |= registry.collidesAt(view, id, place) ? 0 : 1L << k;
+                boolean isShifted = isSingle && heading == before;
+                before = heading;
+                boolean collides =
+                        isShifted ? registry.collidesShifted(view, id, place) : registry.collidesAt(view, id, place);
+                bits |= collides ? 0 : 1L << k;
             }
             free[first / Long.SIZE] = bits;
             found += Long.bitCount(bits);
