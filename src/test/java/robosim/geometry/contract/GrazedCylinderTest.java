@@ -73,7 +73,8 @@ class GrazedCylinderTest {
                     Math.sqrt((1 - cos) * (1 + cos)),
                     LeafKind.UPRIGHT_CYLINDER,
                     row,
-                    0, Double.POSITIVE_INFINITY,
+                    0,
+                    Double.POSITIVE_INFINITY,
                     s);
             if (low < Double.POSITIVE_INFINITY && low > 1e-3) {
                 double high = SpatialCone.upperEnd(s);
