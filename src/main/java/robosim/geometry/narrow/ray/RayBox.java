@@ -38,41 +38,17 @@ final class RayBox {
     /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inSlabs}; else below 0. */
     static double plain(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        double mx = ox - b[j];
-        double my = oy - b[j + 1];
-        double mz = oz - b[j + 2];
-        double slack = slack(ox, oy, oz, b, j);
-        int r = j + Leaf.ROTATION;
-        double alongX = dx * b[r] + dy * b[r + 3] + dz * b[r + 6];
-        double alongY = dx * b[r + 1] + dy * b[r + 4] + dz * b[r + 7];
-        double alongZ = dx * b[r + 2] + dy * b[r + 5] + dz * b[r + 8];
-        if (isFlat(alongX, alongY, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, b, r + 1, r + 2)
-                        || isInDoubt(alongY, dx, dy, dz, b, r + 2, r)
-                        || isInDoubt(alongZ, dx, dy, dz, b, r, r + 1))) {
-            return -1;
-        }
-        int face = plainFace(
-                mx * b[r] + my * b[r + 3] + mz * b[r + 6],
-                mx * b[r + 1] + my * b[r + 4] + mz * b[r + 7],
-                mx * b[r + 2] + my * b[r + 5] + mz * b[r + 8],
-                alongX,
-                alongY,
-                alongZ,
-                b,
-                j + Leaf.SIZE,
-                slack);
-        if (face == MISSED) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return face == UNKNOWN
-                ? -1
-                : turnedPlane(ox, oy, oz, dx, dy, dz, b, j, face, enter(mx, my, mz, dx, dy, dz, b, j, face), s);
+        int face = PlainBoxFace.turned(ox, oy, oz, dx, dy, dz, b, j);
+        return switch (face) {
+            case PlainBoxFace.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainBoxFace.UNKNOWN -> -1;
+            default -> turnedPlane(ox, oy, oz, dx, dy, dz, b, j, face, enter(ox, oy, oz, dx, dy, dz, b, j, face), s);
+        };
     }
 
     /** Where the ray enters a slab, as {@link #inSlabs} computes it. */
     private static double enter(
-            double mx, double my, double mz, double dx, double dy, double dz, double[] b, int j, int i) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, int i) {
         int r = j + Leaf.ROTATION;
         int k = r + (i == 2 ? 0 : i + 1);
         int l = r + (i == 0 ? 2 : i - 1);
@@ -81,7 +57,7 @@ final class RayBox {
         double nz = b[k] * b[l + 3] - b[k + 3] * b[l];
         double det = b[r + i] * nx + b[r + i + 3] * ny + b[r + i + 6] * nz;
         double half = b[j + Leaf.SIZE + i] * det;
-        double offset = mx * nx + my * ny + mz * nz;
+        double offset = (ox - b[j]) * nx + (oy - b[j + 1]) * ny + (oz - b[j + 2]) * nz;
         double slope = dx * nx + dy * ny + dz * nz;
         return (slope > 0 ? -half - offset : half - offset) / slope;
     }
@@ -142,34 +118,13 @@ final class RayBox {
     /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inUprightSlabs}; else below 0. */
     static double plainUpright(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        double mx = ox - b[j];
-        double mz = oz - b[j + 2];
-        double alongX = dx * b[j + 6] + dz * b[j + 12];
-        double alongZ = dx * b[j + 8] + dz * b[j + 14];
-        if (isFlat(alongX, dy, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, dx * b[j + 14], 0, dz * b[j + 8])
-                        || isInDoubt(alongZ, dx, dy, dz, dx * b[j + 12], 0, dz * b[j + 6]))) {
-            return -1;
-        }
-        int face = plainFace(
-                mx * b[j + 6] + mz * b[j + 12],
-                oy - b[j + 1],
-                mx * b[j + 8] + mz * b[j + 14],
-                alongX,
-                dy,
-                alongZ,
-                b,
-                j + Leaf.SIZE,
-                slack(ox, oy, oz, b, j));
-        if (face == MISSED) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (face == UNKNOWN) {
-            return -1;
-        }
-        return face == 1
-                ? heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, enterHeights(oy, b[j + 1], b[j + 4], dy))
-                : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(mx, mz, dx, dz, b, j, face), s);
+        int face = PlainBoxFace.upright(ox, oy, oz, dx, dy, dz, b, j);
+        return switch (face) {
+            case PlainBoxFace.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainBoxFace.UNKNOWN -> -1;
+            case 1 -> heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, enterHeights(oy, b[j + 1], b[j + 4], dy));
+            default -> uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(ox, oz, dx, dz, b, j, face), s);
+        };
     }
 
     /** Where the ray enters an interval of heights, as {@link #clipHeights} has it. */
@@ -179,12 +134,12 @@ final class RayBox {
     }
 
     /** Where the ray enters one of the two slabs in the plane, as {@link #clipPlan} has it. */
-    private static double enterPlan(double mx, double mz, double dx, double dz, double[] b, int j, int face) {
+    private static double enterPlan(double ox, double oz, double dx, double dz, double[] b, int j, int face) {
         double nx = face == 0 ? b[j + 14] : -b[j + 12];
         double nz = face == 0 ? -b[j + 8] : b[j + 6];
         double det = b[j + 6] * b[j + 14] - b[j + 8] * b[j + 12];
         double half = b[j + Leaf.SIZE + face] * det;
-        double offset = mx * nx + mz * nz;
+        double offset = (ox - b[j]) * nx + (oz - b[j + 2]) * nz;
         double slope = dx * nx + dz * nz;
         return (slope > 0 ? -half - offset : half - offset) / slope;
     }
