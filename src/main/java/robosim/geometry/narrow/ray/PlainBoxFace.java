@@ -121,7 +121,8 @@ final class PlainBoxFace {
         double ix = 1 / Math.abs(dx);
         double iy = 1 / Math.abs(dy);
         double iz = 1 / Math.abs(dz);
-        // How far the centre is ahead along each axis. Where the ray is parallel to a slab, a quotient is infinite or no
+        // How far the centre is ahead along each axis. Where the ray is parallel to a slab, a quotient is infinite or
+        // no
         // number, which is never certain.
         double aheadX = dx > 0 ? -x : x;
         double aheadY = dy > 0 ? -y : y;
