@@ -11,8 +11,8 @@ import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
- * One attempt to move an object: its translation, its turn about Y and its turn about X, each a leg that is swept in
- * the world as it is. Nothing is changed here; {@link #end()} is where the object would come to stand.
+ * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a leg that is swept
+ * in the world as it is. {@link #end()} is where the object would come to stand; {@code Geometry} then moves it there.
  *
  * <p>A leg is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
  * behind a plane of a contact at the start ({@link StartContacts}) counts for neither.

@@ -17,7 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Text;
 
@@ -34,10 +34,10 @@ final class JsonInput implements Closeable {
 
     static final JsonFactory FACTORY = JsonFactory.builder()
             .streamReadConstraints(StreamReadConstraints.builder()
-                    .maxNestingDepth(Limits.MAX_DEPTH)
+                    .maxNestingDepth(MessageLimits.MAX_DEPTH)
                     .maxNumberLength(MAX_NUMBER_LENGTH)
-                    .maxStringLength(Limits.MAX_TEXT_BYTES)
-                    .maxNameLength(Limits.MAX_TEXT_BYTES)
+                    .maxStringLength(MessageLimits.MAX_TEXT_BYTES)
+                    .maxNameLength(MessageLimits.MAX_TEXT_BYTES)
                     .build())
             // Names come from a peer, so none are cached.
             .disable(JsonFactory.Feature.INTERN_FIELD_NAMES)
@@ -198,9 +198,9 @@ final class JsonInput implements Closeable {
     }
 
     private void count() throws IOException {
-        if (++containers > Limits.MAX_REFERENCES) {
-            throw refused(
-                    "there must be at most " + Limits.MAX_REFERENCES + " objects and lists in a message (got: more)");
+        if (++containers > MessageLimits.MAX_REFERENCES) {
+            throw refused("there must be at most " + MessageLimits.MAX_REFERENCES
+                    + " objects and lists in a message (got: more)");
         }
     }
 
@@ -304,7 +304,7 @@ final class JsonInput implements Closeable {
                 throw refused("a string must have no unpaired surrogate (got: " + told(String.valueOf(c)) + ")");
             }
         }
-        if (bytes > Limits.MAX_TEXT_BYTES) {
+        if (bytes > MessageLimits.MAX_TEXT_BYTES) {
             throw refused(tooLong());
         }
         lastText = text;
@@ -374,7 +374,7 @@ final class JsonInput implements Closeable {
     }
 
     private static String tooLong() {
-        return "a string must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
+        return "a string must have at most " + MessageLimits.MAX_TEXT_BYTES + " bytes (got: more)";
     }
 
     /** The parser's message without its advice, which is meant for programmers. */
@@ -397,7 +397,7 @@ final class JsonInput implements Closeable {
 
     private static String beyond(String words) {
         if (words.startsWith("Document nesting depth")) {
-            return "nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)";
+            return "nesting must be at most " + MessageLimits.MAX_DEPTH + " deep (got: more)";
         }
         if (words.startsWith("Number value length")) {
             return numberTooLong();

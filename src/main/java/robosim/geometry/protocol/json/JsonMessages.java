@@ -10,7 +10,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Problem;
@@ -141,7 +141,7 @@ final class JsonMessages {
     private List<MoveRequest> moveList() throws IOException {
         List<MoveRequest> moves = new ArrayList<>();
         in.list();
-        while (in.more(moves.size(), Limits.MAX_LIST_LENGTH)) {
+        while (in.more(moves.size(), MessageLimits.MAX_LIST_LENGTH)) {
             moves.add(move());
         }
         return moves;
@@ -170,7 +170,7 @@ final class JsonMessages {
                 continue;
             }
             in.list();
-            while (in.more(requests.size(), Limits.MAX_LIST_LENGTH)) {
+            while (in.more(requests.size(), MessageLimits.MAX_LIST_LENGTH)) {
                 requests.add(sonar());
             }
         }
@@ -213,7 +213,7 @@ final class JsonMessages {
                 case 1 -> moves = moveList();
                 default -> {
                     in.list();
-                    while (in.more(problems.size(), Limits.MAX_LIST_LENGTH)) {
+                    while (in.more(problems.size(), MessageLimits.MAX_LIST_LENGTH)) {
                         problems.add(problem());
                     }
                 }
@@ -229,7 +229,7 @@ final class JsonMessages {
         JsonInput.Members members = in.object(REFUSED);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
-                index = (int) in.whole(0, Limits.MAX_LIST_LENGTH);
+                index = (int) in.whole(0, MessageLimits.MAX_LIST_LENGTH);
             } else {
                 reason = in.text();
             }
@@ -248,7 +248,7 @@ final class JsonMessages {
                 continue;
             }
             in.list();
-            while (in.more(distances.size(), Limits.MAX_LIST_LENGTH)) {
+            while (in.more(distances.size(), MessageLimits.MAX_LIST_LENGTH)) {
                 distances.add(distance(distances.size(), problems));
             }
         }
