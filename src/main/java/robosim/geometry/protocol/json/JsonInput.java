@@ -6,7 +6,6 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
-import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -50,7 +49,7 @@ final class JsonInput implements Closeable {
             .build();
 
     private final JsonParser parser;
-    private final boolean discreet;
+    private final JsonProblems problems;
     private int containers;
 
     /** The last string read. */
@@ -58,7 +57,7 @@ final class JsonInput implements Closeable {
 
     private JsonInput(JsonParser parser, boolean discreet) {
         this.parser = parser;
-        this.discreet = discreet;
+        problems = new JsonProblems(parser, discreet);
     }
 
     /** A line whose contents may be quoted in errors. */
@@ -137,7 +136,7 @@ final class JsonInput implements Closeable {
         try {
             parser.skipChildren();
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
@@ -163,7 +162,7 @@ final class JsonInput implements Closeable {
         try {
             return parser.nextToken();
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
@@ -235,7 +234,7 @@ final class JsonInput implements Closeable {
         }
         String digits = scalar();
         if (digits.length() > MAX_NUMBER_LENGTH) { // the parser's own limit counts neither the sign nor the point
-            throw refused(numberTooLong());
+            throw refused(JsonProblems.numberTooLong());
         }
         double value = Double.parseDouble(digits);
         if (!Double.isFinite(value)) {
@@ -305,7 +304,7 @@ final class JsonInput implements Closeable {
             }
         }
         if (bytes > MessageLimits.MAX_TEXT_BYTES) {
-            throw refused(tooLong());
+            throw refused(JsonProblems.tooLong());
         }
         lastText = text;
         return text;
@@ -321,7 +320,7 @@ final class JsonInput implements Closeable {
             }
             return same;
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
@@ -336,16 +335,11 @@ final class JsonInput implements Closeable {
         throw refused("must be one of " + Arrays.toString(type.getEnumConstants()) + " (got: " + told(text) + ")");
     }
 
-    /** Quotes a value for a message, unless it may be secret. */
-    String told(String text) {
-        return discreet ? "another" : Text.quoted(text);
-    }
-
     private String scalar() throws IOException {
         try {
             return parser.getText();
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
@@ -354,73 +348,23 @@ final class JsonInput implements Closeable {
         try {
             return constructor.get();
         } catch (IllegalArgumentException e) {
-            throw new ProtocolException(place() + String.valueOf(e.getMessage()), e);
+            throw new ProtocolException(problems.place() + String.valueOf(e.getMessage()), e);
         }
     }
 
     /** An exception about the current value. */
     ProtocolException refused(String what) {
-        return new ProtocolException(place() + what);
+        return problems.refused(what);
     }
 
-    private String place() {
-        String pointer =
-                discreet ? "" : parser.getParsingContext().pathAsPointer().toString();
-        return pointer.isEmpty() ? "the message: " : "at " + Text.line(pointer) + ": ";
-    }
-
-    private static String numberTooLong() {
-        return "a number must have at most " + MAX_NUMBER_LENGTH + " characters (got: more)";
-    }
-
-    private static String tooLong() {
-        return "a string must have at most " + MessageLimits.MAX_TEXT_BYTES + " bytes (got: more)";
-    }
-
-    /** The parser's message without its advice, which is meant for programmers. */
-    private ProtocolException noJson(JsonProcessingException e) {
-        String words = String.valueOf(e.getOriginalMessage());
-        if (e instanceof StreamConstraintsException) {
-            return refused(beyond(words));
-        }
-        int column = e.getLocation() == null ? 0 : e.getLocation().getColumnNr();
-        String what = "must be JSON (RFC 8259), which ends at column " + column;
-        if (discreet) {
-            return refused(what);
-        }
-        String told = Text.line(words.replaceFirst("(?s)(: | \\()?(was expecting|enable `|maybe a ).*", ""));
-        String remedy = words.matches("(?s).*'[-+]?(?i:nan|inf).*")
-                ? "; numbers are finite, and no echo or an unlimited range is null"
-                : "";
-        return refused(what + remedy + " (got: " + told + ")");
-    }
-
-    private static String beyond(String words) {
-        if (words.startsWith("Document nesting depth")) {
-            return "nesting must be at most " + MessageLimits.MAX_DEPTH + " deep (got: more)";
-        }
-        if (words.startsWith("Number value length")) {
-            return numberTooLong();
-        }
-        return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
+    /** Quotes a value for a message, unless it may be secret. */
+    String told(String text) {
+        return problems.told(text);
     }
 
     /** The type of the current value, for a message. */
     String kind() {
-        JsonToken token = parser.currentToken();
-        if (token == null) {
-            return "nothing";
-        }
-        return switch (token) {
-            case START_OBJECT -> "an object";
-            case START_ARRAY -> "a list";
-            case VALUE_STRING -> "a string";
-            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> "a number";
-            case VALUE_TRUE -> "true";
-            case VALUE_FALSE -> "false";
-            case VALUE_NULL -> "null";
-            default -> "something else";
-        };
+        return problems.kind();
     }
 
     @Override
