@@ -178,7 +178,7 @@ final class JsonObjects {
                 return form;
             }
         }
-        throw in.refused("must be box, cylinder, sphere, mesh or group (got: " + in.told(text) + ")");
+        throw in.refused("must be box, cylinder, sphere, capsule, mesh or group (got: " + in.told(text) + ")");
     }
 
     /** The fields of an object read so far. */

@@ -127,6 +127,15 @@ class JsonLinesTest {
         assertThat(((MeshObject) ((InitBundle) read).objects().get(0)).faces()).isEqualTo(new int[][] {{0, 1, 2}});
     }
 
+    @Test
+    void anUnknownKindIsRefusedWithAllThatAreKnown() {
+        String line = "{\"type\":\"init\",\"objects\":[{\"kind\":\"cone\"}]}";
+        String all = "box, cylinder, sphere, capsule, mesh or group";
+        assertThat(all.split(", | or ")).hasSameSizeAs(GeometryObject.Kind.values());
+        assertThatThrownBy(() -> JsonLines.readRequest(line))
+                .hasMessage("at /objects/0/kind: must be " + all + " (got: \"cone\")");
+    }
+
     static Stream<Arguments> bad() {
         String move = "{\"objectName\":\"r\",\"x\":1,\"y\":0,\"z\":0,\"rx\":0,\"ry\":0}";
         String moves = "{\"type\":\"moves\",\"moves\":[" + move + ",%s]}";
