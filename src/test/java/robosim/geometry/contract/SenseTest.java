@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -332,7 +333,7 @@ class SenseTest {
                             fan,
                             SenseOptions.range(0, 9).withThreads(4),
                             out))
-                    .get();
+                    .get(60, TimeUnit.SECONDS);
             assertThat(out.size()).isEqualTo(3600);
         } finally {
             pool.shutdownNow();
