@@ -127,9 +127,14 @@ final class JsonInput implements Closeable {
         if (advance() != JsonToken.FIELD_NAME) {
             return null;
         }
-        String name = parser.currentName();
+        String name = fieldName();
         advance();
         return name;
+    }
+
+    /** The name of the current field. */
+    String fieldName() throws IOException {
+        return parser.currentName();
     }
 
     private void skip() throws IOException {
@@ -146,7 +151,7 @@ final class JsonInput implements Closeable {
     }
 
     /** Begins reading the line's object. */
-    Members message(Fields fields) throws IOException {
+    JsonMembers message(Fields fields) throws IOException {
         advance();
         return object(fields);
     }
@@ -158,7 +163,7 @@ final class JsonInput implements Closeable {
         }
     }
 
-    private JsonToken advance() throws IOException {
+    JsonToken advance() throws IOException {
         try {
             return parser.nextToken();
         } catch (JsonProcessingException e) {
@@ -167,12 +172,12 @@ final class JsonInput implements Closeable {
     }
 
     /** Begins reading the current value as an object. */
-    Members object(Fields fields) throws IOException {
+    JsonMembers object(Fields fields) throws IOException {
         if (parser.currentToken() != JsonToken.START_OBJECT) {
             throw refused("must be an object, {...} (got: " + kind() + ")");
         }
         count();
-        return new Members(fields);
+        return new JsonMembers(this, fields);
     }
 
     boolean isObject() {
@@ -370,41 +375,5 @@ final class JsonInput implements Closeable {
     @Override
     public void close() throws IOException {
         parser.close();
-    }
-
-    /** An object that is being read. */
-    final class Members {
-        private final Fields fields;
-        private long seen;
-
-        private Members(Fields fields) {
-            this.fields = fields;
-        }
-
-        /** Goes to the value of the next field and returns its number; -1 at the end, if no field is missing. */
-        int next() throws IOException {
-            if (advance() != JsonToken.FIELD_NAME) {
-                int missing = fields.missing(seen);
-                if (missing >= 0) {
-                    throw refused("must have the field \"" + fields.name(missing) + "\" (got: none)");
-                }
-                return -1;
-            }
-            String name = parser.currentName();
-            int index = fields.indexOf(name);
-            if (index < 0) {
-                throw refused("a field must be one of " + fields + " (got: " + told(name) + ")");
-            }
-            if ((seen & 1L << index) != 0) {
-                throw refused("a field must occur only once (got: \"" + name + "\" twice)");
-            }
-            seen |= 1L << index;
-            advance();
-            return index;
-        }
-
-        boolean has(int index) {
-            return (seen & 1L << index) != 0;
-        }
     }
 }

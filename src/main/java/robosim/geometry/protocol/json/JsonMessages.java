@@ -60,7 +60,7 @@ final class JsonMessages {
 
     Hello hello() throws IOException {
         String secret = null;
-        JsonInput.Members message = in.message(HELLO);
+        JsonMembers message = in.message(HELLO);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
@@ -81,7 +81,7 @@ final class JsonMessages {
 
     Ping ping() throws IOException {
         Object id = null;
-        JsonInput.Members message = in.message(PING);
+        JsonMembers message = in.message(PING);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0 || in.isText()) {
                 String text = in.text();
@@ -97,7 +97,7 @@ final class JsonMessages {
     InitBundle init() throws IOException {
         List<GeometryObject> objects = new ArrayList<>();
         WorldSettings settings = null;
-        JsonInput.Members message = in.message(INIT);
+        JsonMembers message = in.message(INIT);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
@@ -113,7 +113,7 @@ final class JsonMessages {
         double[] sizes = new double[3];
         Dimension[] dimension = {Dimension.PLANAR};
         Accuracy[] accuracy = {Accuracy.EXACT};
-        JsonInput.Members members = in.object(SETTINGS);
+        JsonMembers members = in.object(SETTINGS);
         for (int field = members.next(); field >= 0; field = members.next()) {
             switch (field) {
                 case 3 -> dimension[0] = in.constant(Dimension.class);
@@ -126,7 +126,7 @@ final class JsonMessages {
 
     MoveBundle moves() throws IOException {
         List<MoveRequest> moves = new ArrayList<>();
-        JsonInput.Members message = in.message(MOVES);
+        JsonMembers message = in.message(MOVES);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0) {
                 in.text();
@@ -150,7 +150,7 @@ final class JsonMessages {
     private MoveRequest move() throws IOException {
         String[] name = {""};
         double[] numbers = new double[5];
-        JsonInput.Members members = in.object(MOVE);
+        JsonMembers members = in.object(MOVE);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
                 name[0] = in.text();
@@ -163,7 +163,7 @@ final class JsonMessages {
 
     SonarRequestBundle sonars() throws IOException {
         List<SonarRequest> requests = new ArrayList<>();
-        JsonInput.Members message = in.message(SONARS);
+        JsonMembers message = in.message(SONARS);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0) {
                 in.text();
@@ -182,7 +182,7 @@ final class JsonMessages {
         String[] name = {""};
         double[] offset = new double[2];
         Beam[] beam = new Beam[1];
-        JsonInput.Members members = in.object(SONAR);
+        JsonMembers members = in.object(SONAR);
         for (int field = members.next(); field >= 0; field = members.next()) {
             switch (field) {
                 case 0 -> name[0] = in.text();
@@ -195,7 +195,7 @@ final class JsonMessages {
 
     private Beam beam() throws IOException {
         double[] numbers = new double[3];
-        JsonInput.Members members = in.object(BEAM);
+        JsonMembers members = in.object(BEAM);
         for (int field = members.next(); field >= 0; field = members.next()) {
             numbers[field] = field == 1 && in.isNull() ? Double.POSITIVE_INFINITY : in.number();
         }
@@ -206,7 +206,7 @@ final class JsonMessages {
     Reply made() throws IOException {
         List<MoveRequest> moves = new ArrayList<>();
         List<Problem> problems = new ArrayList<>();
-        JsonInput.Members message = in.message(MADE);
+        JsonMembers message = in.message(MADE);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
@@ -226,7 +226,7 @@ final class JsonMessages {
     private Problem problem() throws IOException {
         int index = 0;
         String reason = "";
-        JsonInput.Members members = in.object(REFUSED);
+        JsonMembers members = in.object(REFUSED);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
                 index = (int) in.whole(0, MessageLimits.MAX_LIST_LENGTH);
@@ -241,7 +241,7 @@ final class JsonMessages {
     Reply distances() throws IOException {
         List<Double> distances = new ArrayList<>();
         List<Problem> problems = new ArrayList<>();
-        JsonInput.Members message = in.message(DISTANCES);
+        JsonMembers message = in.message(DISTANCES);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0) {
                 in.text();
@@ -267,7 +267,7 @@ final class JsonMessages {
             }
             return distance;
         }
-        JsonInput.Members members = in.object(ERROR);
+        JsonMembers members = in.object(ERROR);
         for (int field = members.next(); field >= 0; field = members.next()) {
             problems.add(Problem.of(index, in.text()));
         }

@@ -71,7 +71,7 @@ final class JsonObjects {
 
     private GeometryObject object() throws IOException {
         Draft draft = new Draft();
-        JsonInput.Members members = in.object(FIELDS);
+        JsonMembers members = in.object(FIELDS);
         for (int field = members.next(); field >= 0; field = members.next()) {
             read(draft, field);
         }
@@ -107,7 +107,7 @@ final class JsonObjects {
         }
     }
 
-    private void checkFields(Draft draft, JsonInput.Members members) throws ProtocolException {
+    private void checkFields(Draft draft, JsonMembers members) throws ProtocolException {
         Form form = draft.form;
         for (int field = 0; field < FIELDS.count(); field++) {
             String name = FIELDS.name(field);
