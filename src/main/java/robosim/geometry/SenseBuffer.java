@@ -99,8 +99,10 @@ public final class SenseBuffer {
 
     private int checked(int beam) {
         if (beam < 0 || beam >= size()) {
-            throw new IllegalArgumentException(
-                    "beam must be from 0 to size - 1, " + (size() - 1) + " (got: " + beam + ")");
+            String need = size() == 0
+                    ? "one that was answered, and none was: sense first"
+                    : "from 0 to size - 1, " + (size() - 1);
+            throw new IllegalArgumentException("beam must be " + need + " (got: " + beam + ")");
         }
         return beam;
     }

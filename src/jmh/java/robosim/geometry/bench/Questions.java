@@ -208,8 +208,9 @@ public final class Questions {
         double cos = StrictMath.cos(half);
         double sin = StrictMath.sin(half);
         return family.planar()
-                ? PlanarCone.distance(o[0], o[2], d[0], d[2], cos, sin, kind, row, 0, scratch)
-                : SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch);
+                ? PlanarCone.distance(o[0], o[2], d[0], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch)
+                : SpatialCone.distance(
+                        o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch);
     }
 
     private double translation(double[] d, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {

@@ -3,9 +3,9 @@ package robosim.geometry.collision;
 /**
  * The piece of an object that takes part in a contact.
  *
- * @param part index of the object's simple part: 0 unless the object is a group or a grid. The boxes, cylinders, spheres and
- *     meshes of a group are counted from 0 in the order of its members; those of a nested group are counted at that
- *     group's place. Of a grid it is the cell, row * columns + column
+ * @param part index of the object's simple part: 0 unless the object is a group or a grid. The boxes, cylinders, spheres,
+ *     capsules and meshes of a group are counted from 0 in the order of its members; those of a nested group are counted
+ *     at that group's place. Of a grid it is the cell, row * columns + column
  * @param face the index of the mesh's face, as its faces were given; -1 if the part is not a mesh, or is a solid mesh
  *     that contains the other piece and none of whose faces is touched
  * @param half which triangle of the face: 0 for the face's corners 0, 1, 2, which is all of a triangle, and 1 for

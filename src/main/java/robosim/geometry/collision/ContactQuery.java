@@ -17,7 +17,8 @@ import robosim.geometry.narrow.mesh.NearestPairs;
  * Finds where two objects touch and, within a budget of work, whether they touch and how far apart they are.
  *
  * <p>A contact is a pair of pieces, one of each object, that have a point in common: boxes, cylinders, spheres, capsules,
- * the triangles of meshes and the occupied cells of grids. The decisions are those of {@link CollisionDetection#intersects}: there is a contact exactly if
+ * the triangles of meshes and the occupied cells of grids. The decisions are those of {@link
+ * CollisionDetection#intersects}: there is a contact exactly if
  * that is true. No pieces are reported that do not meet, and none that do are left out, including faces in one plane,
  * edges and corners that only touch, and faces without area. If no faces of two parts meet but one part is a solid mesh
  * that contains the other, that is one more contact: no face is named for the solid, and for a mesh inside it the first

@@ -23,6 +23,9 @@ public final class VectorMath {
     /** The same for numbers down to the least double, 2^-1074; what is below {@link #TINY} comes to 2^500 by it. */
     private static final double LARGEST = 0x1p950;
 
+    /** The double nearest to one over the root of 2. */
+    public static final double HALF_ROOT = 0.7071067811865476;
+
     private VectorMath() {}
 
     /** The square root of the sum of two squares, for arguments of at least 0, however small. */

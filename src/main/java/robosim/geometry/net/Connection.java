@@ -45,8 +45,8 @@ final class Connection implements Runnable {
     private final @Nullable Cipher cipher;
     private final Watchdog.Guard guard;
     private final CpuTurn turn;
-    private final MessageMemory.Share room;
-    private final WorldMemory.Plot plot;
+    private final MessageMemory.Share messageMemory;
+    private final WorldMemory.Share worldMemory;
 
     /** The number of the message that is being read or processed, from 1. */
     private long message;
@@ -76,8 +76,8 @@ final class Connection implements Runnable {
         this.cipher = cipher;
         this.guard = around.watchdog().guard(this::abort);
         this.turn = around.turns().turn();
-        this.room = around.room().share();
-        this.plot = around.worlds().plot();
+        this.messageMemory = around.messageMemory().share();
+        this.worldMemory = around.worldMemory().share();
     }
 
     /**
@@ -99,7 +99,7 @@ final class Connection implements Runnable {
         } catch (IOException e) {
             closed("the answer could not be sent: " + e.getMessage(), e);
         } catch (OutOfMemoryError e) {
-            plot.free(); // and the world, as the session is over
+            worldMemory.free(); // and the world, as the session is over
             closed(NO_MEMORY + " (got: " + e + ")", e);
             partGently();
         } catch (RuntimeException | Error e) {
@@ -107,7 +107,7 @@ final class Connection implements Runnable {
         } finally {
             abort();
             turn.give();
-            plot.free();
+            worldMemory.free();
             around.figures().closed();
         }
     }
@@ -162,7 +162,7 @@ final class Connection implements Runnable {
                 times.stall(),
                 times.message(),
                 turn,
-                room,
+                messageMemory,
                 () -> stopping);
         PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, times.stall(), times.message(), turn);
         Authenticator authenticator = new Authenticator(options.access(), in, times);
@@ -222,7 +222,7 @@ final class Connection implements Runnable {
         Quotas quotas = options.quotas();
         if (request instanceof InitBundle init) {
             String tooMany = tooMany("a world", "objects", init.objects().size(), quotas.objects());
-            return tooMany == null ? plot.claim(messageBytes) : tooMany;
+            return tooMany == null ? worldMemory.claim(messageBytes) : tooMany;
         }
         if (request instanceof MoveBundle moves) {
             return tooMany("a bundle", "requests", moves.moves().size(), quotas.requests());
@@ -290,7 +290,7 @@ final class Connection implements Runnable {
         ending = true;
         stopping = true;
         turn.cutOff();
-        room.close();
+        messageMemory.close();
     }
 
     /** Ends the connection at once. */
@@ -298,7 +298,7 @@ final class Connection implements Runnable {
         stopping = true;
         guard.close();
         turn.cutOff();
-        room.close();
+        messageMemory.close();
         try {
             socket.close();
         } catch (IOException e) {

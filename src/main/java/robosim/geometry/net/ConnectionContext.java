@@ -12,8 +12,8 @@ record ConnectionContext(
         Figures figures,
         Watchdog watchdog,
         CpuTurns turns,
-        MessageMemory room,
-        WorldMemory worlds,
+        MessageMemory messageMemory,
+        WorldMemory worldMemory,
         LogBudget log) {
     ConnectionContext(NetOptions options, Figures figures, Watchdog watchdog) {
         this(

@@ -1,7 +1,7 @@
 package robosim.geometry.net;
 
 import robosim.geometry.exact.Checks;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 
 /**
  * How much peers may request; each limit is at least 1.
@@ -11,8 +11,8 @@ import robosim.geometry.protocol.Limits;
  * @param requests    maximum number of moves or sonar requests in a bundle
  */
 public record Quotas(int connections, int objects, int requests) {
-    /** 256 connections; otherwise the limit of any list in a message, {@link Limits#MAX_LIST_LENGTH}. */
-    public static final Quotas DEFAULT = new Quotas(256, Limits.MAX_LIST_LENGTH, Limits.MAX_LIST_LENGTH);
+    /** 256 connections; otherwise the limit of any list in a message, {@link MessageLimits#MAX_LIST_LENGTH}. */
+    public static final Quotas DEFAULT = new Quotas(256, MessageLimits.MAX_LIST_LENGTH, MessageLimits.MAX_LIST_LENGTH);
 
     /** Refuses values below 1. */
     public Quotas {

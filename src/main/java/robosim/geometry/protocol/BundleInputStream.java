@@ -56,11 +56,11 @@ final class BundleInputStream extends ObjectInputStream {
 
     private ObjectInputFilter.Status judge(ObjectInputFilter.FilterInfo info) {
         references = info.references();
-        if (info.depth() > Limits.MAX_DEPTH) {
-            return refuse("nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)");
+        if (info.depth() > MessageLimits.MAX_DEPTH) {
+            return refuse("nesting must be at most " + MessageLimits.MAX_DEPTH + " deep (got: more)");
         }
-        if (references - referencesBefore > Limits.MAX_REFERENCES) {
-            return refuse("a sender must send at most " + Limits.MAX_REFERENCES
+        if (references - referencesBefore > MessageLimits.MAX_REFERENCES) {
+            return refuse("a sender must send at most " + MessageLimits.MAX_REFERENCES
                     + " objects before it resets its stream (got: more)");
         }
         Class<?> type = info.serialClass();
@@ -79,16 +79,16 @@ final class BundleInputStream extends ObjectInputStream {
     private ObjectInputFilter.Status judgeArray(Class<?> type, long length) {
         Class<?> item = type.getComponentType();
         boolean numbers = item != null && item.isPrimitive();
-        int most = numbers ? Limits.MAX_ARRAY_LENGTH : Limits.MAX_LIST_LENGTH;
+        int most = numbers ? MessageLimits.MAX_ARRAY_LENGTH : MessageLimits.MAX_LIST_LENGTH;
         if (length > most) {
             return refuse("a" + (numbers ? "n array" : " list") + " must have at most " + most + " items (got: "
                     + length + ")");
         }
         // An int takes 4 bytes, a double 8, an object at least the 5 of a reference to an earlier one.
         claimedBytes += length * (item == double.class || item == long.class ? 8 : numbers ? 4 : 5);
-        if (claimedBytes > Limits.MAX_MESSAGE_BYTES) {
-            return refuse(
-                    "a message's lists and arrays must fit into " + Limits.MAX_MESSAGE_BYTES + " bytes (got: more)");
+        if (claimedBytes > MessageLimits.MAX_MESSAGE_BYTES) {
+            return refuse("a message's lists and arrays must fit into " + MessageLimits.MAX_MESSAGE_BYTES
+                    + " bytes (got: more)");
         }
         return ObjectInputFilter.Status.ALLOWED;
     }
@@ -149,8 +149,8 @@ final class BundleInputStream extends ObjectInputStream {
 
     private void add(long more) throws IOException {
         parts += more;
-        if (parts > Limits.MAX_PARTS) {
-            throw new InvalidClassException("a message's objects must have at most " + Limits.MAX_PARTS
+        if (parts > MessageLimits.MAX_PARTS) {
+            throw new InvalidClassException("a message's objects must have at most " + MessageLimits.MAX_PARTS
                     + " parts, counted at every reference to them (got: more)");
         }
     }

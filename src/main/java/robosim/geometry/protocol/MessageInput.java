@@ -101,7 +101,8 @@ final class MessageInput extends InputStream {
         }
         int value = peek();
         if (value == ObjectStreamConstants.TC_LONGSTRING) {
-            throw new ProtocolException("a string must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)");
+            throw new ProtocolException(
+                    "a string must have at most " + MessageLimits.MAX_TEXT_BYTES + " bytes (got: more)");
         }
         if (value != NONE) {
             take(1);
@@ -131,9 +132,9 @@ final class MessageInput extends InputStream {
     private void take(int bytes) throws IOException {
         next += bytes;
         count += bytes;
-        if (count > Limits.MAX_MESSAGE_BYTES) {
+        if (count > MessageLimits.MAX_MESSAGE_BYTES) {
             throw new ProtocolException(
-                    "a message must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes (got: more)");
+                    "a message must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes (got: more)");
         }
     }
 

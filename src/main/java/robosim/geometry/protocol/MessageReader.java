@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * Reads bundles from a stream, within the {@link Limits} and from an allow-list of classes. It reads ahead; after an
+ * Reads bundles from a stream, within the {@link MessageLimits} and from an allow-list of classes. It reads ahead; after an
  * exception nothing more can be read.
  *
  * <p>The first byte of the stream identifies the encoding; {@code AC} (of {@code AC ED 00 05}) is Java serialization,

@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 
 /** Reads the lines of a file, one in memory at a time; blank lines and an incomplete last line are skipped. */
 final class Lines implements Closeable {
@@ -68,8 +68,9 @@ final class Lines implements Closeable {
                 while (end < to && buffer[end] != '\n') {
                     end++;
                 }
-                if (line.size() + (end - from) > Limits.MAX_MESSAGE_BYTES) {
-                    throw refused("a line must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes (got: more)", null);
+                if (line.size() + (end - from) > MessageLimits.MAX_MESSAGE_BYTES) {
+                    throw refused(
+                            "a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes (got: more)", null);
                 }
                 line.write(buffer, from, end - from);
                 from = Math.min(end + 1, to);

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.JsonRecord;
@@ -115,8 +115,8 @@ public final class ScenarioWriter implements Closeable {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         for (String line : lines) {
             byte[] encoded = line.getBytes(StandardCharsets.UTF_8);
-            if (encoded.length > Limits.MAX_MESSAGE_BYTES) {
-                throw new IOException("a line must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes (got: "
+            if (encoded.length > MessageLimits.MAX_MESSAGE_BYTES) {
+                throw new IOException("a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes (got: "
                         + encoded.length + ")");
             }
             text.writeBytes(encoded);

@@ -17,7 +17,6 @@ import org.xml.sax.SAXException;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
-import robosim.geometry.world.xml.XmlGuard;
 
 /** The module's own format: how its files are opened, checked against the schema and read. */
 final class XmlWorld {
@@ -53,7 +52,7 @@ final class XmlWorld {
         WorldHandler handler = new WorldHandler(source, base, validator, problems);
         try {
             validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
-            XmlGuard.parse(new BufferedInputStream(in), source, handler);
+            SafeXml.parse(new BufferedInputStream(in), source, handler);
             return handler;
         } catch (SAXException e) {
             if (e.getException() instanceof FileProblem refusal) {

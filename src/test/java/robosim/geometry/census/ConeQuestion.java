@@ -27,7 +27,19 @@ final class ConeQuestion {
     /** What the product answers. */
     double ask() {
         return SpatialCone.distance(
-                apex[0], apex[1], apex[2], way[0], way[1], way[2], cos, StrictMath.sin(half), kind, row, 0, scratch);
+                apex[0],
+                apex[1],
+                apex[2],
+                way[0],
+                way[1],
+                way[2],
+                cos,
+                StrictMath.sin(half),
+                kind,
+                row,
+                0,
+                Double.POSITIVE_INFINITY,
+                scratch);
     }
 
     /** What the product answers for the ray along the cone's axis. */

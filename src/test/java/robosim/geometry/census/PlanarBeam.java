@@ -87,7 +87,17 @@ final class PlanarBeam implements Kernel {
     private Visit compare(
             Form form, double[] row, PlanarTwin twin, double[] apex, double[] way, double halfCos, double halfSin) {
         double distance = PlanarCone.distance(
-                apex[0], apex[1], way[0], way[1], halfCos, halfSin, PlanarCases.kind(form), row, 0, scratch);
+                apex[0],
+                apex[1],
+                way[0],
+                way[1],
+                halfCos,
+                halfSin,
+                PlanarCases.kind(form),
+                row,
+                0,
+                Double.POSITIVE_INFINITY,
+                scratch);
         String text = PlanarCases.paste(form, row) + " from " + PlanarCases.paste(apex) + " along "
                 + PlanarCases.paste(way) + ", half " + PlanarCases.paste(halfCos, halfSin);
         double size = twin.size() + Math.abs(apex[0]) + Math.abs(apex[1]);

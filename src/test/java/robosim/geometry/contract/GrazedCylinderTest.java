@@ -74,6 +74,7 @@ class GrazedCylinderTest {
                     LeafKind.UPRIGHT_CYLINDER,
                     row,
                     0,
+                    Double.POSITIVE_INFINITY,
                     s);
             if (low < Double.POSITIVE_INFINITY && low > 1e-3) {
                 double high = SpatialCone.upperEnd(s);

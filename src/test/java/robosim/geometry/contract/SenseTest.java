@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -332,7 +333,7 @@ class SenseTest {
                             fan,
                             SenseOptions.range(0, 9).withThreads(4),
                             out))
-                    .get();
+                    .get(60, TimeUnit.SECONDS);
             assertThat(out.size()).isEqualTo(3600);
         } finally {
             pool.shutdownNow();
@@ -358,7 +359,7 @@ class SenseTest {
                 () -> world.sense(Pose.ORIGIN, RayPattern.of(new double[] {1, 0, 0, 0, 2, 0}), options, out));
         refused("the buffer must have been made for OBJECTS", () -> out.object(0));
         refused("the buffer must have been made for NORMALS", () -> out.normals());
-        refused("beam must be from 0 to size - 1, -1 (got: 0)", () -> out.distance(0));
+        refused("beam must be one that was answered, and none was: sense first (got: 0)", () -> out.distance(0));
         refused("min must be from 0 to 2^100 (got: -1.0)", () -> SenseOptions.range(-1, 2));
         refused("max must be at least min, 3.0 (got: 2.0)", () -> SenseOptions.range(3, 2));
         refused("width must be from 0 up to", () -> options.withWidth(180));

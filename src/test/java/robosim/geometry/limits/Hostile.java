@@ -18,7 +18,7 @@ import java.util.Locale;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.Gate;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
@@ -39,7 +39,7 @@ final class Hostile {
     private static final long MOST_NANOS = 1_000_000_000;
 
     /** What lists, arrays and buffers of a message of full size may take, several times over. */
-    private static final long MOST_BYTES = 4L * Limits.MAX_MESSAGE_BYTES;
+    private static final long MOST_BYTES = 4L * MessageLimits.MAX_MESSAGE_BYTES;
 
     private static final byte[] HELLO = "{\"type\":\"hello\",\"version\":1}\n".getBytes(StandardCharsets.UTF_8);
 

@@ -61,11 +61,24 @@ class ConeBoxTest {
                                 LeafKind.TRIANGLE,
                                 row,
                                 0,
+                                Double.POSITIVE_INFINITY,
                                 scratch));
             }
             LeafKind kind = k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX;
-            double found =
-                    SpatialCone.distance(apex[0], apex[1], apex[2], u[0], u[1], u[2], cos, sin, kind, box, 0, scratch);
+            double found = SpatialCone.distance(
+                    apex[0],
+                    apex[1],
+                    apex[2],
+                    u[0],
+                    u[1],
+                    u[2],
+                    cos,
+                    sin,
+                    kind,
+                    box,
+                    0,
+                    Double.POSITIVE_INFINITY,
+                    scratch);
             String what = Arrays.toString(box) + " from " + Arrays.toString(apex) + " along " + Arrays.toString(u)
                     + ", half " + half;
             if (found > 0) { // else the apex is inside

@@ -43,7 +43,10 @@ class PlanarAllocationTest {
             sum += PlanarOverlap.test(kind, rows[k], 0, other, rows[m], 0, scratch) ? 1 : 0;
             sum += PlanarDistance.between(kind, rows[k], 0, other, rows[m], 0, scratch);
             sum += Math.min(9, PlanarRay.distance(-3, 0.1, 1, 0, kind, rows[k], 0, scratch));
-            sum += Math.min(9, PlanarCone.distance(-3, 0.1, 1, 0, 0.96, 0.28, kind, rows[k], 0, scratch));
+            sum += Math.min(
+                    9,
+                    PlanarCone.distance(
+                            -3, 0.1, 1, 0, 0.96, 0.28, kind, rows[k], 0, Double.POSITIVE_INFINITY, scratch));
         }
         return sum;
     }

@@ -51,7 +51,19 @@ class SpatialConeErrorTest {
             String name = "half %s, %s %s ".formatted(half, Arrays.toString(o) + Arrays.toString(d), kind)
                     + Arrays.toString(row);
             double answer = SpatialCone.distance(
-                    o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), kind, row, 0, scratch);
+                    o[0],
+                    o[1],
+                    o[2],
+                    d[0],
+                    d[1],
+                    d[2],
+                    cos,
+                    StrictMath.sin(half),
+                    kind,
+                    row,
+                    0,
+                    Double.POSITIVE_INFINITY,
+                    scratch);
             assertThat(Double.isInfinite(answer)).as(name + " truth " + truth).isEqualTo(truth == NEVER);
             if (truth == NEVER) {
                 silent++;
@@ -98,7 +110,19 @@ class SpatialConeErrorTest {
         };
         BigDecimal truth = polytope(LeafKind.BOX, o, row, unit(d), new BigDecimal(cos));
         double answer = SpatialCone.distance(
-                o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), LeafKind.BOX, row, 0, scratch);
+                o[0],
+                o[1],
+                o[2],
+                d[0],
+                d[1],
+                d[2],
+                cos,
+                StrictMath.sin(half),
+                LeafKind.BOX,
+                row,
+                0,
+                Double.POSITIVE_INFINITY,
+                scratch);
         assertThat(truth.subtract(new BigDecimal(answer)).abs().doubleValue())
                 .isLessThanOrEqualTo(8 * Math.ulp(truth.doubleValue()));
     }
@@ -123,7 +147,19 @@ class SpatialConeErrorTest {
             double[] across = SpatialRayTest.unit(Leaves.vector(random, 1));
             double[] row = place(kind, random, o, border(d, across, random.nextDouble(0.5, 1.5) * half), far, 1);
             double answer = SpatialCone.distance(
-                    o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), kind, row, 0, scratch);
+                    o[0],
+                    o[1],
+                    o[2],
+                    d[0],
+                    d[1],
+                    d[2],
+                    cos,
+                    StrictMath.sin(half),
+                    kind,
+                    row,
+                    0,
+                    Double.POSITIVE_INFINITY,
+                    scratch);
             double[] near = nearest(kind, o, row);
             double length = VectorMath.length(near[0], near[1], near[2]);
             double[] other = border(d, across, 1.5707963267948966);

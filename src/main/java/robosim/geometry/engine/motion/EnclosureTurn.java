@@ -2,6 +2,7 @@ package robosim.geometry.engine.motion;
 
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.GridWalk;
@@ -9,8 +10,6 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
 final class EnclosureTurn {
-    private static final double HALF_ROOT = 0.7071067811865476;
-
     private final Leg leg;
     private final GridWalk walk = new GridWalk();
     private final double[] atStart = new double[6];
@@ -131,7 +130,7 @@ final class EnclosureTurn {
             for (int k = 0; k < 4; k += 2) {
                 double one = diagonals[k + 1] - octagon[k];
                 double two = octagon[k + 1] - diagonals[k];
-                least = Math.min(least, HALF_ROOT * Math.min(one, two));
+                least = Math.min(least, VectorMath.HALF_ROOT * Math.min(one, two));
             }
         }
         return least;

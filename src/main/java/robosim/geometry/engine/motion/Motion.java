@@ -11,8 +11,8 @@ import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
- * One attempt to move an object: its translation, its turn about Y and its turn about X, each a leg that is swept in
- * the world as it is. Nothing is changed here; {@link #end()} is where the object would come to stand.
+ * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a leg that is swept
+ * in the world as it is. {@link #end()} is where the object would come to stand; {@code Geometry} then moves it there.
  *
  * <p>A leg is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
  * behind a plane of a contact at the start ({@link StartContacts}) counts for neither.
@@ -151,12 +151,15 @@ public final class Motion {
      */
     public boolean allowsFrom(
             AccuracyView inView, int mover, double[] place, double x, double y, double z, double byDegrees) {
-        begin(inView, mover, 0, false);
-        leg.begin(inView, mover, place, 0);
+        begin(inView, mover, 0, false, place, 0);
         return isFree(x, y, z, Leg.NO_TURN, 0) && (byDegrees == 0 || isFree(0, 0, 0, Leg.VERTICAL, byDegrees));
     }
 
     private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd) {
+        begin(inView, mover, gap, isToEnd, objects.places(), objects.place(mover));
+    }
+
+    private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd, double[] places, int at) {
         isEndWanted = isToEnd;
         view = inView;
         id = mover;
@@ -164,7 +167,7 @@ public final class Motion {
         obstacle = NOTHING;
         fraction = 1;
         turnFraction = 1;
-        leg.begin(inView, mover, objects.places(), objects.place(mover));
+        leg.begin(inView, mover, places, at);
     }
 
     /** The free share of the leg that was blocked last. */

@@ -1,4 +1,7 @@
-/** One attempt to move an object: its legs, what blocks them, and how far they are free. */
+/**
+ * Tries motions and carries none out: the legs of a motion, what blocks them, and how far they are free. {@code Geometry} moves
+ * the object to the place that Motion tells.
+ */
 @NullMarked
 package robosim.geometry.engine.motion;
 

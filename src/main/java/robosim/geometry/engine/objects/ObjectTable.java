@@ -292,7 +292,7 @@ public final class ObjectTable {
         return id < slots.length && slots[id] >= 0;
     }
 
-    /** Whether a was added before b. */
+    /** Whether a was added before b, and so wins a tie: of objects met at the same distance or share, it is the one named. */
     public boolean isEarlier(int a, int b) {
         return isOrdered ? arrival(a) < arrival(b) : a < b;
     }

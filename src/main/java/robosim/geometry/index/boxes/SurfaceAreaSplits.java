@@ -103,17 +103,8 @@ public final class SurfaceAreaSplits {
         return area(range, 0);
     }
 
-    /** Splits a range of at least two items; returns where the second part begins, and neither is empty. */
-    int split(int from, int to, int depth) {
-        if (to - from == 2) {
-            return from + 1;
-        }
-        measure(from, to);
-        return splitMeasured(from, to, depth);
-    }
-
     /**
-     * The same where the range has been measured.
+     * Splits a range of at least two items that has been measured; returns where the second part begins, and neither is empty.
      *
      * @param bounds what {@link #copyBounds} wrote
      * @param centres what {@link #copyMiddles} wrote
@@ -125,10 +116,6 @@ public final class SurfaceAreaSplits {
         }
         System.arraycopy(bounds, at, range, 0, BOX);
         System.arraycopy(centres, at, middles, 0, BOX);
-        return splitMeasured(from, to, depth);
-    }
-
-    private int splitMeasured(int from, int to, int depth) {
         if (to - from <= SORTED && depth < HEURISTIC_DEPTH) {
             return splitFew(from, to);
         }

@@ -8,12 +8,10 @@ import robosim.geometry.index.ArrayGrowth;
  * come, go and move at any time.
  *
  * <p>A node has up to {@link #WIDTH} children, each of which is a node or an object. The bounds of children are floats,
- * rounded outward. An object that is added waits for the next query, and then goes down to where the surface area grows
- * least; where at least as many wait as there were before, the hierarchy is built with them instead. One that moves stays
- * in its node as long as it is near that. When enough objects have come or gone since the hierarchy was last built, and enough
- * queries have been asked since to pay for it, it is built anew by the surface area heuristic, see {@link
- * HierarchyBuilder}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there are
- * objects.
+ * rounded outward. An object that is added waits for the next query, and is then hung by {@link HierarchyInsertion}; where at
+ * least as many wait as there were before, the hierarchy is built with them instead. One that moves stays in its node as long
+ * as it is near that. The {@link RebuildPolicy} tells when to build it anew, see {@link HierarchyBuilder}. So a change costs
+ * a descent, and a rebuild is charged to a quarter as many changes as there are objects.
  *
  * <p>The boxes stay with the caller: the six numbers of an object, its minimum corner and its maximum, begin at 6 times its
  * id. May be used by one thread at a time, unless it is frozen.
@@ -43,20 +41,11 @@ public final class Hierarchy {
     /** Once an object is this deep the hierarchy is built anew, and then none is. */
     private static final int DEEP = 120;
 
-    /** So few changes are not worth a rebuild. */
-    private static final int FEW = 32;
-
-    /** An object that comes or goes counts for as much as this many that merely leave the bounds of their node. */
-    private static final int CAME = 16;
-
     /** An object that is farther outside its node than this many sizes of that is hung elsewhere. */
     private static final float FAR = 1;
 
-    /**
-     * What an object that comes or goes takes from the queries that have been asked: as long as they alternate, nothing is
-     * built anew.
-     */
-    private static final int CHANGE = 16;
+    /** What stands in place of a slot for an object that is to be hung when the next query begins. */
+    private static final int WAITING = -2;
 
     float[] nodes = new float[STRIDE];
 
@@ -66,14 +55,8 @@ public final class Hierarchy {
     /** By id, the slot that the object hangs from; {@link #WAITING}, or -1 if it is not in the tree. */
     private int[] slots = new int[0];
 
-    /** What stands in place of a slot for an object that is to be hung when the next query begins. */
-    private static final int WAITING = -2;
-
-    /** The objects that are to be hung, and their boxes: where they are many, the hierarchy is built with them instead. */
-    private int[] waiting = new int[0];
-
-    private float[] waitingBoxes = new float[0];
-    private int waitingCount;
+    /** The objects that are to be hung: where they are many, the hierarchy is built with them instead. */
+    private final WaitingList waiting = new WaitingList();
 
     private int count = 1;
 
@@ -82,18 +65,12 @@ public final class Hierarchy {
 
     private int size;
 
-    /** Changes since the tree was last built: {@link #CAME} for each object that came or went, 1 for each that left its node. */
-    private int changes;
-
-    /** Queries since then, less what the changes took. */
-    private int asked;
-
     /** The greatest magnitude of any coordinate of a box so far. */
     private double most;
 
+    private final RebuildPolicy rebuilds = new RebuildPolicy();
     private final float[] box = new float[PART];
     private boolean isFrozen;
-
     private final Runnable whenBuilt;
 
     /** An empty hierarchy, with an action to run whenever it has been built anew. */
@@ -146,61 +123,41 @@ public final class Hierarchy {
         if (contains(id)) {
             throw new IllegalArgumentException("id must not be in the tree (got: " + id + ")");
         }
-        reserve(id);
-        size++;
-        countChange();
-        take(id, boxes);
-        await(id);
-    }
-
-    private void await(int id) {
-        if (waitingCount == waiting.length) {
-            waiting = Arrays.copyOf(waiting, ArrayGrowth.of(waitingCount));
-            waitingBoxes = Arrays.copyOf(waitingBoxes, PART * waiting.length);
-        }
-        slots[id] = WAITING;
-        waiting[waitingCount] = id;
-        System.arraycopy(box, 0, waitingBoxes, PART * waitingCount, PART);
-        waitingCount++;
-    }
-
-    /** Hangs the objects that wait. */
-    private void hang() {
-        if (waitingCount > FEW && 2 * waitingCount >= size) {
-            build();
-            return;
-        }
-        while (waitingCount > 0) {
-            waitingCount--;
-            System.arraycopy(waitingBoxes, PART * waitingCount, box, 0, PART);
-            insert(waiting[waitingCount]);
-        }
-    }
-
-    private void forgetWaiting() {
-        waitingCount = 0;
-        waiting = new int[0];
-        waitingBoxes = new float[0];
-    }
-
-    private void reserve(int id) {
         if (id >= slots.length) {
             int before = slots.length;
             slots = Arrays.copyOf(slots, ArrayGrowth.of(id));
             Arrays.fill(slots, before, slots.length, -1);
         }
+        size++;
+        rebuilds.cameOrWent();
+        take(id, boxes);
+        slots[id] = WAITING;
+        waiting.add(id, box);
     }
 
-    private void countChange() {
-        changes += CAME;
-        asked = Math.max(0, asked - CHANGE);
+    /** Hangs the objects that wait. */
+    private void hang() {
+        if (waiting.size() > RebuildPolicy.FEW && 2 * waiting.size() >= size) {
+            build();
+            return;
+        }
+        while (waiting.size() > 0) {
+            insert(waiting.takeLast(box));
+        }
+    }
+
+    /** Hangs an object with the box at hand. */
+    private void insert(int id) {
+        if (HierarchyInsertion.insert(this, id, box) > DEEP) {
+            build();
+        }
     }
 
     /** Removes an object that is in the tree. */
     public void remove(int id) {
         requireHung(id);
         size--;
-        countChange();
+        rebuilds.cameOrWent();
         unlink(id);
     }
 
@@ -229,14 +186,14 @@ public final class Hierarchy {
         boolean isOuter = isOuter(at, around);
         boolean isWithin = isWithin(around, 0);
         if (!isWithin && !isWithin(around, FAR)) {
-            changes += CAME;
+            rebuilds.hungElsewhere();
             unlink(id);
             insert(id);
             return;
         }
         System.arraycopy(box, 0, nodes, at, PART);
         if (!isWithin) {
-            changes++;
+            rebuilds.leftItsNode();
         }
         if (isOuter || !isWithin) {
             refit(slot / WIDTH);
@@ -281,7 +238,7 @@ public final class Hierarchy {
         return STRIDE * (slot / WIDTH) + PART * (slot % WIDTH);
     }
 
-    private int link(int slot) {
+    int link(int slot) {
         return Float.floatToRawIntBits(nodes[STRIDE * (slot / WIDTH) + LINKS + slot % WIDTH]);
     }
 
@@ -327,86 +284,6 @@ public final class Hierarchy {
     private void giveUp(int node) {
         parents[node] = free;
         free = node;
-    }
-
-    /** Hangs the box at hand where the surface area grows least. */
-    private void insert(int id) {
-        int node = 0;
-        int depth = 1;
-        while (true) {
-            int best = cheapest(node);
-            int spare = spare(node);
-            int link = best < 0 ? NONE : link(best);
-            if (spare >= 0 && (link < 0 || link == NONE || cost(at(best)) >= area(box, 0))) {
-                System.arraycopy(box, 0, nodes, at(spare), PART);
-                link(spare, Integer.MIN_VALUE | id);
-                break;
-            }
-            if (link < 0) {
-                int made = claim();
-                System.arraycopy(nodes, at(best), nodes, at(WIDTH * made), PART);
-                link(WIDTH * made, link);
-                link(best, made);
-                link = made;
-            }
-            grow(at(best));
-            node = link;
-            depth++;
-        }
-        if (depth > DEEP) {
-            build();
-        }
-    }
-
-    /** The child whose area grows least by the box at hand, of several the smallest; -1 where there is none. */
-    private int cheapest(int node) {
-        int best = -1;
-        double least = Double.POSITIVE_INFINITY;
-        double smallest = Double.POSITIVE_INFINITY;
-        for (int slot = WIDTH * node; slot < WIDTH * node + WIDTH; slot++) {
-            if (link(slot) == NONE) {
-                continue;
-            }
-            double cost = cost(at(slot));
-            double area = cost <= least ? area(nodes, at(slot)) : 0;
-            if (cost < least || (cost == least && area < smallest) || best < 0) {
-                best = slot;
-                least = cost;
-                smallest = area;
-            }
-        }
-        return best;
-    }
-
-    private int spare(int node) {
-        for (int slot = WIDTH * node; slot < WIDTH * node + WIDTH; slot++) {
-            if (link(slot) == NONE) {
-                return slot;
-            }
-        }
-        return -1;
-    }
-
-    /** By how much the area of the bounds that begin at an index would grow by the box at hand. */
-    private double cost(int at) {
-        double x = Math.max((double) nodes[at + 3], box[3]) - Math.min(nodes[at], box[0]);
-        double y = Math.max((double) nodes[at + 4], box[4]) - Math.min(nodes[at + 1], box[1]);
-        double z = Math.max((double) nodes[at + 5], box[5]) - Math.min(nodes[at + 2], box[2]);
-        return x * y + y * z + z * x - area(nodes, at);
-    }
-
-    private static double area(float[] of, int at) {
-        double x = (double) of[at + 3] - of[at];
-        double y = (double) of[at + 4] - of[at + 1];
-        double z = (double) of[at + 5] - of[at + 2];
-        return x * y + y * z + z * x;
-    }
-
-    private void grow(int at) {
-        for (int axis = 0; axis < 3; axis++) {
-            nodes[at + axis] = Math.min(nodes[at + axis], box[axis]);
-            nodes[at + 3 + axis] = Math.max(nodes[at + 3 + axis], box[3 + axis]);
-        }
     }
 
     private void unlink(int id) {
@@ -467,7 +344,7 @@ public final class Hierarchy {
 
     /** To be called before a query: takes in what was added since the last one. */
     void takeIn() {
-        if (waitingCount > 0) {
+        if (waiting.size() > 0) {
             hang();
         }
     }
@@ -475,17 +352,14 @@ public final class Hierarchy {
     /** To be called before a query instead: builds the hierarchy anew, too, where this is worth while. */
     public void settle() {
         takeIn();
-        if (changes != 0 && !isFrozen) {
-            asked++;
-            if (changes > FEW && changes >= 4L * size && 16L * asked >= size) {
-                build();
-            }
+        if (!isFrozen && rebuilds.isDueAtQuery(size)) {
+            build();
         }
     }
 
     /** Builds the hierarchy as well as it can be. From now on it must not be changed, and many threads may query it. */
     public void freeze() {
-        if (changes != 0) {
+        if (rebuilds.hasChanges()) {
             build();
         }
         isFrozen = true;
@@ -504,10 +378,10 @@ public final class Hierarchy {
                 ids[found++] = id;
             }
         }
-        for (int k = 0; k < waitingCount; k++) {
-            System.arraycopy(waitingBoxes, PART * k, boxes, PART * slots[waiting[k]], PART);
+        for (int k = 0; k < waiting.size(); k++) {
+            waiting.copyBox(k, boxes, PART * slots[waiting.id(k)]);
         }
-        forgetWaiting();
+        waiting.forget();
         count = 1;
         free = -1;
         clear(0);
@@ -518,8 +392,7 @@ public final class Hierarchy {
             parents = Arrays.copyOf(parents, count);
             nodes = Arrays.copyOf(nodes, STRIDE * count);
         }
-        changes = 0;
-        asked = 0;
+        rebuilds.reset();
         whenBuilt.run();
     }
 }

@@ -37,26 +37,9 @@ public final class PlanarCone {
      *
      * @param halfCos cosine of the half angle, which is in (0, 90) degrees; it alone decides what is within
      * @param halfSin its sine
-     * @return world units; 0 where the apex is inside or on it, {@code +Infinity} where nothing is within
-     */
-    public static double distance(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            double halfSin,
-            LeafKind kind,
-            double[] b,
-            int j,
-            ConeScratch s) {
-        return distance(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, Double.POSITIVE_INFINITY, s);
-    }
-
-    /**
-     * The same up to a limit.
-     *
-     * @return {@code +Infinity} also where it is certainly beyond the limit
+     * @param limit a distance beyond which an answer is not needed
+     * @return world units; 0 where the apex is inside or on it, {@code +Infinity} where nothing is within, and also where all
+     *     that is within is certainly beyond the limit
      */
     public static double distance(
             double ox,

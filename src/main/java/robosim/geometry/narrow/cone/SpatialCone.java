@@ -23,29 +23,9 @@ public final class SpatialCone {
      * @param ux the cone's axis, of any length but zero; its own direction decides, not that of a rounded unit vector
      * @param halfCos cosine of half the opening angle, between 0 and 1, both excluded; it alone decides
      * @param halfSin its sine
-     * @return 0 where the apex is in the leaf; {@code +Infinity} where nothing of it is in the cone
-     */
-    public static double distance(
-            double ox,
-            double oy,
-            double oz,
-            double ux,
-            double uy,
-            double uz,
-            double halfCos,
-            double halfSin,
-            LeafKind kind,
-            double[] row,
-            int j,
-            ConeScratch s) {
-
-        return distance(ox, oy, oz, ux, uy, uz, halfCos, halfSin, kind, row, j, Double.POSITIVE_INFINITY, s);
-    }
-
-    /**
-     * The same up to a limit.
-     *
-     * @return {@code +Infinity} also where it is certainly beyond the limit
+     * @param limit a distance beyond which an answer is not needed
+     * @return 0 where the apex is in the leaf; {@code +Infinity} where nothing of it is in the cone, and also where all that is
+     *     is certainly beyond the limit
      */
     public static double distance(
             double ox,

@@ -86,7 +86,8 @@ public final class MeshRay {
     private final TriangleSieve sieve = new TriangleSieve();
 
     /**
-     * The line in the world; the direction has length 1.
+     * The line in the world; the direction has length 1 but for 2^-50, by which distances along it are off. {@link #pad} is
+     * 16 times that of all coordinates, and no distance is more than twice these.
      */
     public void start(LeafColumn column, int leaf, double wx, double wy, double wz, double ux, double uy, double uz) {
         double[] place = column.rows();

@@ -28,11 +28,6 @@ public final class PlanarShape {
     // that enter it; the sum itself is rounded too.
     private static final double ROUNDING = 9 * 0x1p-53;
 
-    // A box's corner: for the half axes' magnitudes 1u for the products, 2u for the sum of three, 2u for subtracting
-    // twice; the centre 1u; the corner 1u of everything; and a little more, as the sum of the magnitudes is itself
-    // rounded.
-    private static final double BOX_ROUNDING = 6.01 * 0x1p-53;
-
     // A triangle's corner is one difference: off by 1u of itself.
     private static final double CORNER_ROUNDING = 0x1p-53;
 
@@ -89,10 +84,7 @@ public final class PlanarShape {
 
     public double pointZ;
 
-    private final double[] spanX = new double[3];
-    private final double[] spanZ = new double[3];
-    private final double[] wayX = new double[3];
-    private final double[] wayZ = new double[3];
+    private final BoxProjection box = new BoxProjection();
 
     private static Outline outline(LeafKind kind) {
         return switch (kind.fromAbove()) {
@@ -121,7 +113,7 @@ public final class PlanarShape {
         }
     }
 
-    private static double bound(double size, double rounding) {
+    static double bound(double size, double rounding) {
         return size < 0x1p-450 ? 2 * size + Double.MIN_VALUE : rounding * size;
     }
 
@@ -153,7 +145,7 @@ public final class PlanarShape {
             }
             case TRIANGLE -> triangle(row, at, ox, oz);
             case PRISM -> octagon(row, at, ox, oz);
-            case UPRIGHT_BOX, BOX -> box(row, at, ox, oz);
+            case UPRIGHT_BOX, BOX -> box.set(this, row, at, ox, oz);
             case MESH, SOLID_MESH, GRID -> throw kind.refused();
         }
     }
@@ -271,99 +263,12 @@ public final class PlanarShape {
         }
     }
 
-    private void corner(double px, double pz) {
+    void corner(double px, double pz) {
         x[count] = px;
         z[count] = pz;
         tailX[count] = 0;
         tailZ[count] = 0;
         count++;
-    }
-
-    // A box's projection is the sum of the projections of its own axes: two corners for each direction among them.
-    private void box(double[] row, int at, double ox, double oz) {
-        double cx = row[at] - ox;
-        double cz = row[at + 2] - oz;
-        double sizeX = Math.abs(cx);
-        double sizeZ = Math.abs(cz);
-        int spans = 0;
-        double sumX = 0;
-        double sumZ = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double half = row[at + Leaf.SIZE + axis];
-            double ux = row[at + Leaf.ROTATION + axis];
-            double uz = row[at + Leaf.ROTATION + 6 + axis];
-            if (uz < 0 || (uz == 0 && ux < 0)) {
-                ux = -ux;
-                uz = -uz;
-            }
-            double gx = half * ux;
-            double gz = half * uz;
-            if (gx == 0 && gz == 0) {
-                continue;
-            }
-            sizeX += Math.abs(gx);
-            sizeZ += gz;
-            sumX += gx;
-            sumZ += gz;
-            spans = insert(spans, ux, uz, gx, gz);
-        }
-        size = Math.max(sizeX, sizeZ);
-        error = bound(size, BOX_ROUNDING);
-        double px = -sumX;
-        double pz = -sumZ;
-        if (spans == 0) {
-            corner(cx, cz);
-            return;
-        }
-        for (int k = 0; k < spans; k++) {
-            x[k] = cx + px;
-            z[k] = cz + pz;
-            x[k + spans] = cx - px;
-            z[k + spans] = cz - pz;
-            tailX[k] = 0;
-            tailZ[k] = 0;
-            tailX[k + spans] = 0;
-            tailZ[k + spans] = 0;
-            px += 2 * spanX[k];
-            pz += 2 * spanZ[k];
-            int to = k + 1;
-            sideX[to] = wayX[k];
-            sideZ[to] = wayZ[k];
-            to = to == spans ? 0 : to + spans;
-            sideX[to] = -wayX[k];
-            sideZ[to] = -wayZ[k];
-        }
-        count = 2 * spans;
-    }
-
-    // Sorts the spans by direction and merges those of equal direction. The comparison is exact and uses the stored
-    // numbers: if a long span were taken for parallel to a tiny one, it would be out of order among the others, and a
-    // corner between two spans in the wrong order would be no real corner.
-    private int insert(int spans, double ux, double uz, double gx, double gz) {
-        int to = 0;
-        while (to < spans && turn(to, ux, uz) > 0) {
-            to++;
-        }
-        if (to < spans && turn(to, ux, uz) == 0) {
-            spanX[to] += gx;
-            spanZ[to] += gz;
-            return spans;
-        }
-        for (int k = spans; k > to; k--) {
-            spanX[k] = spanX[k - 1];
-            spanZ[k] = spanZ[k - 1];
-            wayX[k] = wayX[k - 1];
-            wayZ[k] = wayZ[k - 1];
-        }
-        wayX[to] = ux;
-        wayZ[to] = uz;
-        spanX[to] = gx;
-        spanZ[to] = gz;
-        return spans + 1;
-    }
-
-    private int turn(int span, double ux, double uz) {
-        return Orientation.compareProducts(wayX[span], uz, wayZ[span], ux);
     }
 
     private void octagon(double[] row, int at, double ox, double oz) {

@@ -25,23 +25,9 @@ final class RayBox {
     private static final double SLOPE_ERROR = 5 * U;
     private static final double REST_ERROR = 10 * U;
 
-    /**
-     * The share of all coordinates that covers the roundings of the plain stage and how far columns are from orthonormal: up
-     * to 1e-9 for each product of two columns, hence less than 1e-8 of what is taken to the box's own frame.
-     */
-    private static final double PLAIN_ERROR = Filter.bound(0x1p-25);
-
-    private static final double PLAIN_UNDERFLOW = Filter.bound(0x1p-800);
-
     private static final StageCounters.Counter EXACT = StageCounters.counter("RayBox");
 
     private RayBox() {}
-
-    /** Where the plain stage does not know the face that the ray enters by. */
-    private static final int UNKNOWN = -1;
-
-    /** What the plain stage says of a ray that misses. */
-    private static final int MISSED = -2;
 
     static double distance(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
@@ -52,121 +38,17 @@ final class RayBox {
     /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inSlabs}; else below 0. */
     static double plain(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        double mx = ox - b[j];
-        double my = oy - b[j + 1];
-        double mz = oz - b[j + 2];
-        double slack = slack(ox, oy, oz, b, j);
-        int r = j + Leaf.ROTATION;
-        double alongX = dx * b[r] + dy * b[r + 3] + dz * b[r + 6];
-        double alongY = dx * b[r + 1] + dy * b[r + 4] + dz * b[r + 7];
-        double alongZ = dx * b[r + 2] + dy * b[r + 5] + dz * b[r + 8];
-        if (isFlat(alongX, alongY, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, b, r + 1, r + 2)
-                        || isInDoubt(alongY, dx, dy, dz, b, r + 2, r)
-                        || isInDoubt(alongZ, dx, dy, dz, b, r, r + 1))) {
-            return -1;
-        }
-        int face = plainFace(
-                mx * b[r] + my * b[r + 3] + mz * b[r + 6],
-                mx * b[r + 1] + my * b[r + 4] + mz * b[r + 7],
-                mx * b[r + 2] + my * b[r + 5] + mz * b[r + 8],
-                alongX,
-                alongY,
-                alongZ,
-                b,
-                j + Leaf.SIZE,
-                slack);
-        if (face == MISSED) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return face == UNKNOWN
-                ? -1
-                : turnedPlane(ox, oy, oz, dx, dy, dz, b, j, face, enter(mx, my, mz, dx, dy, dz, b, j, face), s);
-    }
-
-    private static double slack(double ox, double oy, double oz, double[] b, int j) {
-        return PLAIN_ERROR * (size(ox, oy, oz) + size(b[j], b[j + 1], b[j + 2]) + size(b[j + 3], b[j + 4], b[j + 5]))
-                + PLAIN_UNDERFLOW;
-    }
-
-    /** Whether a ray may be parallel to a slab: whether one of its slopes is nearly 0. */
-    private static boolean isFlat(double x, double y, double z, double dx, double dy, double dz) {
-        return !(Math.min(Math.min(Math.abs(x), Math.abs(y)), Math.abs(z)) > PLAIN_ERROR * size(dx, dy, dz));
-    }
-
-    /** The same for one slope to a slab, whose normal is the cross product of two columns. */
-    private static boolean isInDoubt(double slope, double dx, double dy, double dz, double[] b, int k, int l) {
-        return isInDoubt(
-                slope,
-                dx,
-                dy,
-                dz,
-                dx * size(b[k + 3] * b[l + 6], b[k + 6] * b[l + 3], 0),
-                dy * size(b[k + 6] * b[l], b[k] * b[l + 6], 0),
-                dz * size(b[k] * b[l + 3], b[k + 3] * b[l], 0));
-    }
-
-    /** Whether a slope is nearly 0 and something was rounded, which the slabs leave to exact numbers. */
-    private static boolean isInDoubt(
-            double slope, double dx, double dy, double dz, double partX, double partY, double partZ) {
-        return !(Math.abs(slope) > PLAIN_ERROR * size(dx, dy, dz)) && size(partX, partY, partZ) != 0;
-    }
-
-    private static double size(double x, double y, double z) {
-        return Math.abs(x) + Math.abs(y) + Math.abs(z);
-    }
-
-    /**
-     * The slab that a ray certainly enters last, from outside, in the box's own frame, to which the stored columns take it as
-     * if they were orthonormal: all half sizes are taken larger and smaller by more than that and the roundings may matter.
-     *
-     * @param x the start
-     * @param dx the direction
-     * @param at where the half sizes begin
-     */
-    private static int plainFace(
-            double x, double y, double z, double dx, double dy, double dz, double[] b, int at, double slack) {
-        double ix = 1 / Math.abs(dx);
-        double iy = 1 / Math.abs(dy);
-        double iz = 1 / Math.abs(dz);
-        // How far the centre is ahead along each axis. Where the ray is parallel to a slab, a quotient is infinite or
-        // no number,
-        // which is never certain.
-        double aheadX = dx > 0 ? -x : x;
-        double aheadY = dy > 0 ? -y : y;
-        double aheadZ = dz > 0 ? -z : z;
-        double nearX = aheadX - b[at];
-        double nearY = aheadY - b[at + 1];
-        double nearZ = aheadZ - b[at + 2];
-        double farX = aheadX + b[at];
-        double farY = aheadY + b[at + 1];
-        double farZ = aheadZ + b[at + 2];
-        double earlyX = (nearX - slack) * ix;
-        double earlyY = (nearY - slack) * iy;
-        double earlyZ = (nearZ - slack) * iz;
-        double first = Math.max(Math.max(earlyX, earlyY), Math.max(earlyZ, 0));
-        if (first > Math.min(Math.min((farX + slack) * ix, (farY + slack) * iy), (farZ + slack) * iz)) {
-            return MISSED;
-        }
-        double leave = Math.min(Math.min((farX - slack) * ix, (farY - slack) * iy), (farZ - slack) * iz);
-        double lateX = (nearX + slack) * ix;
-        double lateY = (nearY + slack) * iy;
-        double lateZ = (nearZ + slack) * iz;
-        if (!(first > 0 && Math.max(Math.max(lateX, lateY), lateZ) <= leave)) {
-            return UNKNOWN;
-        }
-        if (earlyX >= Math.max(lateY, lateZ)) {
-            return 0;
-        }
-        if (earlyY >= Math.max(lateX, lateZ)) {
-            return 1;
-        }
-        return earlyZ >= Math.max(lateX, lateY) ? 2 : UNKNOWN;
+        int face = PlainBoxFace.turned(ox, oy, oz, dx, dy, dz, b, j);
+        return switch (face) {
+            case PlainBoxFace.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainBoxFace.UNKNOWN -> -1;
+            default -> turnedPlane(ox, oy, oz, dx, dy, dz, b, j, face, enter(ox, oy, oz, dx, dy, dz, b, j, face), s);
+        };
     }
 
     /** Where the ray enters a slab, as {@link #inSlabs} computes it. */
     private static double enter(
-            double mx, double my, double mz, double dx, double dy, double dz, double[] b, int j, int i) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, int i) {
         int r = j + Leaf.ROTATION;
         int k = r + (i == 2 ? 0 : i + 1);
         int l = r + (i == 0 ? 2 : i - 1);
@@ -175,7 +57,7 @@ final class RayBox {
         double nz = b[k] * b[l + 3] - b[k + 3] * b[l];
         double det = b[r + i] * nx + b[r + i + 3] * ny + b[r + i + 6] * nz;
         double half = b[j + Leaf.SIZE + i] * det;
-        double offset = mx * nx + my * ny + mz * nz;
+        double offset = (ox - b[j]) * nx + (oy - b[j + 1]) * ny + (oz - b[j + 2]) * nz;
         double slope = dx * nx + dy * ny + dz * nz;
         return (slope > 0 ? -half - offset : half - offset) / slope;
     }
@@ -236,34 +118,13 @@ final class RayBox {
     /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inUprightSlabs}; else below 0. */
     static double plainUpright(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        double mx = ox - b[j];
-        double mz = oz - b[j + 2];
-        double alongX = dx * b[j + 6] + dz * b[j + 12];
-        double alongZ = dx * b[j + 8] + dz * b[j + 14];
-        if (isFlat(alongX, dy, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, dx * b[j + 14], 0, dz * b[j + 8])
-                        || isInDoubt(alongZ, dx, dy, dz, dx * b[j + 12], 0, dz * b[j + 6]))) {
-            return -1;
-        }
-        int face = plainFace(
-                mx * b[j + 6] + mz * b[j + 12],
-                oy - b[j + 1],
-                mx * b[j + 8] + mz * b[j + 14],
-                alongX,
-                dy,
-                alongZ,
-                b,
-                j + Leaf.SIZE,
-                slack(ox, oy, oz, b, j));
-        if (face == MISSED) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (face == UNKNOWN) {
-            return -1;
-        }
-        return face == 1
-                ? heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, enterHeights(oy, b[j + 1], b[j + 4], dy))
-                : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(mx, mz, dx, dz, b, j, face), s);
+        int face = PlainBoxFace.upright(ox, oy, oz, dx, dy, dz, b, j);
+        return switch (face) {
+            case PlainBoxFace.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainBoxFace.UNKNOWN -> -1;
+            case 1 -> heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, enterHeights(oy, b[j + 1], b[j + 4], dy));
+            default -> uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(ox, oz, dx, dz, b, j, face), s);
+        };
     }
 
     /** The same for a ray that certainly enters a box across one of its vertical faces, 0 or 2, from outside. */
@@ -289,12 +150,12 @@ final class RayBox {
     }
 
     /** Where the ray enters one of the two slabs in the plane, as {@link #clipPlan} has it. */
-    private static double enterPlan(double mx, double mz, double dx, double dz, double[] b, int j, int face) {
+    private static double enterPlan(double ox, double oz, double dx, double dz, double[] b, int j, int face) {
         double nx = face == 0 ? b[j + 14] : -b[j + 12];
         double nz = face == 0 ? -b[j + 8] : b[j + 6];
         double det = b[j + 6] * b[j + 14] - b[j + 8] * b[j + 12];
         double half = b[j + Leaf.SIZE + face] * det;
-        double offset = mx * nx + mz * nz;
+        double offset = (ox - b[j]) * nx + (oz - b[j + 2]) * nz;
         double slope = dx * nx + dz * nz;
         return (slope > 0 ? -half - offset : half - offset) / slope;
     }

@@ -49,7 +49,7 @@ final class RayCylinder {
         return switch (face) {
             case PlainCylinderFace.MISSED -> Double.POSITIVE_INFINITY;
             case PlainCylinderFace.INSIDE -> 0;
-            case PlainCylinderFace.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, plain.enter, s);
+            case PlainCylinderFace.SIDE -> CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, plain.enter, s);
             case PlainCylinderFace.CAP -> {
                 double t = RayBox.enterHeights(oy, b[j + 1], b[j + 4], dy);
                 yield RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, t);
@@ -82,7 +82,7 @@ final class RayCylinder {
                 : in.face < 0
                         ? 0
                         : in.face == SIDE
-                                ? side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, in.enter, s)
+                                ? CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, in.enter, s)
                                 : RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, in.enter);
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0);
     }
@@ -133,9 +133,9 @@ final class RayCylinder {
         return switch (face) {
             case PlainCylinderFace.MISSED -> Double.POSITIVE_INFINITY;
             case PlainCylinderFace.INSIDE -> 0;
-            case PlainCylinderFace.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, plain.enter, s);
+            case PlainCylinderFace.SIDE -> CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, plain.enter, s);
             case PlainCylinderFace.CAP ->
-                cap(
+                CylinderEntry.cap(
                         ox,
                         oy,
                         oz,
@@ -209,8 +209,8 @@ final class RayCylinder {
                 : in.face < 0
                         ? 0
                         : in.face == SIDE
-                                ? side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s)
-                                : cap(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s);
+                                ? CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s)
+                                : CylinderEntry.cap(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s);
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az);
     }
 
@@ -290,113 +290,6 @@ final class RayCylinder {
         }
     }
 
-    // One Newton step from near the entry.
-    private static double side(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            double t,
-            RayScratch s) {
-        double r = b[j + 3];
-        double qx = RayBox.moved(ox, b[j], t, dx);
-        double qy = RayBox.moved(oy, b[j + 1], t, dy);
-        double qz = RayBox.moved(oz, b[j + 2], t, dz);
-        double wx = qy * az - qz * ay;
-        double wy = qz * ax - qx * az;
-        double wz = qx * ay - qy * ax;
-        double ux = Math.abs(qy * az) + Math.abs(qz * ay);
-        double uy = Math.abs(qz * ax) + Math.abs(qx * az);
-        double uz = Math.abs(qx * ay) + Math.abs(qy * ax);
-        double px = dy * az - dz * ay;
-        double py = dz * ax - dx * az;
-        double pz = dx * ay - dy * ax;
-        double sx = Math.abs(dy * az) + Math.abs(dz * ay);
-        double sy = Math.abs(dz * ax) + Math.abs(dx * az);
-        double sz = Math.abs(dx * ay) + Math.abs(dy * ax);
-        double limit = r * r * (ax * ax + ay * ay + az * az);
-        double square = wx * wx + wy * wy + wz * wz;
-        double inward = -(px * wx + py * wy + pz * wz);
-        double inwardError = 10 * U * (sx * ux + sy * uy + sz * uz);
-        double certain = inward - inwardError;
-        double correction = (square - limit) / (2 * inward);
-        // Each component of w is off by 4u of its magnitudes.
-        double squareError =
-                9 * U * (Math.abs(wx) * ux + Math.abs(wy) * uy + Math.abs(wz) * uz) + 3 * U * square + 6 * U * limit;
-        double error = (0.5 * squareError
-                        + Math.abs(correction) * inwardError
-                        + correction * correction * (px * px + py * py + pz * pz))
-                / certain;
-        double distance = VectorMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
-        double length = VectorMath.length(dx, dy, dz);
-        if (certain > 0 && VectorMath.isFine(error * length, distance, largest)) {
-            return distance;
-        }
-        double pp = px * px + py * py + pz * pz;
-        if (!(Math.abs(correction) * pp < 0.25 * certain)) {
-            return -1;
-        }
-        RayRefine refine = s.refine;
-        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
-        double left = refine.side(ax, ay, az, r);
-        double slope = 2 * (inward - correction * pp);
-        double size = 4 * (ux * ux + uy * uy + uz * uz + limit) + 8 * Math.abs(t) * length * r;
-        error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, pp);
-        distance = VectorMath.along(t, correction + left / slope, dx, dy, dz);
-        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
-    }
-
-    private static double cap(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            double t,
-            RayScratch s) {
-        double slope = dx * ax + dy * ay + dz * az;
-        double slopeSize = Math.abs(dx * ax) + Math.abs(dy * ay) + Math.abs(dz * az);
-        double qx = RayBox.moved(ox, b[j], t, dx);
-        double qy = RayBox.moved(oy, b[j + 1], t, dy);
-        double qz = RayBox.moved(oz, b[j + 2], t, dz);
-        double half = b[j + 4] * (ax * ax + ay * ay + az * az);
-        double rest = qx * ax + qy * ay + qz * az + (slope > 0 ? half : -half);
-        double restSize = Math.abs(qx * ax) + Math.abs(qy * ay) + Math.abs(qz * az) + half;
-        double correction = -rest / slope;
-        double error = U * (7 * restSize + Math.abs(correction) * 4 * slopeSize) / Math.abs(slope);
-        double distance = VectorMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
-        double length = VectorMath.length(dx, dy, dz);
-        if (VectorMath.isFine(error * length, distance, largest)) {
-            return distance;
-        }
-        RayRefine refine = s.refine;
-        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
-        double left = refine.cap(ax, ay, az, slope > 0 ? -b[j + 4] : b[j + 4]);
-        double size = restSize + 2 * Math.abs(t) * slopeSize;
-        error = RayRefine.error(left, size, slope, 4 * U * slopeSize, 0);
-        distance = VectorMath.along(t, correction - left / slope, dx, dy, dz);
-        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
-    }
-
-    private static double extent(double[] b, int j) {
-        return Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), Math.max(b[j + 3], b[j + 4]));
-    }
-
     private static double exact(
             double ox,
             double oy,
@@ -410,7 +303,7 @@ final class RayCylinder {
             double ay,
             double az) {
         EXACT.count();
-        ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent(b, j));
+        ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, CylinderEntry.extent(b, j));
         return new ExactRayCylinder(ray, ray.point(b, j), ExactVector.of(ax, ay, az), b[j + 3], b[j + 4]).distance();
     }
 }

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
+import robosim.geometry.exact.VectorMath;
+
 /**
  * A prism translated against one at rest. Both are enclosures, with sides in the same directions, so the gap along each
  * direction is the difference of one number of either row; the two are apart only where such a gap is open.
@@ -10,9 +12,6 @@ package robosim.geometry.narrow.sweep;
  */
 final class MovingPrism {
     private static final double ROUNDING = 0x1p-50;
-
-    /** One over the length of a direction between two axes. */
-    private static final double HALF_ROOT = 0.7071067811865476;
 
     private static final int HEIGHTS = 8;
 
@@ -53,7 +52,7 @@ final class MovingPrism {
         double least = Double.POSITIVE_INFINITY;
         boolean isBlocked = true;
         for (int k = 0; k < (planar ? HEIGHTS : HEIGHTS + 2); k += 2) {
-            double scale = k == 4 || k == 6 ? HALF_ROOT : 1;
+            double scale = k == 4 || k == 6 ? VectorMath.HALF_ROOT : 1;
             double speed = speed(k, dx, dy, dz);
             for (int side = 1; side >= -1; side -= 2) {
                 double depth = scale * (side > 0 ? b[j + k + 1] - a[i + k] : a[i + k + 1] - b[j + k]);

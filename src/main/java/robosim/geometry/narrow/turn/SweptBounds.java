@@ -2,13 +2,12 @@ package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Outward;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them. */
 public final class SweptBounds {
-    private static final double HALF_ROOT = 0.7071067811865476;
-
     private SweptBounds() {}
 
     /** Writes minimum x, y, z and maximum x, y, z of a leaf over a translation. */
@@ -96,20 +95,20 @@ public final class SweptBounds {
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 2; k++) {
-            double z = k == 0 ? HALF_ROOT : -HALF_ROOT;
-            double pivot = HALF_ROOT * px + z * pz;
+            double z = k == 0 ? VectorMath.HALF_ROOT : -VectorMath.HALF_ROOT;
+            double pivot = VectorMath.HALF_ROOT * px + z * pz;
             double slack = 0x1p-48 * (Math.abs(px) + Math.abs(pz));
-            body.aim(HALF_ROOT, 0, z, sign);
+            body.aim(VectorMath.HALF_ROOT, 0, z, sign);
             out4[2 * k + 1] = diagonal(body, angle, pivot, out4[2 * k + 1], slack);
-            body.aim(-HALF_ROOT, 0, -z, sign);
+            body.aim(-VectorMath.HALF_ROOT, 0, -z, sign);
             out4[2 * k] = -diagonal(body, angle, -pivot, -out4[2 * k], slack);
         }
     }
 
     // The direction has unit length; a diagonal is the root of two longer.
     private static double diagonal(TurnBody body, double angle, double pivot, double start, double slack) {
-        double from = HALF_ROOT * start;
+        double from = VectorMath.HALF_ROOT * start;
         double to = body.greatest(angle, pivot, from);
-        return to > from ? (to + slack + 0x1p-48 * Math.abs(to)) / HALF_ROOT : start;
+        return to > from ? (to + slack + 0x1p-48 * Math.abs(to)) / VectorMath.HALF_ROOT : start;
     }
 }

@@ -23,7 +23,7 @@ public final class PacedInput extends InputStream implements MessagePace {
     private final long stallNanos;
     private final long messageNanos;
     private final CpuTurn turn;
-    private final MessageMemory.Share room;
+    private final MessageMemory.Share memory;
     private final BooleanSupplier stopping;
     private Duration idleTime;
     private boolean opening;
@@ -40,7 +40,7 @@ public final class PacedInput extends InputStream implements MessagePace {
      * @param stall    and within one
      * @param message  how long all of a message may take
      * @param turn     held from when bytes have come until they are waited for again
-     * @param room     of which a large message takes its part until the next one is waited for
+     * @param memory   of which a large message takes its part until the next one is waited for
      * @param stopping from when on a failure is the end
      */
     public PacedInput(
@@ -51,7 +51,7 @@ public final class PacedInput extends InputStream implements MessagePace {
             Duration stall,
             Duration message,
             CpuTurn turn,
-            MessageMemory.Share room,
+            MessageMemory.Share memory,
             BooleanSupplier stopping) {
         this.socket = socket;
         this.in = in;
@@ -60,7 +60,7 @@ public final class PacedInput extends InputStream implements MessagePace {
         this.messageNanos = message.toNanos();
         this.idleTime = idle;
         this.turn = turn;
-        this.room = room;
+        this.memory = memory;
         this.stopping = stopping;
     }
 
@@ -74,7 +74,7 @@ public final class PacedInput extends InputStream implements MessagePace {
     public void idle() {
         opening = false;
         inside = false;
-        room.free();
+        memory.free();
     }
 
     @Override
@@ -141,10 +141,10 @@ public final class PacedInput extends InputStream implements MessagePace {
             return;
         }
         long wanted = (messageBytes / LARGE_BYTES + 1) * LARGE_BYTES * MessageMemory.MEMORY_FOR_A_BYTE;
-        if (!room.holds(wanted)) {
+        if (!memory.holds(wanted)) {
             turn.give();
             long start = System.nanoTime();
-            room.growTo(wanted);
+            memory.growTo(wanted);
             deadline += System.nanoTime() - start; // the wait was not its fault
         }
     }

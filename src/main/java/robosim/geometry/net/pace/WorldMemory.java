@@ -23,16 +23,16 @@ public final class WorldMemory {
         return new WorldMemory(Runtime.getRuntime().maxMemory() / 2);
     }
 
-    /** The plot of one connection. */
-    public Plot plot() {
-        return new Plot();
+    /** The share of one connection. */
+    public Share share() {
+        return new Share();
     }
 
     /** The memory of one connection's world; called by the connection's thread. */
-    public final class Plot {
+    public final class Share {
         private long own;
 
-        private Plot() {}
+        private Share() {}
 
         /**
          * Claims memory for a new world from a message of the given size, in addition to the present world.

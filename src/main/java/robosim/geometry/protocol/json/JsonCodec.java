@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Gate;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
@@ -58,7 +58,7 @@ public final class JsonCodec {
         try {
             Bundle request = null;
             while (request == null) {
-                if (!lines.await(admitted ? Limits.MAX_MESSAGE_BYTES : Limits.MAX_HELLO_BYTES)) {
+                if (!lines.await(admitted ? MessageLimits.MAX_MESSAGE_BYTES : MessageLimits.MAX_HELLO_BYTES)) {
                     return null;
                 }
                 request = message();

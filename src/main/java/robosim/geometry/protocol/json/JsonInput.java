@@ -6,7 +6,6 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
-import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -17,7 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Text;
 
@@ -34,10 +33,10 @@ final class JsonInput implements Closeable {
 
     static final JsonFactory FACTORY = JsonFactory.builder()
             .streamReadConstraints(StreamReadConstraints.builder()
-                    .maxNestingDepth(Limits.MAX_DEPTH)
+                    .maxNestingDepth(MessageLimits.MAX_DEPTH)
                     .maxNumberLength(MAX_NUMBER_LENGTH)
-                    .maxStringLength(Limits.MAX_TEXT_BYTES)
-                    .maxNameLength(Limits.MAX_TEXT_BYTES)
+                    .maxStringLength(MessageLimits.MAX_TEXT_BYTES)
+                    .maxNameLength(MessageLimits.MAX_TEXT_BYTES)
                     .build())
             // Names come from a peer, so none are cached.
             .disable(JsonFactory.Feature.INTERN_FIELD_NAMES)
@@ -50,7 +49,7 @@ final class JsonInput implements Closeable {
             .build();
 
     private final JsonParser parser;
-    private final boolean discreet;
+    private final JsonProblems problems;
     private int containers;
 
     /** The last string read. */
@@ -58,7 +57,7 @@ final class JsonInput implements Closeable {
 
     private JsonInput(JsonParser parser, boolean discreet) {
         this.parser = parser;
-        this.discreet = discreet;
+        problems = new JsonProblems(parser, discreet);
     }
 
     /** A line whose contents may be quoted in errors. */
@@ -128,16 +127,21 @@ final class JsonInput implements Closeable {
         if (advance() != JsonToken.FIELD_NAME) {
             return null;
         }
-        String name = parser.currentName();
+        String name = fieldName();
         advance();
         return name;
+    }
+
+    /** The name of the current field. */
+    String fieldName() throws IOException {
+        return parser.currentName();
     }
 
     private void skip() throws IOException {
         try {
             parser.skipChildren();
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
@@ -147,7 +151,7 @@ final class JsonInput implements Closeable {
     }
 
     /** Begins reading the line's object. */
-    Members message(Fields fields) throws IOException {
+    JsonMembers message(Fields fields) throws IOException {
         advance();
         return object(fields);
     }
@@ -159,21 +163,21 @@ final class JsonInput implements Closeable {
         }
     }
 
-    private JsonToken advance() throws IOException {
+    JsonToken advance() throws IOException {
         try {
             return parser.nextToken();
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
     /** Begins reading the current value as an object. */
-    Members object(Fields fields) throws IOException {
+    JsonMembers object(Fields fields) throws IOException {
         if (parser.currentToken() != JsonToken.START_OBJECT) {
             throw refused("must be an object, {...} (got: " + kind() + ")");
         }
         count();
-        return new Members(fields);
+        return new JsonMembers(this, fields);
     }
 
     boolean isObject() {
@@ -198,9 +202,9 @@ final class JsonInput implements Closeable {
     }
 
     private void count() throws IOException {
-        if (++containers > Limits.MAX_REFERENCES) {
-            throw refused(
-                    "there must be at most " + Limits.MAX_REFERENCES + " objects and lists in a message (got: more)");
+        if (++containers > MessageLimits.MAX_REFERENCES) {
+            throw refused("there must be at most " + MessageLimits.MAX_REFERENCES
+                    + " objects and lists in a message (got: more)");
         }
     }
 
@@ -235,7 +239,7 @@ final class JsonInput implements Closeable {
         }
         String digits = scalar();
         if (digits.length() > MAX_NUMBER_LENGTH) { // the parser's own limit counts neither the sign nor the point
-            throw refused(numberTooLong());
+            throw refused(JsonProblems.numberTooLong());
         }
         double value = Double.parseDouble(digits);
         if (!Double.isFinite(value)) {
@@ -304,8 +308,8 @@ final class JsonInput implements Closeable {
                 throw refused("a string must have no unpaired surrogate (got: " + told(String.valueOf(c)) + ")");
             }
         }
-        if (bytes > Limits.MAX_TEXT_BYTES) {
-            throw refused(tooLong());
+        if (bytes > MessageLimits.MAX_TEXT_BYTES) {
+            throw refused(JsonProblems.tooLong());
         }
         lastText = text;
         return text;
@@ -321,7 +325,7 @@ final class JsonInput implements Closeable {
             }
             return same;
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
@@ -336,16 +340,11 @@ final class JsonInput implements Closeable {
         throw refused("must be one of " + Arrays.toString(type.getEnumConstants()) + " (got: " + told(text) + ")");
     }
 
-    /** Quotes a value for a message, unless it may be secret. */
-    String told(String text) {
-        return discreet ? "another" : Text.quoted(text);
-    }
-
     private String scalar() throws IOException {
         try {
             return parser.getText();
         } catch (JsonProcessingException e) {
-            throw noJson(e);
+            throw problems.noJson(e);
         }
     }
 
@@ -354,113 +353,27 @@ final class JsonInput implements Closeable {
         try {
             return constructor.get();
         } catch (IllegalArgumentException e) {
-            throw new ProtocolException(place() + String.valueOf(e.getMessage()), e);
+            throw new ProtocolException(problems.place() + String.valueOf(e.getMessage()), e);
         }
     }
 
     /** An exception about the current value. */
     ProtocolException refused(String what) {
-        return new ProtocolException(place() + what);
+        return problems.refused(what);
     }
 
-    private String place() {
-        String pointer =
-                discreet ? "" : parser.getParsingContext().pathAsPointer().toString();
-        return pointer.isEmpty() ? "the message: " : "at " + Text.line(pointer) + ": ";
-    }
-
-    private static String numberTooLong() {
-        return "a number must have at most " + MAX_NUMBER_LENGTH + " characters (got: more)";
-    }
-
-    private static String tooLong() {
-        return "a string must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
-    }
-
-    /** The parser's message without its advice, which is meant for programmers. */
-    private ProtocolException noJson(JsonProcessingException e) {
-        String words = String.valueOf(e.getOriginalMessage());
-        if (e instanceof StreamConstraintsException) {
-            return refused(beyond(words));
-        }
-        int column = e.getLocation() == null ? 0 : e.getLocation().getColumnNr();
-        String what = "must be JSON (RFC 8259), which ends at column " + column;
-        if (discreet) {
-            return refused(what);
-        }
-        String told = Text.line(words.replaceFirst("(?s)(: | \\()?(was expecting|enable `|maybe a ).*", ""));
-        String remedy = words.matches("(?s).*'[-+]?(?i:nan|inf).*")
-                ? "; numbers are finite, and no echo or an unlimited range is null"
-                : "";
-        return refused(what + remedy + " (got: " + told + ")");
-    }
-
-    private static String beyond(String words) {
-        if (words.startsWith("Document nesting depth")) {
-            return "nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)";
-        }
-        if (words.startsWith("Number value length")) {
-            return numberTooLong();
-        }
-        return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
+    /** Quotes a value for a message, unless it may be secret. */
+    String told(String text) {
+        return problems.told(text);
     }
 
     /** The type of the current value, for a message. */
     String kind() {
-        JsonToken token = parser.currentToken();
-        if (token == null) {
-            return "nothing";
-        }
-        return switch (token) {
-            case START_OBJECT -> "an object";
-            case START_ARRAY -> "a list";
-            case VALUE_STRING -> "a string";
-            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> "a number";
-            case VALUE_TRUE -> "true";
-            case VALUE_FALSE -> "false";
-            case VALUE_NULL -> "null";
-            default -> "something else";
-        };
+        return problems.kind();
     }
 
     @Override
     public void close() throws IOException {
         parser.close();
-    }
-
-    /** An object that is being read. */
-    final class Members {
-        private final Fields fields;
-        private long seen;
-
-        private Members(Fields fields) {
-            this.fields = fields;
-        }
-
-        /** Goes to the value of the next field and returns its number; -1 at the end, if no field is missing. */
-        int next() throws IOException {
-            if (advance() != JsonToken.FIELD_NAME) {
-                int missing = fields.missing(seen);
-                if (missing >= 0) {
-                    throw refused("must have the field \"" + fields.name(missing) + "\" (got: none)");
-                }
-                return -1;
-            }
-            String name = parser.currentName();
-            int index = fields.indexOf(name);
-            if (index < 0) {
-                throw refused("a field must be one of " + fields + " (got: " + told(name) + ")");
-            }
-            if ((seen & 1L << index) != 0) {
-                throw refused("a field must occur only once (got: \"" + name + "\" twice)");
-            }
-            seen |= 1L << index;
-            advance();
-            return index;
-        }
-
-        boolean has(int index) {
-            return (seen & 1L << index) != 0;
-        }
     }
 }

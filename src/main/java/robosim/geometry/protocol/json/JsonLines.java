@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
@@ -20,7 +20,7 @@ import robosim.geometry.protocol.Text;
  * Messages as lines of JSON, in both directions: for environments in any language, and for scenario files. {@code
  * docs/protocol.schema.json} is their schema. Every double keeps its bits.
  *
- * <p>Reading is strict, and within the {@link Limits}. Lines are passed without their line feed. Requires Jackson's
+ * <p>Reading is strict, and within the {@link MessageLimits}. Lines are passed without their line feed. Requires Jackson's
  * core ({@code com.fasterxml.jackson.core:jackson-core}).
  */
 public final class JsonLines {
@@ -134,9 +134,9 @@ public final class JsonLines {
         } catch (CharacterCodingException e) {
             throw new ProtocolException("a line must have no unpaired surrogate (got: one)", e);
         }
-        if (bytes.length > Limits.MAX_MESSAGE_BYTES) {
-            throw new ProtocolException(
-                    "a line must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes (got: " + bytes.length + ")");
+        if (bytes.length > MessageLimits.MAX_MESSAGE_BYTES) {
+            throw new ProtocolException("a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes (got: "
+                    + bytes.length + ")");
         }
         LineInput.checkText(bytes, 0, bytes.length);
         return bytes;

@@ -10,7 +10,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Problem;
@@ -60,7 +60,7 @@ final class JsonMessages {
 
     Hello hello() throws IOException {
         String secret = null;
-        JsonInput.Members message = in.message(HELLO);
+        JsonMembers message = in.message(HELLO);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
@@ -81,7 +81,7 @@ final class JsonMessages {
 
     Ping ping() throws IOException {
         Object id = null;
-        JsonInput.Members message = in.message(PING);
+        JsonMembers message = in.message(PING);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0 || in.isText()) {
                 String text = in.text();
@@ -97,7 +97,7 @@ final class JsonMessages {
     InitBundle init() throws IOException {
         List<GeometryObject> objects = new ArrayList<>();
         WorldSettings settings = null;
-        JsonInput.Members message = in.message(INIT);
+        JsonMembers message = in.message(INIT);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
@@ -113,7 +113,7 @@ final class JsonMessages {
         double[] sizes = new double[3];
         Dimension[] dimension = {Dimension.PLANAR};
         Accuracy[] accuracy = {Accuracy.EXACT};
-        JsonInput.Members members = in.object(SETTINGS);
+        JsonMembers members = in.object(SETTINGS);
         for (int field = members.next(); field >= 0; field = members.next()) {
             switch (field) {
                 case 3 -> dimension[0] = in.constant(Dimension.class);
@@ -126,7 +126,7 @@ final class JsonMessages {
 
     MoveBundle moves() throws IOException {
         List<MoveRequest> moves = new ArrayList<>();
-        JsonInput.Members message = in.message(MOVES);
+        JsonMembers message = in.message(MOVES);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0) {
                 in.text();
@@ -141,7 +141,7 @@ final class JsonMessages {
     private List<MoveRequest> moveList() throws IOException {
         List<MoveRequest> moves = new ArrayList<>();
         in.list();
-        while (in.more(moves.size(), Limits.MAX_LIST_LENGTH)) {
+        while (in.more(moves.size(), MessageLimits.MAX_LIST_LENGTH)) {
             moves.add(move());
         }
         return moves;
@@ -150,7 +150,7 @@ final class JsonMessages {
     private MoveRequest move() throws IOException {
         String[] name = {""};
         double[] numbers = new double[5];
-        JsonInput.Members members = in.object(MOVE);
+        JsonMembers members = in.object(MOVE);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
                 name[0] = in.text();
@@ -163,14 +163,14 @@ final class JsonMessages {
 
     SonarRequestBundle sonars() throws IOException {
         List<SonarRequest> requests = new ArrayList<>();
-        JsonInput.Members message = in.message(SONARS);
+        JsonMembers message = in.message(SONARS);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0) {
                 in.text();
                 continue;
             }
             in.list();
-            while (in.more(requests.size(), Limits.MAX_LIST_LENGTH)) {
+            while (in.more(requests.size(), MessageLimits.MAX_LIST_LENGTH)) {
                 requests.add(sonar());
             }
         }
@@ -182,7 +182,7 @@ final class JsonMessages {
         String[] name = {""};
         double[] offset = new double[2];
         Beam[] beam = new Beam[1];
-        JsonInput.Members members = in.object(SONAR);
+        JsonMembers members = in.object(SONAR);
         for (int field = members.next(); field >= 0; field = members.next()) {
             switch (field) {
                 case 0 -> name[0] = in.text();
@@ -195,7 +195,7 @@ final class JsonMessages {
 
     private Beam beam() throws IOException {
         double[] numbers = new double[3];
-        JsonInput.Members members = in.object(BEAM);
+        JsonMembers members = in.object(BEAM);
         for (int field = members.next(); field >= 0; field = members.next()) {
             numbers[field] = field == 1 && in.isNull() ? Double.POSITIVE_INFINITY : in.number();
         }
@@ -206,14 +206,14 @@ final class JsonMessages {
     Reply made() throws IOException {
         List<MoveRequest> moves = new ArrayList<>();
         List<Problem> problems = new ArrayList<>();
-        JsonInput.Members message = in.message(MADE);
+        JsonMembers message = in.message(MADE);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
                 case 1 -> moves = moveList();
                 default -> {
                     in.list();
-                    while (in.more(problems.size(), Limits.MAX_LIST_LENGTH)) {
+                    while (in.more(problems.size(), MessageLimits.MAX_LIST_LENGTH)) {
                         problems.add(problem());
                     }
                 }
@@ -226,10 +226,10 @@ final class JsonMessages {
     private Problem problem() throws IOException {
         int index = 0;
         String reason = "";
-        JsonInput.Members members = in.object(REFUSED);
+        JsonMembers members = in.object(REFUSED);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
-                index = (int) in.whole(0, Limits.MAX_LIST_LENGTH);
+                index = (int) in.whole(0, MessageLimits.MAX_LIST_LENGTH);
             } else {
                 reason = in.text();
             }
@@ -241,14 +241,14 @@ final class JsonMessages {
     Reply distances() throws IOException {
         List<Double> distances = new ArrayList<>();
         List<Problem> problems = new ArrayList<>();
-        JsonInput.Members message = in.message(DISTANCES);
+        JsonMembers message = in.message(DISTANCES);
         for (int field = message.next(); field >= 0; field = message.next()) {
             if (field == 0) {
                 in.text();
                 continue;
             }
             in.list();
-            while (in.more(distances.size(), Limits.MAX_LIST_LENGTH)) {
+            while (in.more(distances.size(), MessageLimits.MAX_LIST_LENGTH)) {
                 distances.add(distance(distances.size(), problems));
             }
         }
@@ -267,7 +267,7 @@ final class JsonMessages {
             }
             return distance;
         }
-        JsonInput.Members members = in.object(ERROR);
+        JsonMembers members = in.object(ERROR);
         for (int field = members.next(); field >= 0; field = members.next()) {
             problems.add(Problem.of(index, in.text()));
         }

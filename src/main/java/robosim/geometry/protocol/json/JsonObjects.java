@@ -14,7 +14,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 
 /** Reads objects from JSON. Their fields come in any order, so all are read before the kind is evaluated. */
@@ -35,7 +35,7 @@ final class JsonObjects {
             Form.of(GeometryObject.Kind.MESH, "mesh", "vertices faces", "solid boundingVolume"),
             Form.of(GeometryObject.Kind.GROUP, "group", "members", "boundingVolume"));
 
-    private static final int MAX_VERTICES = Limits.MAX_ARRAY_LENGTH / 3;
+    private static final int MAX_VERTICES = MessageLimits.MAX_ARRAY_LENGTH / 3;
 
     private final JsonInput in;
     private long parts;
@@ -52,7 +52,7 @@ final class JsonObjects {
         List<GeometryObject> objects = new ArrayList<>();
         long sum = 0;
         in.list();
-        while (in.more(objects.size(), Limits.MAX_LIST_LENGTH)) {
+        while (in.more(objects.size(), MessageLimits.MAX_LIST_LENGTH)) {
             objects.add(object());
             sum += weight;
             add(weight);
@@ -63,15 +63,15 @@ final class JsonObjects {
 
     private void add(long more) throws ProtocolException {
         parts += more;
-        if (parts > Limits.MAX_PARTS) {
-            throw in.refused("a message's objects must have at most " + Limits.MAX_PARTS
+        if (parts > MessageLimits.MAX_PARTS) {
+            throw in.refused("a message's objects must have at most " + MessageLimits.MAX_PARTS
                     + " parts, counted in every list that contains them (got: more)");
         }
     }
 
     private GeometryObject object() throws IOException {
         Draft draft = new Draft();
-        JsonInput.Members members = in.object(FIELDS);
+        JsonMembers members = in.object(FIELDS);
         for (int field = members.next(); field >= 0; field = members.next()) {
             read(draft, field);
         }
@@ -107,7 +107,7 @@ final class JsonObjects {
         }
     }
 
-    private void checkFields(Draft draft, JsonInput.Members members) throws ProtocolException {
+    private void checkFields(Draft draft, JsonMembers members) throws ProtocolException {
         Form form = draft.form;
         for (int field = 0; field < FIELDS.count(); field++) {
             String name = FIELDS.name(field);
@@ -139,7 +139,7 @@ final class JsonObjects {
         List<int[]> faces = new ArrayList<>();
         long triangles = 0;
         in.list();
-        while (in.more(faces.size(), Limits.MAX_LIST_LENGTH)) {
+        while (in.more(faces.size(), MessageLimits.MAX_LIST_LENGTH)) {
             int[] face = face();
             faces.add(face);
             triangles += face.length - 2;
@@ -178,7 +178,7 @@ final class JsonObjects {
                 return form;
             }
         }
-        throw in.refused("must be box, cylinder, sphere, mesh or group (got: " + in.told(text) + ")");
+        throw in.refused("must be box, cylinder, sphere, capsule, mesh or group (got: " + in.told(text) + ")");
     }
 
     /** The fields of an object read so far. */

@@ -13,7 +13,7 @@ import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 
@@ -23,7 +23,7 @@ import robosim.geometry.protocol.ProtocolException;
  */
 final class LineInput {
     /** The size of the buffer: the largest line that is read completely; more than a hello may have. */
-    static final int BUFFER = 2 * Limits.MAX_HELLO_BYTES;
+    static final int BUFFER = 2 * MessageLimits.MAX_HELLO_BYTES;
 
     private static final int LEAST = ' ';
 

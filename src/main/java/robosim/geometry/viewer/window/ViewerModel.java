@@ -65,26 +65,6 @@ final class ViewerModel {
 
     private @Nullable Grip grip;
 
-    /** A pressed button: where it was pressed, where the mouse was last, and what is being dragged. */
-    private static final class Grip {
-        private final double beginX;
-        private final double beginY;
-        private double x;
-        private double y;
-        private boolean moved;
-        private final @Nullable String robot;
-        private double offsetX;
-        private double offsetZ;
-
-        Grip(double x, double y, @Nullable String robot) {
-            this.beginX = x;
-            this.beginY = y;
-            this.x = x;
-            this.y = y;
-            this.robot = robot;
-        }
-    }
-
     private ViewerModel(String title, String unit, @Nullable Feed feed, boolean live) {
         this.title = title;
         this.unit = unit;

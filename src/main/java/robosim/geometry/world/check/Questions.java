@@ -29,7 +29,7 @@ final class Questions {
     private static final int TRIES = 10;
 
     /** One place tried in this many is one that the robot's search reached. */
-    private static final int OF_TRIP = 4;
+    private static final int OF_SEARCH = 4;
 
     /** The largest length of a move, in diagonals of the robot. */
     private static final double FAR = 5;
@@ -38,7 +38,7 @@ final class Questions {
     private static final double SAME = 1e-9;
 
     private final World world;
-    private final Rooms rooms;
+    private final RobotReachability reachability;
     private final Watch watch;
     private final SplittableRandom random = new SplittableRandom(SEED);
     private final List<Sheet> sheets = new ArrayList<>();
@@ -82,10 +82,10 @@ final class Questions {
         }
     }
 
-    /** @param rooms the rooms found */
-    Questions(World world, Rooms rooms, Watch watch) {
+    /** @param reachability after the rooms have been found */
+    Questions(World world, RobotReachability reachability, Watch watch) {
         this.world = world;
-        this.rooms = rooms;
+        this.reachability = reachability;
         this.watch = watch;
         this.slack = SAME * StrictMath.hypot(StrictMath.hypot(world.width(), world.length()), world.height());
         for (Dimension dimension : Dimension.values()) {
@@ -108,7 +108,7 @@ final class Questions {
         // If there are many robots, not all are used.
         int asked = Math.min(robots.size(), PLACES);
         for (int k = 0; k < asked; k++) {
-            ask(robots.get(k), Rooms.isMany(robots.get(k).object()) ? few : each, k, asked);
+            ask(robots.get(k), RobotReachability.isMany(robots.get(k).object()) ? few : each, k, asked);
         }
         boolean proven = !robots.isEmpty() && isProven(robots);
         Sheet enough = sheets.stream()
@@ -129,15 +129,15 @@ final class Questions {
     private void ask(WorldObject robot, int count, int number, int robots) {
         GeometryObject home = robot.object();
         String name = String.valueOf(home.name());
-        GridReachability trip = rooms.trip(name);
+        GridSearch search = reachability.search(name);
         sheets.forEach(sheet -> sheet.geometry.removeObject(name));
         int free = 0;
         for (int tries = 0; free < count && tries < count * TRIES; tries++) {
             watch.at("questions", (long) number * count + free, (long) robots * count);
             GeometryObject body = tries == 0
                     ? home
-                    : tries % OF_TRIP == 0 && trip != null && trip.kept() > 0
-                            ? trip.reached(random.nextInt(trip.kept()), home)
+                    : tries % OF_SEARCH == 0 && search != null && search.kept() > 0
+                            ? search.reached(random.nextInt(search.kept()), home)
                             : anywhere(home);
             if (mayStand(body)) {
                 free++;
@@ -176,7 +176,7 @@ final class Questions {
     }
 
     private void move(GeometryObject body, String name) {
-        double way = random.nextDouble() * FAR * GridReachability.diagonal(body);
+        double way = random.nextDouble() * FAR * GridSearch.diagonal(body);
         Move move =
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);

@@ -112,8 +112,8 @@ public record WorldCheck(
             boolean both = overlap.second().object().isMoveable();
             touching.add(both ? String.valueOf(overlap.second().object().name()) : "");
         }
-        Rooms rooms = new Rooms(inside, touching, watch);
-        List<Room> found = rooms.find();
+        RobotReachability reachability = new RobotReachability(inside, touching, watch);
+        List<Room> found = reachability.find();
         return new WorldCheck(
                 world,
                 counts,
@@ -125,7 +125,7 @@ public record WorldCheck(
                 overlaps.found(),
                 overlaps.staticCount(),
                 found,
-                new Questions(inside, rooms, watch).ask());
+                new Questions(inside, reachability, watch).ask());
     }
 
     private static World without(World world, Set<WorldObject> left) {

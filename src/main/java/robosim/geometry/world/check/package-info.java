@@ -1,4 +1,7 @@
-/** What to know about a world before robots run in it: contacts, rooms, and which accuracy is sufficient. */
+/**
+ * What to know about a world before robots run in it: contacts (Overlaps), which robots are shut in (RobotReachability, by a
+ * GridSearch of each) and which accuracy is sufficient (Questions).
+ */
 @NullMarked
 package robosim.geometry.world.check;
 

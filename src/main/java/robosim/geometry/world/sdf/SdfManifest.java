@@ -16,7 +16,6 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
-import robosim.geometry.world.xml.XmlGuard;
 
 /** The file model.config of a model's folder, which names the model's file: that of the highest version. */
 public final class SdfManifest extends DefaultHandler {
@@ -73,7 +72,7 @@ public final class SdfManifest extends DefaultHandler {
 
     private void parse() throws FileProblem {
         try (InputStream in = RegularFile.open(file)) {
-            XmlGuard.parse(new BufferedInputStream(in), file.toString(), this);
+            SafeXml.parse(new BufferedInputStream(in), file.toString(), this);
         } catch (SAXException e) {
             if (e.getException() instanceof FileProblem refusal) {
                 throw refusal;

@@ -18,7 +18,6 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
-import robosim.geometry.world.xml.XmlGuard;
 
 /** Parses an SDFormat file into elements: those relevant to solid geometry, and counts of the others. */
 public final class SdfParser extends DefaultHandler {
@@ -46,7 +45,7 @@ public final class SdfParser extends DefaultHandler {
     static SdfElement read(SdfFile file) throws FileProblem {
         SdfParser parser = new SdfParser(file);
         try (InputStream in = RegularFile.open(file.path())) {
-            XmlGuard.parse(new BufferedInputStream(in), file.shown(), parser);
+            SafeXml.parse(new BufferedInputStream(in), file.shown(), parser);
         } catch (SAXException e) {
             if (e.getException() instanceof FileProblem refusal) {
                 throw refusal;

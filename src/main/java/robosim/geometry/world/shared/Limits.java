@@ -8,7 +8,7 @@ public final class Limits {
     /** Bytes of one file of any format. A mesh of a million triangles takes about 60 MB as XML, OBJ or binary STL. */
     public static final long MAX_BYTES = 128L << 20;
 
-    /** Boxes, cylinders, spheres, meshes and groups of one world, members included. The warehouse has about 2,700. */
+    /** Boxes, cylinders, spheres, capsules, meshes and groups of one world, members included. The warehouse has about 2,700. */
     public static final int MAX_OBJECTS = 200_000;
 
     /** Elements of one SDFormat file that are read. A world of 3,000 shapes has about 30,000. */

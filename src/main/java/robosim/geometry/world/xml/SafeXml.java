@@ -1,5 +1,7 @@
 package robosim.geometry.world.xml;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.util.List;
 import java.util.Locale;
 import javax.xml.XMLConstants;
@@ -8,15 +10,19 @@ import javax.xml.parsers.SAXParserFactory;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.XMLReader;
+import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 
-/** Hardened XML parsing: no document type, no entities, and nothing that the file refers to is read. */
+/**
+ * Parses untrusted XML: no document type, no entities, nothing that the file refers to is read, and all within limits (see {@link
+ * XmlLimitFilter}).
+ */
 public final class SafeXml {
     /** Parser and validator are set to English, their default language, which {@code SchemaErrors} parses. */
     public static final String LOCALE = "http://apache.org/xml/properties/locale";
 
     /**
-     * Limits of the JDK that differ between versions; {@link XmlGuard} replaces them here, and without entities they
+     * Limits of the JDK that differ between versions; {@link XmlLimitFilter} replaces them here, and without entities they
      * are not needed.
      */
     private static final List<String> OWN_LIMITS =
@@ -24,8 +30,19 @@ public final class SafeXml {
 
     private SafeXml() {}
 
+    /**
+     * Parses a stream.
+     *
+     * @param source the name of the stream in messages
+     * @throws SAXException around a {@link FileProblem}, if it exceeds the limits
+     */
+    public static void parse(InputStream in, String source, DefaultHandler follower) throws SAXException, IOException {
+        XmlLimitFilter filter = new XmlLimitFilter(reader(), source, follower);
+        filter.parse(filter.watched(in));
+    }
+
     /** The JDK's own parser, whatever else is on the class path. */
-    static XMLReader reader() throws SAXException {
+    private static XMLReader reader() throws SAXException {
         SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
         try {
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);

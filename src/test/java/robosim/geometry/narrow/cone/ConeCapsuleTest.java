@@ -243,7 +243,8 @@ class ConeCapsuleTest {
 
     private double cone(double[] o, double[] d, double cosine, LeafKind kind, double[] row) {
         double sine = Math.sqrt((1 - cosine) * (1 + cosine));
-        return SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cosine, sine, kind, row, 0, scratch);
+        return SpatialCone.distance(
+                o[0], o[1], o[2], d[0], d[1], d[2], cosine, sine, kind, row, 0, Double.POSITIVE_INFINITY, scratch);
     }
 
     private void take(double[] o, double[] d, double cosine, LeafKind kind, double[] row) {

@@ -40,6 +40,7 @@ class PlanarConeTest {
                 kind,
                 row,
                 0,
+                Double.POSITIVE_INFINITY,
                 scratch);
     }
 
@@ -170,7 +171,17 @@ class PlanarConeTest {
             double axis = PlanarRay.distance(0, 0, dx, dz, kind, row, 0, scratch);
             for (double half : new double[] {1e-3, 1e-9, 1e-15, 1e-200}) {
                 double heard = PlanarCone.distance(
-                        0, 0, dx, dz, StrictMath.cos(half), StrictMath.sin(half), kind, row, 0, scratch);
+                        0,
+                        0,
+                        dx,
+                        dz,
+                        StrictMath.cos(half),
+                        StrictMath.sin(half),
+                        kind,
+                        row,
+                        0,
+                        Double.POSITIVE_INFINITY,
+                        scratch);
                 assertThat(heard)
                         .as("kind %s along (%s, %s), half angle %s: %s", kind, dx, dz, half, Arrays.toString(row))
                         .isLessThanOrEqualTo(axis * (1 + 0x1p-48));
@@ -206,9 +217,21 @@ class PlanarConeTest {
         }
         // 3, 4, 5: the nearest corner is on an edge of the sector, but for the rounding of the cosine, which decides
         double[] far = triangle(4, 3, 5, 8, 0, 9);
-        assertThat(PlanarCone.distance(0, 0, 1, 0, 0.8, 0.6, LeafKind.TRIANGLE, far, 0, scratch))
+        assertThat(PlanarCone.distance(
+                        0, 0, 1, 0, 0.8, 0.6, LeafKind.TRIANGLE, far, 0, Double.POSITIVE_INFINITY, scratch))
                 .isInfinite(); // 0.8 is stored as a little more
-        assertThat(PlanarCone.distance(0, 0, 1, 0, Math.nextDown(0.8), 0.6, LeafKind.TRIANGLE, far, 0, scratch))
+        assertThat(PlanarCone.distance(
+                        0,
+                        0,
+                        1,
+                        0,
+                        Math.nextDown(0.8),
+                        0.6,
+                        LeafKind.TRIANGLE,
+                        far,
+                        0,
+                        Double.POSITIVE_INFINITY,
+                        scratch))
                 .isBetween(5 - 1e-15, 5 + 1e-15);
     }
 
@@ -244,6 +267,7 @@ class PlanarConeTest {
                 LeafKind.BOX,
                 box,
                 0,
+                Double.POSITIVE_INFINITY,
                 scratch);
         double corner = 2.756099438844037991918081911386361370588574992677922998494749844508841E-11;
         assertThat(distance).isBetween(corner - 8 * Math.ulp(corner), corner + 8 * Math.ulp(corner));

@@ -289,7 +289,19 @@ class SpatialConeTest {
                 before = threads.getCurrentThreadAllocatedBytes();
             }
             sum += SpatialCone.distance(
-                    10 + i * 1e-6, 3, 4, -1, -0.31, -0.42, cos, sin, Leaves.KINDS[i % 9], rows[i % 9], 0, scratch);
+                    10 + i * 1e-6,
+                    3,
+                    4,
+                    -1,
+                    -0.31,
+                    -0.42,
+                    cos,
+                    sin,
+                    Leaves.KINDS[i % 9],
+                    rows[i % 9],
+                    0,
+                    Double.POSITIVE_INFINITY,
+                    scratch);
         }
         assertThat(sum).isBetween(20_000.0, 400_000.0);
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
@@ -301,7 +313,8 @@ class SpatialConeTest {
 
     private double cone(double[] o, double[] d, double cos, LeafKind kind, double[] row) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
-        return SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch);
+        return SpatialCone.distance(
+                o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch);
     }
 
     /** Random rays in the cone, the best of them led on by ever smaller steps. */

@@ -152,10 +152,12 @@ class MeshSightTest {
         double dy = cast.way(1);
         double dz = cast.way(2);
         if (dimension == Dimension.SPATIAL) {
-            return SpatialCone.distance(x, y, z, dx, dy, dz, cos, sin, LeafKind.TRIANGLE, row, 0, scratch);
+            return SpatialCone.distance(
+                    x, y, z, dx, dy, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch);
         }
         return isCone
-                ? PlanarCone.distance(x, z, dx, dz, cos, sin, LeafKind.TRIANGLE, row, 0, scratch)
+                ? PlanarCone.distance(
+                        x, z, dx, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch)
                 : PlanarRay.distance(x, z, dx, dz, LeafKind.TRIANGLE, row, 0, scratch);
     }
 }

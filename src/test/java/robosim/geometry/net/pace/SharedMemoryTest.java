@@ -83,16 +83,16 @@ class SharedMemoryTest {
     void worldsOfAllConnectionsFitIntoTheirMemoryAndOneAloneIsNotRefused() {
         int large = 1 << 20;
         WorldMemory worlds = new WorldMemory(20L * large);
-        WorldMemory.Plot first = worlds.plot();
-        WorldMemory.Plot second = worlds.plot();
+        WorldMemory.Share first = worlds.share();
+        WorldMemory.Share second = worlds.share();
         assertThat(first.claim(40 * large)).as("alone").isNull();
         assertThat(second.claim(large)).contains("20 MiB", "some 8 MiB more, beside 320 MiB", "-Xmx");
         assertThat(second.claim(WorldMemory.SMALL_BYTES - 1)).isNull();
         assertThat(first.claim(large)).as("a smaller one in its place").isNull();
         assertThat(second.claim(large)).isNull();
-        assertThat(worlds.plot().claim(large)).contains("(got: some 8 MiB more, beside 16 MiB)");
+        assertThat(worlds.share().claim(large)).contains("(got: some 8 MiB more, beside 16 MiB)");
         first.free();
-        assertThat(worlds.plot().claim(large)).isNull();
+        assertThat(worlds.share().claim(large)).isNull();
     }
 
     @Test

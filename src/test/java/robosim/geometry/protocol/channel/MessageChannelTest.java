@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Gate;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTest;
@@ -229,7 +229,7 @@ class MessageChannelTest {
     @Test
     void aLineHasAnEndAndAHelloHasItSooner() {
         String longHello =
-                "{\"type\":\"hello\",\"version\":1,\"secret\":\"" + "x".repeat(Limits.MAX_HELLO_BYTES) + "\"}\n";
+                "{\"type\":\"hello\",\"version\":1,\"secret\":\"" + "x".repeat(MessageLimits.MAX_HELLO_BYTES) + "\"}\n";
         assertThatThrownBy(() -> channel(longHello).read())
                 .hasMessageContaining("line 1, a line must have at most 8192 bytes");
         InputStream endless = new InputStream() {
@@ -242,7 +242,7 @@ class MessageChannelTest {
             }
         };
         assertThatThrownBy(() -> channel(endless, Gate.OPEN).read())
-                .hasMessageContaining("line 2, a line must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes");
+                .hasMessageContaining("line 2, a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes");
     }
 
     @Test

@@ -22,7 +22,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Problem;
@@ -125,6 +125,15 @@ class JsonLinesTest {
         read = JsonLines.readRequest("{\"type\":\"init\",\"objects\":[{\"kind\":\"mesh\",\"vertices\":[[0,0,0],[1,0,0],"
                 + "[0,0,1]],\"faces\":[[0,1.0,2e0]]}]}");
         assertThat(((MeshObject) ((InitBundle) read).objects().get(0)).faces()).isEqualTo(new int[][] {{0, 1, 2}});
+    }
+
+    @Test
+    void anUnknownKindIsRefusedWithAllThatAreKnown() {
+        String line = "{\"type\":\"init\",\"objects\":[{\"kind\":\"cone\"}]}";
+        String all = "box, cylinder, sphere, capsule, mesh or group";
+        assertThat(all.split(", | or ")).hasSameSizeAs(GeometryObject.Kind.values());
+        assertThatThrownBy(() -> JsonLines.readRequest(line))
+                .hasMessage("at /objects/0/kind: must be " + all + " (got: \"cone\")");
     }
 
     static Stream<Arguments> bad() {
@@ -254,10 +263,10 @@ class JsonLinesTest {
     @Test
     void listsAndPartsHaveTheirLimits() throws ProtocolException {
         String item = "{\"objectName\":\"\",\"xOffset\":1,\"zOffset\":0},";
-        String most = item.repeat(Limits.MAX_LIST_LENGTH);
+        String most = item.repeat(MessageLimits.MAX_LIST_LENGTH);
         String fair = "{\"type\":\"sonars\",\"requests\":[" + most.substring(0, most.length() - 1) + "]}";
         assertThat(((SonarRequestBundle) JsonLines.readRequest(fair)).requests())
-                .hasSize(Limits.MAX_LIST_LENGTH);
+                .hasSize(MessageLimits.MAX_LIST_LENGTH);
         assertThatThrownBy(() -> JsonLines.readRequest(fair.replaceFirst("\\[", "[" + item)))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("at /requests/1100000: a list must have at most 1100000 items");
@@ -280,10 +289,10 @@ class JsonLinesTest {
 
     @Test
     void aLineHasAnEnd() {
-        String long1 = "{\"type\":\"moves\",\"moves\":[" + " ".repeat(Limits.MAX_MESSAGE_BYTES) + "]}";
+        String long1 = "{\"type\":\"moves\",\"moves\":[" + " ".repeat(MessageLimits.MAX_MESSAGE_BYTES) + "]}";
         assertThatThrownBy(() -> JsonLines.readRequest(long1))
                 .isInstanceOf(ProtocolException.class)
-                .hasMessageContaining("a line must have at most " + Limits.MAX_MESSAGE_BYTES);
+                .hasMessageContaining("a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES);
     }
 
     @Test

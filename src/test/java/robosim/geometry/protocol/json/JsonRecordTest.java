@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 
 class JsonRecordTest {
@@ -76,7 +76,7 @@ class JsonRecordTest {
     @ValueSource(ints = {10, 63, 70, 100_000})
     void depthIsLimited(int depth) throws ProtocolException {
         String line = "{\"a\":".repeat(depth) + "1" + "}".repeat(depth);
-        if (depth < Limits.MAX_DEPTH) {
+        if (depth < MessageLimits.MAX_DEPTH) {
             assertThat(JsonRecord.read(line).has("a")).isTrue();
         } else {
             assertThatThrownBy(() -> JsonRecord.read(line))

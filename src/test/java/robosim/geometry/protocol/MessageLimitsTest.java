@@ -27,7 +27,7 @@ import robosim.geometry.model.SphereObject;
 
 /** Messages that are small to send and large to read. */
 @Timeout(60)
-class LimitsTest {
+class MessageLimitsTest {
     private static final GeometryObject BALL = new SphereObject(new Point(), 1);
 
     private static void refused(byte[] bytes, String reason) {
@@ -133,8 +133,8 @@ class LimitsTest {
             requests.add(new MoveRequest(request.objectName() + k, 0, 0, 0, 0, 0));
         }
         byte[] bytes = MessageTest.write(new MoveBundle(requests));
-        assertThat(bytes.length).isGreaterThan(Limits.MAX_MESSAGE_BYTES);
-        refused(bytes, "at most " + Limits.MAX_MESSAGE_BYTES + " bytes");
+        assertThat(bytes.length).isGreaterThan(MessageLimits.MAX_MESSAGE_BYTES);
+        refused(bytes, "at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes");
         MoveBundle half = new MoveBundle(requests.subList(0, 600));
         byte[] fair = MessageTest.write(half, half);
         MessageReader reader = new MessageReader(new ByteArrayInputStream(fair));

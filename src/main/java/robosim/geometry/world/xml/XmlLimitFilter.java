@@ -20,7 +20,7 @@ import robosim.geometry.world.shared.Limits;
  * A filter between a parser and its handler that limits the nesting depth of elements, and the length of a tag or a
  * comment, which a parser keeps in memory until its end.
  */
-public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
+final class XmlLimitFilter extends XMLFilterImpl implements LexicalHandler {
     private final String source;
     private @Nullable Locator locator;
     private int depth;
@@ -28,7 +28,7 @@ public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
     /** Number of bytes read since the parser's last event. */
     private long silent;
 
-    private XmlGuard(XMLReader parser, String source, DefaultHandler follower) throws SAXException {
+    XmlLimitFilter(XMLReader parser, String source, DefaultHandler follower) throws SAXException {
         super(parser);
         this.source = source;
         parser.setProperty("http://xml.org/sax/properties/lexical-handler", this);
@@ -37,15 +37,9 @@ public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
         setEntityResolver(follower);
     }
 
-    /**
-     * Parses a stream with the hardened parser.
-     *
-     * @param source the name of the stream in messages
-     * @throws SAXException around a {@link FileProblem}, if it exceeds the limits
-     */
-    public static void parse(InputStream in, String source, DefaultHandler follower) throws SAXException, IOException {
-        XmlGuard guard = new XmlGuard(SafeXml.reader(), source, follower);
-        guard.parse(new InputSource(guard.new Watched(new Bounded(in))));
+    /** Counts the bytes that the parser reads from a stream. */
+    InputSource watched(InputStream in) {
+        return new InputSource(new Watched(new Bounded(in)));
     }
 
     /** Counts the bytes that the parser reads without an event. */

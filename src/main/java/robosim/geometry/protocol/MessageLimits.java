@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
 /** Limits on what a peer may send: each with its reason and the size of realistic data. */
-public final class Limits {
-    private Limits() {}
+public final class MessageLimits {
+    private MessageLimits() {}
 
     /**
      * Maximum size of a message in bytes, so that no sender can fill the memory. A mesh of a million triangles takes 34

@@ -14,8 +14,8 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
-/** Finds which robots of a world can reach each other, as {@link WorldCheck} defines it. */
-final class Rooms {
+/** Decides which robots of a world can reach each other, and so which are shut in, as {@link WorldCheck} defines it. */
+final class RobotReachability {
     /** How often the step is halved. */
     private static final int HALVINGS = 2;
 
@@ -27,12 +27,12 @@ final class Rooms {
     private final int[] leaders;
 
     /** By robot, its last search; null if there was none. */
-    private final @Nullable GridReachability[] trips;
+    private final @Nullable GridSearch[] searches;
 
-    private final Map<String, GridReachability> byName = new HashMap<>();
+    private final Map<String, GridSearch> byName = new HashMap<>();
 
     /** @param touching names of robots that start in contact and are not tested */
-    Rooms(World world, Set<String> touching, Watch watch) {
+    RobotReachability(World world, Set<String> touching, Watch watch) {
         this.world = world;
         this.watch = watch;
         for (WorldObject object : world.objects()) {
@@ -43,7 +43,7 @@ final class Rooms {
         }
         leaders = new int[robots.size()];
         Arrays.setAll(leaders, k -> k);
-        trips = new GridReachability[robots.size()];
+        searches = new GridSearch[robots.size()];
     }
 
     List<Room> find() {
@@ -58,8 +58,8 @@ final class Rooms {
             }
         }
         for (int halvings = 0; halvings <= HALVINGS; halvings++) {
-            for (int k : toBeSent(halvings)) {
-                send(statics, k, halvings);
+            for (int k : toSearch(halvings)) {
+                search(statics, k, halvings);
             }
             if (isDone()) {
                 break;
@@ -73,12 +73,12 @@ final class Rooms {
 
     /** The most informative search of a robot; null if it starts in contact. */
     @Nullable
-    GridReachability trip(String name) {
+    GridSearch search(String name) {
         if (byName.isEmpty()) {
             for (List<Integer> group : groups()) {
-                GridReachability largest = largest(group);
+                GridSearch largest = largest(group);
                 for (int k : group) {
-                    GridReachability own = trips[k] == null ? largest : trips[k];
+                    GridSearch own = searches[k] == null ? largest : searches[k];
                     if (own != null) {
                         byName.put(String.valueOf(robots.get(k).name()), own);
                     }
@@ -94,20 +94,20 @@ final class Rooms {
      */
     private void lookNear(Geometry statics) {
         for (List<Integer> group : groups()) {
-            GridReachability far = largest(group);
+            GridSearch far = largest(group);
             if (far == null || far.isFine()) {
                 continue;
             }
             int k = group.stream().min(narrowestFirst()).orElseThrow();
-            GridReachability near = GridReachability.near(world, statics, robots.get(k));
+            GridSearch near = GridSearch.near(world, statics, robots.get(k));
             if (near == null) {
                 continue;
             }
-            go(near, k);
+            explore(near, k);
             // An unfinished search says less than the coarse one through the whole world.
             if (near.isWhole()) {
-                group.forEach(each -> trips[each] = null);
-                trips[k] = near;
+                group.forEach(each -> searches[each] = null);
+                searches[k] = near;
             }
         }
     }
@@ -116,47 +116,47 @@ final class Rooms {
      * The robots to search for, at first all, later one of each room, in order of how well they fit through doors. A
      * robot that has been reached by another need not search.
      */
-    private List<Integer> toBeSent(int halvings) {
+    private List<Integer> toSearch(int halvings) {
         Comparator<Integer> order = narrowestFirst();
         if (halvings > 0) {
             return groups().stream()
                     .map(group -> group.stream().min(order).orElseThrow())
                     .toList();
         }
-        List<Integer> sent = new ArrayList<>();
+        List<Integer> all = new ArrayList<>();
         for (int k = 0; k < robots.size(); k++) {
-            sent.add(k);
+            all.add(k);
         }
-        sent.sort(order);
-        return sent;
+        all.sort(order);
+        return all;
     }
 
     private Comparator<Integer> narrowestFirst() {
         return Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
-                .thenComparingDouble(k -> GridReachability.narrow(robots.get(k)));
+                .thenComparingDouble(k -> GridSearch.narrow(robots.get(k)));
     }
 
     /** Whether it has so many parts that moving it is slow. */
     static boolean isMany(GeometryObject robot) {
         return switch (robot.kind()) {
             case MESH -> true;
-            case GROUP -> ((ObjectGroup) robot).members().stream().anyMatch(Rooms::isMany);
+            case GROUP -> ((ObjectGroup) robot).members().stream().anyMatch(RobotReachability::isMany);
             case BOX, CYLINDER, SPHERE, CAPSULE, GRID -> false;
         };
     }
 
-    private void send(Geometry statics, int k, int halvings) {
-        GridReachability trip = GridReachability.far(world, statics, robots.get(k), halvings);
-        GridReachability last = trips[k];
-        boolean coarse = last != null && trip.step() >= last.step();
-        if (coarse || (halvings == 0 && anyTrip(k))) {
+    private void search(Geometry statics, int k, int halvings) {
+        GridSearch search = GridSearch.far(world, statics, robots.get(k), halvings);
+        GridSearch last = searches[k];
+        boolean coarse = last != null && search.step() >= last.step();
+        if (coarse || (halvings == 0 && hasSearched(k))) {
             return;
         }
-        trips[k] = trip;
-        go(trip, k);
+        searches[k] = search;
+        explore(search, k);
     }
 
-    private void go(GridReachability trip, int k) {
+    private void explore(GridSearch search, int k) {
         List<Integer> others = new ArrayList<>();
         for (int other = 0; other < robots.size(); other++) {
             if (leader(other) != leader(k)) {
@@ -164,12 +164,12 @@ final class Rooms {
             }
         }
         List<GeometryObject> wanted = others.stream().map(robots::get).toList();
-        trip.go(wanted, met -> leaders[leader(others.get(met))] = leader(k), watch);
+        search.run(wanted, met -> leaders[leader(others.get(met))] = leader(k), watch);
     }
 
-    private boolean anyTrip(int k) {
+    private boolean hasSearched(int k) {
         for (int other = 0; other < robots.size(); other++) {
-            if (trips[other] != null && leader(other) == leader(k)) {
+            if (searches[other] != null && leader(other) == leader(k)) {
                 return true;
             }
         }
@@ -179,8 +179,8 @@ final class Rooms {
     private boolean isDone() {
         List<List<Integer>> groups = groups();
         boolean moves = true;
-        for (GridReachability trip : trips) {
-            moves &= trip == null || trip.places() > 1;
+        for (GridSearch search : searches) {
+            moves &= search == null || search.places() > 1;
         }
         return groups.size() == 1 && moves;
     }
@@ -215,16 +215,16 @@ final class Rooms {
     }
 
     private double area(List<Integer> group) {
-        GridReachability largest = largest(group);
+        GridSearch largest = largest(group);
         return largest == null ? 0 : largest.area();
     }
 
-    private @Nullable GridReachability largest(List<Integer> group) {
-        GridReachability best = null;
+    private @Nullable GridSearch largest(List<Integer> group) {
+        GridSearch best = null;
         for (int k : group) {
-            GridReachability trip = trips[k];
-            if (trip != null && (best == null || trip.area() > best.area())) {
-                best = trip;
+            GridSearch search = searches[k];
+            if (search != null && (best == null || search.area() > best.area())) {
+                best = search;
             }
         }
         return best;
@@ -236,11 +236,11 @@ final class Rooms {
             List<String> names = group.stream()
                     .map(k -> String.valueOf(robots.get(k).name()))
                     .toList();
-            GridReachability trip = largest(group);
-            if (trip == null) {
+            GridSearch search = largest(group);
+            if (search == null) {
                 throw new IllegalStateException("no robot searched from " + names);
             }
-            rooms.add(trip.room(names));
+            rooms.add(search.room(names));
         }
         return rooms;
     }

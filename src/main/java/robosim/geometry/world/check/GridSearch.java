@@ -16,7 +16,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.world.World;
 
 /** The cells of a grid that one robot reaches by straight moves and turns of 45 degrees, among static objects only. */
-final class GridReachability {
+final class GridSearch {
     private static final int TURNS = 8;
     private static final double TURN = 360.0 / TURNS;
 
@@ -78,24 +78,24 @@ final class GridReachability {
      *
      * @param halvings how often the first step is halved
      */
-    static GridReachability far(World world, Geometry geometry, GeometryObject robot, int halvings) {
+    static GridSearch far(World world, Geometry geometry, GeometryObject robot, int halvings) {
         double wanted = wanted(world, robot);
         int turns = turns(robot);
         double affordable = Math.max(
                 Math.sqrt(world.width() / MOST) * Math.sqrt(world.length()) * Math.sqrt(turns),
                 Math.max(world.width(), world.length()) / MOST * turns);
         double step = Math.max(StrictMath.scalb(wanted, -halvings), affordable);
-        return new GridReachability(world, geometry, robot, step, Integer.MAX_VALUE);
+        return new GridSearch(world, geometry, robot, step, Integer.MAX_VALUE);
     }
 
     /** A search at the desired step, which ends after {@link #NEAR} places; null in a world too large for it. */
-    static @Nullable GridReachability near(World world, Geometry geometry, GeometryObject robot) {
+    static @Nullable GridSearch near(World world, Geometry geometry, GeometryObject robot) {
         double step = wanted(world, robot);
         double states = (world.width() / step + 1) * (world.length() / step + 1) * turns(robot);
-        return states <= MOST_NEAR ? new GridReachability(world, geometry, robot, step, NEAR) : null;
+        return states <= MOST_NEAR ? new GridSearch(world, geometry, robot, step, NEAR) : null;
     }
 
-    private GridReachability(World world, Geometry geometry, GeometryObject robot, double step, int limit) {
+    private GridSearch(World world, Geometry geometry, GeometryObject robot, double step, int limit) {
         this.world = world;
         this.geometry = geometry;
         this.body = robot;
@@ -209,7 +209,7 @@ final class GridReachability {
      * @param others robots that may be reached
      * @param met    called with the index of each robot that is reached
      */
-    void go(List<GeometryObject> others, IntConsumer met, Watch watch) {
+    void run(List<GeometryObject> others, IntConsumer met, Watch watch) {
         if (!geometry.addObjectUnchecked(body)) {
             throw new IllegalStateException("the robot is not within the world: " + body);
         }
