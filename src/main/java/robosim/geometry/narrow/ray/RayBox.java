@@ -139,7 +139,7 @@ final class RayBox {
             int j,
             int face,
             RayScratch s) {
-        double t = enterPlan(ox - b[j], oz - b[j + 2], dx, dz, b, j, face);
+        double t = enterPlan(ox, oz, dx, dz, b, j, face);
         return uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, t, s);
     }
 
