@@ -146,10 +146,7 @@ public final class PatternSensor {
         reserve();
         tiling.cut(pattern);
         for (int tile = from; tile < to; tile++) {
-            int count = tiling.directions(pattern, tile, directions);
-            for (int k = 0; k < count; k++) {
-                beams[k] = tiling.beam(pattern, k);
-            }
+            int count = tiling.take(pattern, tile, directions, beams);
             turn(count);
             answer(view, 0, count);
         }

@@ -22,11 +22,6 @@ final class Tiling {
     /** The tiles along a row. */
     private int across;
 
-    // The tile at hand.
-    private int first;
-    private int columns;
-    private int rows;
-
     /** Takes a pattern; answers the number of its tiles, which is always the same. */
     int cut(RayPattern of) {
         if (pattern != of) {
@@ -71,21 +66,20 @@ final class Tiling {
                 of.z(a) / lengthA - of.z(b) / lengthB);
     }
 
-    /** Writes the directions of the beams of a tile, row by row; answers how many there are. */
-    int directions(RayPattern of, int tile, double[] out) {
+    /** Writes the directions of the beams of a tile and their numbers in the pattern, row by row; answers how many there are. */
+    int take(RayPattern of, int tile, double[] directions, int[] beams) {
         int row = tile / across * height;
         int column = tile % across * width;
-        rows = Math.min(height, of.rows() - row);
-        columns = Math.min(width, of.columns() - column);
-        first = row * of.columns() + column;
+        int rows = Math.min(height, of.rows() - row);
+        int columns = Math.min(width, of.columns() - column);
+        int count = 0;
         for (int k = 0; k < rows; k++) {
-            of.directions(first + k * of.columns(), columns, out, 3 * k * columns);
+            int first = (row + k) * of.columns() + column;
+            of.directions(first, columns, directions, 3 * count);
+            for (int beam = first; beam < first + columns; beam++) {
+                beams[count++] = beam;
+            }
         }
-        return rows * columns;
-    }
-
-    /** The number in its pattern of a beam of the tile whose directions were written last. */
-    int beam(RayPattern of, int k) {
-        return rows == 1 ? first + k : first + k / columns * of.columns() + k % columns;
+        return count;
     }
 }

@@ -33,6 +33,9 @@ public final class FrustumCursor {
     /** A relative error of a few roundings to float. */
     private static final double ROUNDED = 0x1p-21;
 
+    /** The most rays. */
+    public static final int MOST = 64;
+
     private static final int WIDTH = Hierarchy.WIDTH;
     private static final int PART = Hierarchy.PART;
     private static final int LINKS = Hierarchy.LINKS;
@@ -93,7 +96,13 @@ public final class FrustumCursor {
     private double fy;
     private double fz;
 
-    // What the slopes along the latter are between.
+    /** How far each ray goes along the middle direction, and its slopes along the other two. */
+    private final double[] along = new double[MOST];
+
+    private final double[] slopesE = new double[MOST];
+    private final double[] slopesF = new double[MOST];
+
+    // What the slopes are between.
     private double leastE;
     private double mostE;
     private double leastF;
@@ -102,7 +111,7 @@ public final class FrustumCursor {
     /**
      * Takes the directions of some rays, for any number of places and hierarchies.
      *
-     * @param x unit vectors
+     * @param x unit vectors, {@link #MOST} of them; those after the first so many do not count
      * @param narrow the least cosine of the angle between a ray and the middle direction, above 0
      * @return false where the rays spread farther than that
      */
@@ -116,28 +125,49 @@ public final class FrustumCursor {
             az += z[k];
         }
         double length = Math.sqrt(ax * ax + ay * ay + az * az);
+        if (!(length > 0.5 * narrow * count)) { // else they go all ways
+            return false;
+        }
         ax /= length;
         ay /= length;
         az /= length;
         int other = count > 1 ? 1 : 0;
         takeSides(x[other] - x[0], y[other] - y[0], z[other] - z[0]);
+        slopes(x, y, z);
         leastE = Double.POSITIVE_INFINITY;
         mostE = Double.NEGATIVE_INFINITY;
         leastF = leastE;
         mostF = mostE;
+        double least = 1;
         for (int k = 0; k < count; k++) {
-            double along = x[k] * ax + y[k] * ay + z[k] * az;
-            if (!(along >= narrow)) {
-                return false;
-            }
-            double e = (x[k] * ex + y[k] * ey + z[k] * ez) / along;
-            double f = (x[k] * fx + y[k] * fy + z[k] * fz) / along;
-            leastE = e < leastE ? e : leastE;
-            mostE = e > mostE ? e : mostE;
-            leastF = f < leastF ? f : leastF;
-            mostF = f > mostF ? f : mostF;
+            least = along[k] < least ? along[k] : least;
+            leastE = slopesE[k] < leastE ? slopesE[k] : leastE;
+            mostE = slopesE[k] > mostE ? slopesE[k] : mostE;
+            leastF = slopesF[k] < leastF ? slopesF[k] : leastF;
+            mostF = slopesF[k] > mostF ? slopesF[k] : mostF;
         }
-        return true;
+        return least >= narrow;
+    }
+
+    /** A loop for each of three, which the compiler turns into vector instructions. */
+    private void slopes(double[] x, double[] y, double[] z) {
+        project(x, y, z, ax, ay, az, along);
+        project(x, y, z, ex, ey, ez, slopesE);
+        project(x, y, z, fx, fy, fz, slopesF);
+        divide(slopesE, along);
+        divide(slopesF, along);
+    }
+
+    private static void project(double[] x, double[] y, double[] z, double ax, double ay, double az, double[] out) {
+        for (int k = 0; k < MOST; k++) {
+            out[k] = x[k] * ax + y[k] * ay + z[k] * az;
+        }
+    }
+
+    private static void divide(double[] numbers, double[] by) {
+        for (int k = 0; k < MOST; k++) {
+            numbers[k] /= by[k];
+        }
     }
 
     /** Takes the direction from a ray to the next one for one of the two across the middle; any where there is none. */

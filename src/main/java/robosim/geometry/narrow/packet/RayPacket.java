@@ -33,6 +33,9 @@ public final class RayPacket {
 
     private static final double LARGEST = 0x1p104;
 
+    /** A squared length is 1 for the slack if it is off by less. */
+    private static final double UNIT = 0x1p-40;
+
     /** The unit directions. */
     final double[] x = new double[MOST];
 
@@ -86,19 +89,29 @@ public final class RayPacket {
         place = size(ox, oy, oz);
         count = number;
         hasWorld = false;
-        for (int i = 0; i < MOST; i++) {
-            int k = at + 3 * Math.min(i, number - 1);
+        for (int i = 0, k = at; i < number; i++, k += 3) {
             double dx = directions[k];
             double dy = directions[k + 1];
             double dz = directions[k + 2];
-            double scale = 1 / VectorMath.largest(dx, dy, dz);
-            dx *= scale;
-            dy *= scale;
-            dz *= scale;
-            double inverse = 1 / VectorMath.length(dx, dy, dz);
-            x[i] = dx * inverse;
-            y[i] = dy * inverse;
-            z[i] = dz * inverse;
+            double square = dx * dx + dy * dy + dz * dz;
+            if (!(Math.abs(square - 1) < UNIT)) {
+                double scale = 1 / VectorMath.largest(dx, dy, dz);
+                dx *= scale;
+                dy *= scale;
+                dz *= scale;
+                double inverse = 1 / VectorMath.length(dx, dy, dz);
+                dx *= inverse;
+                dy *= inverse;
+                dz *= inverse;
+            }
+            x[i] = dx;
+            y[i] = dy;
+            z[i] = dz;
+        }
+        if (number < MOST) {
+            Arrays.fill(x, number, MOST, x[0]);
+            Arrays.fill(y, number, MOST, y[0]);
+            Arrays.fill(z, number, MOST, z[0]);
         }
     }
 
@@ -133,7 +146,7 @@ public final class RayPacket {
         return Lanes.most(near);
     }
 
-    /** The unit directions: X, Y or Z of each; the last one again where there are fewer. Read only. */
+    /** The unit directions: X, Y or Z of each; {@link #MOST} of them, with the first one again where there are fewer. Read only. */
     public double[] units(int axis) {
         return axis == 0 ? x : axis == 1 ? y : z;
     }
