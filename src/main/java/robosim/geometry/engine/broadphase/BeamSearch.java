@@ -124,6 +124,49 @@ public abstract class BeamSearch {
         searchBesideTree(view.own, reach, ignored);
     }
 
+    /** Adds the cone at hand to those that share what is around their place, or begins with it. */
+    public void share(Surroundings around, int cone, boolean isFirst) {
+        if (isFirst) {
+            around.start(ox, oy, oz);
+        }
+        setSides(halfSin);
+        if (leftX == 0 && leftZ == 0) {
+            around.add(cone);
+        } else {
+            // The sides are across the borders: half their sum is the axis, times the sine, and back.
+            double x = -(leftX + rightX) / 2;
+            double z = -(leftZ + rightZ) / 2;
+            double sine = Math.sqrt(x * x + z * z);
+            around.add(cone, x / sine, z / sine, Math.min(1, sine + 0x1p-40));
+        }
+    }
+
+    /**
+     * Searches a world along one of the cones that share what is around their place; past that, alone.
+     *
+     * @param cone its number among them
+     */
+    protected void searchAround(AccuracyView view, double limit, int ignored, Surroundings around, int cone) {
+        LeafTable own = view.own;
+        setSides(halfSin);
+        double slack = slack(own) + 0x1p-44 * Math.abs(oy);
+        double reach = limit;
+        double within = loose(reach, slack);
+        for (int k = 0; k < around.count() && around.distance(k) <= within; k++) {
+            int id = around.id(k);
+            if (around.mayMeet(k, cone) && id != ignored) {
+                LeafTable table = view.table(id);
+                if (coneMeets(table, id, within)) {
+                    reach = meet(table, id, reach);
+                    within = loose(reach, slack);
+                }
+            }
+        }
+        if (!(within <= around.complete())) {
+            search(view, reach, ignored);
+        }
+    }
+
     private double searchTrees(LeafTable table, double limit, int ignored) {
         SpaceIndex space = table.space;
         if (space != null) {

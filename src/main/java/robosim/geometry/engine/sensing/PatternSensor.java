@@ -3,6 +3,7 @@ package robosim.geometry.engine.sensing;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.PacketSearch;
+import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
@@ -32,6 +33,8 @@ public final class PatternSensor {
 
     /** Made for the first tile. */
     private @Nullable PacketSearch packets;
+
+    private @Nullable Surroundings surroundings;
 
     private final double[] vector = new double[3];
     private final double[] mount = new double[9];
@@ -225,8 +228,12 @@ public final class PatternSensor {
      * far to be searched together are parted.
      */
     private void answer(AccuracyView view, int from, int to) {
-        if (width > 0 || to - from < FEW || !PacketSearch.isFor(view)) {
-            answerOneByOne(view, from, to);
+        if (to - from < FEW || (width == 0 && !PacketSearch.isFor(view))) {
+            answerOneByOne(view, from, to, null);
+            return;
+        }
+        if (width > 0) {
+            answerOneByOne(view, from, to, around(view, from, to));
             return;
         }
         PacketSearch search = packets;
@@ -256,12 +263,32 @@ public final class PatternSensor {
         }
     }
 
-    private void answerOneByOne(AccuracyView view, int from, int to) {
+    /** What is around, for some cones; null where they do not look around. */
+    private @Nullable Surroundings around(AccuracyView view, int from, int to) {
+        Surroundings around = surroundings;
+        if (around == null) {
+            around = new Surroundings(objects);
+            surroundings = around;
+        }
         for (int k = from; k < to; k++) {
-            int at = 3 * k;
+            beam(k);
+            ranging.share(around, k, k == from);
+        }
+        return around.isAround() && around.open(view, max) ? around : null;
+    }
+
+    private void beam(int k) {
+        int at = 3 * k;
+        ranging.beam(dimension, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2], width);
+    }
+
+    private void answerOneByOne(AccuracyView view, int from, int to, @Nullable Surroundings around) {
+        for (int k = from; k < to; k++) {
             int beam = beams[k];
-            ranging.beam(dimension, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2], width);
-            double nearest = ranging.nearest(view, max, ignored);
+            beam(k);
+            double nearest = around == null
+                    ? ranging.nearest(view, max, ignored)
+                    : ranging.nearest(view, max, ignored, around, k);
             distances[beam] = nearest < min ? min : nearest;
             Echoes wanted = more;
             if (wanted != null) {
