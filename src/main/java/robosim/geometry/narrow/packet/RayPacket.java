@@ -24,7 +24,7 @@ public final class RayPacket {
     public static final int MOST = Lanes.COUNT;
 
     /** All of them. */
-    public static final long ALL = -1;
+    private static final long ALL = -1;
 
     private static final double SLACK = Filter.bound(0x1p-24);
 
@@ -188,7 +188,7 @@ public final class RayPacket {
         Lanes.slab(worldX, x, halfX + slack, enter, leave);
         Lanes.clip(worldY, y, halfY + slack, enter, leave);
         Lanes.clip(worldZ, z, halfZ + slack, enter, leave);
-        return Lanes.met(enter, leave, near);
+        return Lanes.met(enter, leave, near) & rays();
     }
 
     /**
@@ -198,14 +198,16 @@ public final class RayPacket {
         sure = 0;
         double[] row = column.rows(leaf);
         int at = column.at(leaf);
-        return switch (column.kind(leaf)) {
+        long met =
+                switch (column.kind(leaf)) {
             case UPRIGHT_BOX -> boxes(row, at, true);
             case BOX -> boxes(row, at, false);
             case SPHERE -> spheres(row, at);
             case UPRIGHT_CYLINDER -> cylinders(row, at, true);
             case CYLINDER -> cylinders(row, at, false);
-            case TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> rays();
+            case TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> ALL;
         };
+        return met & rays();
     }
 
     private static double size(double x, double y, double z) {
