@@ -206,7 +206,7 @@ public final class PacketSearch {
     }
 
     private boolean take(int ray, double found, int id, int leaf) {
-        if (found < best[ray] || (found == best[ray] && hit[ray] >= 0 && objects.isEarlier(id, hit[ray]))) {
+        if (found < best[ray] || (found == best[ray] && hit[ray] >= 0 && isBefore(ray, id, leaf))) {
             best[ray] = found;
             hit[ray] = id;
             hitLeaf[ray] = leaf;
@@ -214,6 +214,11 @@ public final class PacketSearch {
             return true;
         }
         return false;
+    }
+
+    /** Whether a leaf wins a tie: that of the object added first, and there the first one. */
+    private boolean isBefore(int ray, int id, int leaf) {
+        return id == hit[ray] ? leaf < hitLeaf[ray] : objects.isEarlier(id, hit[ray]);
     }
 
     private void shorten(int ray, double limit) {
