@@ -55,18 +55,17 @@ class TogetherTest {
 
     /** Solids on a grid, upright or at quarter turns, some at one place. */
     private GeometryObject solid(Point at) {
-        GeometryObject solid =
-                switch (random.nextInt(5)) {
-                    case 0 -> new CylinderObject(at, size() / 2, size());
-                    case 1 -> new SphereObject(at, size() / 2);
-                    case 2 -> new CapsuleObject(at, size() / 4, size() / 2);
-                    case 3 ->
-                        new ObjectGroup(List.of(
-                                        new BoxObject(new Point(), scale, 2 * scale, scale),
-                                        new BoxObject(new Point(scale, 0, 0), scale, scale, scale)))
-                                .movedTo(at);
-                    default -> new BoxObject(at, size(), size(), size());
-                };
+        GeometryObject solid = switch (random.nextInt(5)) {
+            case 0 -> new CylinderObject(at, size() / 2, size());
+            case 1 -> new SphereObject(at, size() / 2);
+            case 2 -> new CapsuleObject(at, size() / 4, size() / 2);
+            case 3 ->
+                new ObjectGroup(List.of(
+                                new BoxObject(new Point(), scale, 2 * scale, scale),
+                                new BoxObject(new Point(scale, 0, 0), scale, scale, scale)))
+                        .movedTo(at);
+            default -> new BoxObject(at, size(), size(), size());
+        };
         int turns = random.nextInt(6);
         return turns < 3 ? solid : turns == 3 ? solid.turned(0, 45) : solid.turned(90, 90 * turns);
     }
@@ -175,7 +174,10 @@ class TogetherTest {
                         assertThat(distances.distance(k)).isEqualTo(out.distance(k));
                         assertThat(distances.object(k) == null).isEqualTo(out.object(k) == null);
                         assertThat(distances.object(k) == null
-                                        || distances.object(k).name().equals(out.object(k).name()))
+                                        || distances
+                                                .object(k)
+                                                .name()
+                                                .equals(out.object(k).name()))
                                 .isTrue();
                     }
                 }
@@ -227,7 +229,12 @@ class TogetherTest {
 
     @ParameterizedTest
     @CsvSource({
-        "SPATIAL, 0, 300", "PLANAR, 0, 300", "SPATIAL, 30, 60", "PLANAR, -30, 60", "PLANAR, -300, 40", "SPATIAL, 0, 4",
+        "SPATIAL, 0, 300",
+        "PLANAR, 0, 300",
+        "SPATIAL, 30, 60",
+        "PLANAR, -30, 60",
+        "PLANAR, -300, 40",
+        "SPATIAL, 0, 4",
         "PLANAR, 0, 4"
     })
     void conesAsOneByOne(Dimension dimension, int power, int count) {
@@ -272,8 +279,7 @@ class TogetherTest {
         for (int k = 0; k < 300; k++) {
             double angle = random.nextDouble(2 * Math.PI);
             double far = scale * random.nextDouble(0.3, 0.9);
-            Point there = new Point(
-                    at.x() + far * StrictMath.cos(angle), at.y(), at.z() + far * StrictMath.sin(angle));
+            Point there = new Point(at.x() + far * StrictMath.cos(angle), at.y(), at.z() + far * StrictMath.sin(angle));
             world.addObjectUnchecked(new SphereObject(there, scale * 0.02));
         }
     }
@@ -291,7 +297,8 @@ class TogetherTest {
         try {
             for (int threads = 1; threads < 4; threads++) {
                 SenseOptions options = SenseOptions.range(0, 50).withThreads(threads);
-                pool.submit(() -> snapshot.sense(pose, camera, options, distances)).get();
+                pool.submit(() -> snapshot.sense(pose, camera, options, distances))
+                        .get();
                 for (int k = 0; k < truth.length; k++) {
                     assertThat(distances.distance(k)).isEqualTo(truth[k]);
                 }

@@ -18,6 +18,12 @@ public abstract class BeamSearch {
     /** How many objects are remembered that a ray has been tried on. */
     private static final int RECENT = 8;
 
+    /** A box that nothing meets. */
+    private static final double[] NOTHING = {
+        Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
+    };
+
     private final ObjectTable objects;
     private final Cast cast;
 
@@ -42,6 +48,9 @@ public abstract class BeamSearch {
     private final long[] recent = new long[RECENT];
 
     private long query;
+
+    /** A box, of which all objects that meet it have been looked at. */
+    private double[] done = NOTHING;
 
     /** A search along the line of a cast. */
     protected BeamSearch(ObjectTable objects, Cast cast) {
@@ -163,7 +172,9 @@ public abstract class BeamSearch {
             }
         }
         if (!(within <= around.complete())) {
+            done = around.box();
             search(view, reach, ignored);
+            done = NOTHING;
         }
     }
 
@@ -191,7 +202,9 @@ public abstract class BeamSearch {
         double reach = limit;
         for (int k = 0; k < movers; k++) {
             int id = objects.mover(k);
-            if (id != ignored && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
+            if (id != ignored
+                    && !table.meets(id, done)
+                    && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
                 reach = meet(table, id, reach);
             }
         }
@@ -245,7 +258,7 @@ public abstract class BeamSearch {
                 local >= 0;
                 local = cursor.nextInSector(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored) {
+            if (id != ignored && !table.meets(id, done)) {
                 reach = meet(table, id, reach);
             }
         }
@@ -289,7 +302,7 @@ public abstract class BeamSearch {
         cursor.start(space.still, space.moving);
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored) {
+            if (id != ignored && !table.meets(id, done)) {
                 reach = meet(table, id, reach);
             }
         }

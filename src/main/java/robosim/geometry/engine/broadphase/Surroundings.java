@@ -13,10 +13,10 @@ public final class Surroundings {
     public static final int MOST = Long.SIZE;
 
     /** The most objects that are kept; a cone that looks past them is searched alone. */
-    private static final int MOST_FOUND = 64;
+    private static final int MOST_FOUND = 32;
 
     /** Where fewer are found, the next time it is looked farther. */
-    private static final int FEW = 16;
+    private static final int FEW = 12;
 
     /** How often it is looked less far before that is given up; the next time goes on there. */
     private static final int TRIES = 4;
@@ -176,6 +176,11 @@ public final class Surroundings {
     /** Up to where no object is left out. */
     double complete() {
         return complete;
+    }
+
+    /** All objects that meet this box were found. */
+    double[] box() {
+        return box;
     }
 
     int id(int number) {

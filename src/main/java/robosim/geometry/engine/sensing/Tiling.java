@@ -42,8 +42,9 @@ final class Tiling {
         int row = (of.rows() - 2) / 2;
         int column = Math.max(0, (of.columns() - 2) / 2);
         double down = angle(of, row * of.columns() + column, (row + 1) * of.columns() + column);
-        double along =
-                of.columns() == 1 ? Double.POSITIVE_INFINITY : angle(of, row * of.columns() + column, row * of.columns() + column + 1);
+        double along = of.columns() == 1
+                ? Double.POSITIVE_INFINITY
+                : angle(of, row * of.columns() + column, row * of.columns() + column + 1);
         int best = 1;
         double least = Double.POSITIVE_INFINITY;
         for (int high = 1; high <= MOST && high < 2 * of.rows(); high *= 2) {

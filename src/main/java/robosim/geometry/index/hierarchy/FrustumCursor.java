@@ -216,14 +216,7 @@ public final class FrustumCursor {
     private void side(Plane to, double nx, double ny, double nz, double most, double ox, double oy, double oz) {
         double slope = most + WIDER;
         double scale = 1 / Math.sqrt(1 + slope * slope);
-        to.set(
-                (nx - slope * ax) * scale,
-                (ny - slope * ay) * scale,
-                (nz - slope * az) * scale,
-                ox,
-                oy,
-                oz,
-                pad);
+        to.set((nx - slope * ax) * scale, (ny - slope * ay) * scale, (nz - slope * az) * scale, ox, oy, oz, pad);
     }
 
     /** Starts to follow the rays through a hierarchy. */

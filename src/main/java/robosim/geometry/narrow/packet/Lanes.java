@@ -69,7 +69,8 @@ final class Lanes {
     }
 
     /** How far ahead a point is along each ray, which begins at 0. */
-    static void ahead(double[] x, double[] y, double[] z, double mx, double my, double mz, double[] ahead, double[] aside) {
+    static void ahead(
+            double[] x, double[] y, double[] z, double mx, double my, double mz, double[] ahead, double[] aside) {
         for (int i = 0; i < COUNT; i++) {
             double along = x[i] * mx + y[i] * my + z[i] * mz;
             double ex = mx - along * x[i];

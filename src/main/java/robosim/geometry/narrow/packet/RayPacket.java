@@ -198,8 +198,7 @@ public final class RayPacket {
         sure = 0;
         double[] row = column.rows(leaf);
         int at = column.at(leaf);
-        long met =
-                switch (column.kind(leaf)) {
+        long met = switch (column.kind(leaf)) {
             case UPRIGHT_BOX -> boxes(row, at, true);
             case BOX -> boxes(row, at, false);
             case SPHERE -> spheres(row, at);

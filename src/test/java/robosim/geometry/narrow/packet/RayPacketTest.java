@@ -48,16 +48,13 @@ class RayPacketTest {
         double a = isOnGrid ? random.nextInt(9) / 8.0 : random.nextDouble(0.1, 1);
         double b = isOnGrid ? random.nextInt(9) / 8.0 : random.nextDouble(0.1, 1);
         double c = isOnGrid ? random.nextInt(9) / 8.0 : random.nextDouble(0.1, 1);
-        Point center = isOnGrid
-                ? new Point(dyadic(3), dyadic(3), dyadic(3))
-                : new Point(any(3), any(3), any(3));
-        GeometryObject solid =
-                switch (kind) {
-                    case 0 -> new BoxObject(center, 2 * a, 2 * b, 2 * c);
-                    case 1 -> new CylinderObject(center, a, 2 * b);
-                    case 2 -> new SphereObject(center, a);
-                    default -> new CapsuleObject(center, a, 2 * b);
-                };
+        Point center = isOnGrid ? new Point(dyadic(3), dyadic(3), dyadic(3)) : new Point(any(3), any(3), any(3));
+        GeometryObject solid = switch (kind) {
+            case 0 -> new BoxObject(center, 2 * a, 2 * b, 2 * c);
+            case 1 -> new CylinderObject(center, a, 2 * b);
+            case 2 -> new SphereObject(center, a);
+            default -> new CapsuleObject(center, a, 2 * b);
+        };
         return switch (random.nextInt(4)) {
             case 0 -> solid;
             case 1 -> solid.turned(0, isOnGrid ? 45 : any(180));
@@ -147,8 +144,8 @@ class RayPacketTest {
             } else if (packet.isSure(ray)) {
                 sure++;
                 if (!(packet.low(ray) > 0 && packet.low(ray) <= distance && distance <= packet.high(ray))) {
-                    throw new AssertionError(paste(
-                            "between " + packet.low(ray) + " and " + packet.high(ray), column, ray, distance));
+                    throw new AssertionError(
+                            paste("between " + packet.low(ray) + " and " + packet.high(ray), column, ray, distance));
                 }
             } else {
                 left++;
