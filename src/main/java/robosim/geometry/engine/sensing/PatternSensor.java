@@ -24,6 +24,7 @@ public final class PatternSensor {
     private static final int FEW = 4;
 
     private static final double[] NO_NORMAL = new double[3];
+    private static final double[] NONE = new double[0];
 
     private final Dimension dimension;
     private final ObjectTable objects;
@@ -41,12 +42,12 @@ public final class PatternSensor {
     private final ScanDirections scans = new ScanDirections();
 
     /** The directions of the tile in the world, three numbers each; made for the first one, as many worlds have no sensor. */
-    private double[] directions = new double[0];
+    private double[] directions = NONE;
 
     /** By beam of the tile, where its answer is to stand. */
     private int[] beams = new int[0];
 
-    private double[] distances = new double[0];
+    private double[] distances = NONE;
 
     /** What takes more than distances; null if nothing does. */
     private @Nullable Echoes more;
@@ -191,6 +192,7 @@ public final class PatternSensor {
             }
             answer(view, 0, count);
         }
+        distances = NONE; // the array is the caller's
     }
 
     private void reserve() {

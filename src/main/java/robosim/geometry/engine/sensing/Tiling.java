@@ -1,6 +1,5 @@
 package robosim.geometry.engine.sensing;
 
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.RayPattern;
 
@@ -12,8 +11,6 @@ final class Tiling {
     /** The most beams in a tile; a power of two. */
     static final int MOST = 64;
 
-    private @Nullable RayPattern pattern;
-
     /** Beams of a tile along a row, but for the last ones; and rows. */
     private int width;
 
@@ -24,12 +21,9 @@ final class Tiling {
 
     /** Takes a pattern; answers the number of its tiles, which is always the same. */
     int cut(RayPattern of) {
-        if (pattern != of) {
-            pattern = of;
-            height = of.rows() == 1 ? 1 : height(of);
-            width = MOST / height;
-            across = parts(of.columns(), width);
-        }
+        height = of.rows() == 1 ? 1 : height(of);
+        width = MOST / height;
+        across = parts(of.columns(), width);
         return across * parts(of.rows(), height);
     }
 
