@@ -16,8 +16,8 @@ import robosim.geometry.model.SenseOptions;
  * thread takes one.
  */
 final class Crew {
-    /** Beams that a thread takes at once. */
-    private static final int BEAMS = 256;
+    /** Tiles of beams that a thread takes at once. */
+    private static final int TILES = 4;
 
     /** Poses or edges that a thread takes at once: whole elements of the array of bits. */
     private static final int BITS = 4 * Long.SIZE;
@@ -76,9 +76,10 @@ final class Crew {
         try {
             world.mountSensor(name, pose);
             Echoes echoes = world.prepareSensor(pattern, options, out);
-            int parts = parts(pattern.size(), BEAMS);
+            int tiles = world.sensorTiles(pattern);
+            int parts = parts(tiles, TILES);
             if (Math.min(parts, options.threads()) == 1) {
-                world.senseSome(pattern, options, echoes, 0, pattern.size());
+                world.senseSome(pattern, options, echoes, 0, tiles);
             } else {
                 new CopiedWork(parts) {
                     @Override
@@ -90,8 +91,8 @@ final class Crew {
 
                     @Override
                     void part(Geometry copy, int part) {
-                        int from = part * BEAMS;
-                        copy.senseSome(pattern, options, echoes, from, Math.min(from + BEAMS, pattern.size()));
+                        int from = part * TILES;
+                        copy.senseSome(pattern, options, echoes, from, Math.min(from + TILES, tiles));
                     }
                 }.run(world, options.threads());
             }

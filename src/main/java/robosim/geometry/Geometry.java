@@ -152,7 +152,7 @@ public final class Geometry {
         view = registry.view;
         BeamQuery ranging = new BeamQuery(objects, scratch);
         beams = new Beams(dimension, objects, ranging);
-        sensor = new PatternSensor(dimension, objects, ranging);
+        sensor = new PatternSensor(dimension, objects, ranging, scratch);
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(objects, registry.worldBounds, scratch);
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
@@ -510,7 +510,7 @@ public final class Geometry {
 
     private void sense(RayPattern pattern, SenseOptions options, SenseBuffer out) {
         Echoes echoes = prepareSensor(pattern, options, out);
-        sensor.sense(view, pattern, options, echoes, 0, pattern.size());
+        sensor.sense(view, pattern, options, echoes, 0, sensor.tiles(pattern));
         PatternSensor.finish(pattern, echoes);
     }
 
@@ -532,7 +532,12 @@ public final class Geometry {
         return echoes;
     }
 
-    /** Answers some beams of the sensor. */
+    /** The number of tiles in a pattern of the sensor. */
+    int sensorTiles(RayPattern pattern) {
+        return sensor.tiles(pattern);
+    }
+
+    /** Answers some tiles of the sensor. */
     void senseSome(RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
         sensor.sense(view, pattern, options, out, from, to);
     }

@@ -62,7 +62,7 @@ public final class Questions {
     }
 
     private static final LeafKind[] KINDS =
-            Arrays.stream(LeafKind.values()).filter(kind -> !kind.isMesh()).toArray(LeafKind[]::new);
+            Arrays.stream(LeafKind.values()).filter(kind -> !kind.hasPieces()).toArray(LeafKind[]::new);
 
     private final Scratch scratch = new Scratch();
     private final NearContacts pairs = new NearContacts();

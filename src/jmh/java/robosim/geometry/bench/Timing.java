@@ -9,7 +9,7 @@ final class Timing {
     private Timing() {}
 
     /**
-     * Runs each task so many times in turn after as many unmeasured rounds as warm it up.
+     * Runs each task so many times in turn after as many unmeasured rounds as warm it up; by the clock of {@link Workload#now}.
      *
      * @return the nanoseconds of each round, by task; a task answers a number, so that its work can not be left out
      */
@@ -18,9 +18,9 @@ final class Timing {
         long sum = 0;
         for (int round = -warmUp; round < rounds; round++) {
             for (int task = 0; task < tasks.length; task++) {
-                long start = System.nanoTime();
+                long start = Workload.now();
                 sum += tasks[task].getAsLong();
-                long end = System.nanoTime();
+                long end = Workload.now();
                 if (round >= 0) {
                     nanos[task][round] = end - start;
                 }

@@ -47,7 +47,7 @@ final class Workload {
     }
 
     /** Time, or with -Dclock=cpu what the thread has had of it: for a look at a machine that is busy with other things. */
-    private static long now() {
+    static long now() {
         return IS_CPU ? ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() : System.nanoTime();
     }
 

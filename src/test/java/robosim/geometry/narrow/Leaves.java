@@ -10,7 +10,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 public final class Leaves {
     /** The convex kinds. */
     public static final LeafKind[] KINDS =
-            Arrays.stream(LeafKind.values()).filter(kind -> !kind.isMesh()).toArray(LeafKind[]::new);
+            Arrays.stream(LeafKind.values()).filter(kind -> !kind.hasPieces()).toArray(LeafKind[]::new);
 
     private Leaves() {}
 

@@ -18,6 +18,12 @@ public abstract class BeamSearch {
     /** How many objects are remembered that a ray has been tried on. */
     private static final int RECENT = 8;
 
+    /** A box that nothing meets. */
+    private static final double[] NOTHING = {
+        Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
+    };
+
     private final ObjectTable objects;
     private final Cast cast;
 
@@ -42,6 +48,9 @@ public abstract class BeamSearch {
     private final long[] recent = new long[RECENT];
 
     private long query;
+
+    /** A box, of which all objects that meet it have been looked at. */
+    private double[] done = NOTHING;
 
     /** A search along the line of a cast. */
     protected BeamSearch(ObjectTable objects, Cast cast) {
@@ -133,6 +142,51 @@ public abstract class BeamSearch {
         return searchBesideTree(table, searchTrees(table, reach, ignored), ignored);
     }
 
+    /** Adds the cone at hand to those that share what is around their place, or begins with it. */
+    public void share(Surroundings around, int cone, boolean isFirst) {
+        if (isFirst) {
+            around.start(ox, oy, oz);
+        }
+        setSides(halfSin);
+        if (leftX == 0 && leftZ == 0) {
+            around.add(cone);
+        } else {
+            // The sides are across the borders: half their sum is the axis, times the sine, and back.
+            double x = -(leftX + rightX) / 2;
+            double z = -(leftZ + rightZ) / 2;
+            double sine = Math.sqrt(x * x + z * z);
+            around.add(cone, x / sine, z / sine, Math.min(1, sine + 0x1p-40));
+        }
+    }
+
+    /**
+     * Searches a world along one of the cones that share what is around their place; past that, alone.
+     *
+     * @param cone its number among them
+     */
+    protected void searchAround(AccuracyView view, double limit, int ignored, Surroundings around, int cone) {
+        LeafTable own = view.own;
+        setSides(halfSin);
+        double slack = slack(own) + 0x1p-44 * Math.abs(oy);
+        double reach = limit;
+        double within = loose(reach, slack);
+        for (int k = 0; k < around.count() && around.distance(k) <= within; k++) {
+            int id = around.id(k);
+            if (around.mayMeet(k, cone) && id != ignored) {
+                LeafTable table = view.table(id);
+                if (coneMeets(table, id, within)) {
+                    reach = meet(table, id, reach);
+                    within = loose(reach, slack);
+                }
+            }
+        }
+        if (!(within <= around.complete())) {
+            done = around.box();
+            search(view, reach, ignored);
+            done = NOTHING;
+        }
+    }
+
     private double searchTrees(LeafTable table, double limit, int ignored) {
         SpaceIndex space = table.space;
         if (space != null) {
@@ -157,7 +211,9 @@ public abstract class BeamSearch {
         double reach = limit;
         for (int k = 0; k < count; k++) {
             int id = objects.mover(k);
-            if (id != ignored && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
+            if (id != ignored
+                    && !table.meets(id, done)
+                    && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
                 reach = meet(table, id, reach);
             }
         }
@@ -212,7 +268,7 @@ public abstract class BeamSearch {
                 local >= 0;
                 local = cursor.nextInSector(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored) {
+            if (id != ignored && !table.meets(id, done)) {
                 reach = meet(table, id, reach);
             }
         }
@@ -256,7 +312,7 @@ public abstract class BeamSearch {
         cursor.start(space.still, space.moving);
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored) {
+            if (id != ignored && !table.meets(id, done)) {
                 reach = meet(table, id, reach);
             }
         }

@@ -1,5 +1,6 @@
 package robosim.geometry.engine.motion;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.exact.VectorMath;
@@ -11,7 +12,6 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
 final class EnclosureTurn {
     private final Leg leg;
-    private final GridWalk walk = new GridWalk();
     private final double[] atStart = new double[6];
     private final double[] swept = new double[6];
 
@@ -22,6 +22,9 @@ final class EnclosureTurn {
     private final double[] bounds = new double[6];
 
     private final double[] octagon = new double[4];
+
+    /** Made for the first grid. */
+    private @Nullable GridWalk walk;
 
     private AccuracyView view;
     private int piece;
@@ -66,6 +69,11 @@ final class EnclosureTurn {
             swept[4] = Double.POSITIVE_INFINITY;
         }
         double least = Double.POSITIVE_INFINITY;
+        GridWalk walk = this.walk;
+        if (walk == null) {
+            walk = new GridWalk();
+            this.walk = walk;
+        }
         walk.startBox(leaves, leaf, swept);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
             LeafColumn own = walk.piece(cell, leg.atStart.kind(0));

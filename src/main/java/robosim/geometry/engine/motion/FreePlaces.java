@@ -1,5 +1,6 @@
 package robosim.geometry.engine.motion;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -21,14 +22,18 @@ public final class FreePlaces {
 
     private final ObjectRegistry registry;
     private final Motion motion;
-    private final EdgeFastPath fastPath;
+    private final Scratch scratch;
+
+    /** Made for the first edge, as many worlds are asked about none. */
+    private @Nullable EdgeFastPath fastPath;
+
     private final double[] place = new double[ObjectTable.PLACE];
 
     /** The heading of the place as it was given. */
     private double heading = Double.NaN;
 
     public FreePlaces(ObjectRegistry registry, Motion motion, Scratch scratch) {
-        fastPath = new EdgeFastPath(registry.objects, registry.worldBounds, scratch);
+        this.scratch = scratch;
         this.registry = registry;
         this.motion = motion;
         System.arraycopy(Attitude.identity(), 0, place, 3, Attitude.STRIDE);
@@ -116,11 +121,12 @@ public final class FreePlaces {
 
     /** The same for edges along which it touches nothing. */
     public int edges(AccuracyView view, int id, double[] edges, int from, int to, long[] free) {
+        EdgeFastPath quick = fastPath();
         int found = 0;
         for (int first = from; first < to; first += Long.SIZE) {
             long bits = 0;
             for (int k = first; k < Math.min(first + Long.SIZE, to); k++) {
-                bits |= isFree(view, id, edges, EDGE * k) ? 1L << k : 0;
+                bits |= isFree(quick, view, id, edges, EDGE * k) ? 1L << k : 0;
             }
             free[first / Long.SIZE] = bits;
             found += Long.bitCount(bits);
@@ -128,15 +134,24 @@ public final class FreePlaces {
         return found;
     }
 
-    private boolean isFree(AccuracyView view, int id, double[] edges, int at) {
+    private EdgeFastPath fastPath() {
+        EdgeFastPath made = fastPath;
+        if (made == null) {
+            made = new EdgeFastPath(registry.objects, registry.worldBounds, scratch);
+            fastPath = made;
+        }
+        return made;
+    }
+
+    private boolean isFree(EdgeFastPath quick, AccuracyView view, int id, double[] edges, int at) {
         take(edges, at);
         double dx = edges[at + POSE] - place[0];
         double dy = edges[at + POSE + 1] - place[1];
         double dz = edges[at + POSE + 2] - place[2];
         double degrees = edges[at + POSE + 3] - edges[at + 3];
-        int quick = fastPath.ask(view, id, place, dx, dy, dz, degrees);
-        if (quick != PlainCells.UNSURE) {
-            return quick == PlainCells.PAST;
+        int verdict = quick.ask(view, id, place, dx, dy, dz, degrees);
+        if (verdict != PlainCells.UNSURE) {
+            return verdict == PlainCells.PAST;
         }
         return registry.fitsAt(id, place)
                 && !registry.collidesAt(view, id, place)

@@ -3,6 +3,7 @@ package robosim.geometry.engine.sensing;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.BeamSearch;
 import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
@@ -73,6 +74,18 @@ public final class BeamQuery extends BeamSearch {
         hit = -1;
         best = Double.POSITIVE_INFINITY;
         search(view, limit, ignored);
+        return nearest(limit);
+    }
+
+    /** The same for one of the cones that share what is around their place. */
+    double nearest(AccuracyView view, double limit, int ignored, Surroundings around, int cone) {
+        hit = -1;
+        best = Double.POSITIVE_INFINITY;
+        searchAround(view, limit, ignored, around, cone);
+        return nearest(limit);
+    }
+
+    private double nearest(double limit) {
         if (best <= limit) {
             return best;
         }

@@ -2,6 +2,8 @@ package robosim.geometry.engine.sensing;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.PacketSearch;
+import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
@@ -9,26 +11,46 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
+import robosim.geometry.narrow.Scratch;
 
 /**
- * All beams of a pattern from one place. They are answered tile by tile: the directions of a tile are known before the
- * first of its beams is asked, so that what they share may be found once.
+ * All beams of a pattern from one place. They are answered tile by tile, and what the beams of a tile share is found once:
+ * rays in a world with heights are one {@link PacketSearch}.
  */
 public final class PatternSensor {
-    /** So many beams are aimed at once. */
-    private static final int TILE = 64;
+    private static final int TILE = Tiling.MOST;
+
+    /** Fewer rays are answered one by one just as fast. */
+    private static final int FEW = 4;
 
     private static final double[] NO_NORMAL = new double[3];
+    private static final double[] NONE = new double[0];
 
     private final Dimension dimension;
     private final ObjectTable objects;
     private final BeamQuery ranging;
+    private final Scratch scratch;
+    private final Tiling tiling = new Tiling();
+
+    /** Made for the first tile. */
+    private @Nullable PacketSearch packets;
+
+    private @Nullable Surroundings surroundings;
+
     private final double[] vector = new double[3];
     private final double[] mount = new double[9];
     private final ScanDirections scans = new ScanDirections();
 
     /** The directions of the tile in the world, three numbers each; made for the first one, as many worlds have no sensor. */
-    private double[] directions = new double[0];
+    private double[] directions = NONE;
+
+    /** By beam of the tile, where its answer is to stand. */
+    private int[] beams = new int[0];
+
+    private double[] distances = NONE;
+
+    /** What takes more than distances; null if nothing does. */
+    private @Nullable Echoes more;
 
     /** Where all beams begin. */
     private double ox;
@@ -47,10 +69,11 @@ public final class PatternSensor {
     /** The object that does not echo; -1 for none. */
     private int ignored;
 
-    public PatternSensor(Dimension dimension, ObjectTable objects, BeamQuery ranging) {
+    public PatternSensor(Dimension dimension, ObjectTable objects, BeamQuery ranging, Scratch scratch) {
         this.dimension = dimension;
         this.objects = objects;
         this.ranging = ranging;
+        this.scratch = scratch;
     }
 
     /** Takes a sensor that is mounted on a moveable object, in its own frame. */
@@ -98,7 +121,10 @@ public final class PatternSensor {
 
     private void checkLevel(RayPattern pattern) {
         for (int first = 0; first < pattern.size(); first += TILE) {
-            int count = aim(pattern, first, pattern.size());
+            int count = Math.min(TILE, pattern.size() - first);
+            reserve();
+            pattern.directions(first, count, directions, 0);
+            turn(count);
             for (int at = 0; at < 3 * count; at += 3) {
                 if (directions[at] == 0 && directions[at + 2] == 0) {
                     throw Beams.vertical(
@@ -108,15 +134,25 @@ public final class PatternSensor {
         }
     }
 
-    /** Answers the beams from one up to another, which is not among them. */
+    /** The number of tiles in a pattern. */
+    public int tiles(RayPattern pattern) {
+        return tiling.cut(pattern);
+    }
+
+    /** Answers the tiles from one up to another, which is not among them. */
     public void sense(AccuracyView view, RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
         min = options.min();
         max = options.max();
         width = options.width();
         ignored = options.carrier() == SenseOptions.Carrier.IGNORED ? carrier : -1;
-        Echoes more = out.hasObjects() || out.hasNormals() ? out : null;
-        for (int first = from; first < to; first += TILE) {
-            answer(view, aim(pattern, first, to), out.distances(), first, more);
+        more = out.hasObjects() || out.hasNormals() ? out : null;
+        distances = out.distances();
+        reserve();
+        tiling.cut(pattern);
+        for (int tile = from; tile < to; tile++) {
+            int count = tiling.take(pattern, tile, directions, beams);
+            turn(count);
+            answer(view, 0, count);
         }
     }
 
@@ -142,6 +178,8 @@ public final class PatternSensor {
         max = most;
         width = 0;
         ignored = id;
+        more = null;
+        distances = out;
         reserve();
         for (int first = 0; first < out.length; first += TILE) {
             int count = Math.min(TILE, out.length - first);
@@ -150,22 +188,22 @@ public final class PatternSensor {
                 objects.toWorld(id, scans.x(), 0, scans.z(), vector);
                 Beams.checkLevel(dimension, vector[0], vector[1], vector[2]);
                 System.arraycopy(vector, 0, directions, 3 * k, 3);
+                beams[k] = first + k;
             }
-            answer(view, count, out, first, null);
+            answer(view, 0, count);
         }
+        distances = NONE; // the array is the caller's
     }
 
     private void reserve() {
         if (directions.length == 0) {
             directions = new double[3 * TILE];
+            beams = new int[TILE];
         }
     }
 
-    /** Turns the directions of a tile to the world's axes; answers how many there are. */
-    private int aim(RayPattern pattern, int first, int to) {
-        int count = Math.min(TILE, to - first);
-        reserve();
-        pattern.directions(first, count, directions, 0);
+    /** Turns the directions of a tile to the world's axes. */
+    private void turn(int count) {
         for (int at = 0; at < 3 * count; at += 3) {
             double x = directions[at];
             double y = directions[at + 1];
@@ -185,37 +223,93 @@ public final class PatternSensor {
                 directions[at + 2] = ownZ;
             }
         }
-        return count;
     }
 
     /**
-     * Answers the beams of the tile that was aimed last.
-     *
-     * @param first the first of them, where the answers begin
-     * @param more  takes more than distances; null if nothing does
+     * Answers beams of the tile that was aimed last, from one up to another, which is not among them. Rays that spread too
+     * far to be searched together are parted.
      */
-    private void answer(AccuracyView view, int count, double[] distances, int first, @Nullable Echoes more) {
-        for (int k = 0; k < count; k++) {
-            int at = 3 * k;
-            ranging.beam(dimension, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2], width);
-            double nearest = ranging.nearest(view, max, ignored);
-            distances[first + k] = nearest < min ? min : nearest;
-            if (more != null) {
-                note(view, more, first + k, nearest);
+    private void answer(AccuracyView view, int from, int to) {
+        if (to - from < FEW || (width == 0 && !PacketSearch.isFor(view))) {
+            answerOneByOne(view, from, to, null);
+            return;
+        }
+        if (width > 0) {
+            answerOneByOne(view, from, to, around(view, from, to));
+            return;
+        }
+        PacketSearch search = packets;
+        if (search == null) {
+            search = new PacketSearch(objects, scratch);
+            packets = search;
+        }
+        if (!search.aim(ox, oy, oz, directions, 3 * from, to - from)) {
+            int middle = (from + to) / 2;
+            answer(view, from, middle);
+            answer(view, middle, to);
+            return;
+        }
+        search.search(view, max, ignored);
+        for (int k = from; k < to; k++) {
+            int beam = beams[k];
+            double nearest = search.nearest(k - from);
+            distances[beam] = nearest < min ? min : nearest;
+            Echoes wanted = more;
+            if (wanted != null) {
+                int hit = search.hit(k - from);
+                if (hit >= 0 && wanted.hasNormals()) {
+                    search.normal(view, k - from, vector);
+                }
+                note(wanted, beam, hit);
             }
         }
     }
 
-    private void note(AccuracyView view, Echoes out, int beam, double nearest) {
-        int hit = ranging.hit();
+    /** What is around, for some cones; null where they do not look around. */
+    private @Nullable Surroundings around(AccuracyView view, int from, int to) {
+        Surroundings around = surroundings;
+        if (around == null) {
+            around = new Surroundings(objects);
+            surroundings = around;
+        }
+        for (int k = from; k < to; k++) {
+            beam(k);
+            ranging.share(around, k, k == from);
+        }
+        return around.isAround() && around.open(view, max) ? around : null;
+    }
+
+    private void beam(int k) {
+        int at = 3 * k;
+        ranging.beam(dimension, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2], width);
+    }
+
+    private void answerOneByOne(AccuracyView view, int from, int to, @Nullable Surroundings around) {
+        for (int k = from; k < to; k++) {
+            int beam = beams[k];
+            beam(k);
+            double nearest = around == null
+                    ? ranging.nearest(view, max, ignored)
+                    : ranging.nearest(view, max, ignored, around, k);
+            distances[beam] = nearest < min ? min : nearest;
+            Echoes wanted = more;
+            if (wanted != null) {
+                int hit = ranging.hit();
+                if (hit >= 0 && wanted.hasNormals()) {
+                    ranging.normal(view, nearest, vector);
+                }
+                note(wanted, beam, hit);
+            }
+        }
+    }
+
+    /** Notes what was hit, and the normal at hand. */
+    private void note(Echoes out, int beam, int hit) {
         if (out.hasObjects()) {
             out.object(beam, objects, hit);
         }
-        if (out.hasNormals() && hit >= 0) {
-            ranging.normal(view, nearest, vector);
-            out.normal(beam, vector);
-        } else if (out.hasNormals()) {
-            out.normal(beam, NO_NORMAL);
+        if (out.hasNormals()) {
+            out.normal(beam, hit >= 0 ? vector : NO_NORMAL);
         }
     }
 

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow.leaf;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Working memory of kernels, so that a query allocates nothing; each package extends the scratch of the packages below.
  * One instance for each owner of queries, never shared between threads.
@@ -9,12 +11,23 @@ public class LeafScratch {
     public final MeshWalk inner = new MeshWalk();
     public final MeshWalk around = new MeshWalk();
 
-    private final GridWalk cells = new GridWalk();
-    private final GridWalk cellsOfGrid = new GridWalk();
+    // Most worlds have no grid, and no two that are compared.
+    private @Nullable GridWalk cells;
+    private @Nullable GridWalk cellsOfGrid;
 
     /** Walks a grid for a leaf of a kind: another one than for its cells where that is a grid, too. */
     public GridWalk cells(LeafKind kind) {
-        return kind.isGrid() ? cellsOfGrid : cells;
+        GridWalk walk = kind.isGrid() ? cellsOfGrid : cells;
+        if (walk != null) {
+            return walk;
+        }
+        GridWalk made = new GridWalk();
+        if (kind.isGrid()) {
+            cellsOfGrid = made;
+        } else {
+            cells = made;
+        }
+        return made;
     }
 
     /** A placed triangle of the first and of the second mesh, as leaf rows. */
