@@ -56,7 +56,11 @@ class GridContactsTest {
             case 5 -> new ObjectGroup(List.of(box, new SphereObject(new Point(1, 0, 0), 0.5)));
             default ->
                 new MeshObject(
-                        List.of(new Point(-1, -1, 0), new Point(1, -1, 0.2), new Point(1, 1, 0), new Point(-1, 1, size)),
+                        List.of(
+                                new Point(-1, -1, 0),
+                                new Point(1, -1, 0.2),
+                                new Point(1, 1, 0),
+                                new Point(-1, 1, size)),
                         new int[][] {{0, 1, 2, 3}});
         };
         Point place = random.nextBoolean()
@@ -71,8 +75,7 @@ class GridContactsTest {
         return new ContactPart(cell, member.face(), member.half());
     }
 
-    private static List<Contact> inCells(
-            List<Contact> contacts, @Nullable GridObject ofA, @Nullable GridObject ofB) {
+    private static List<Contact> inCells(List<Contact> contacts, @Nullable GridObject ofA, @Nullable GridObject ofB) {
         List<Contact> inCells = new ArrayList<>();
         for (Contact c : contacts) {
             inCells.add(new Contact(

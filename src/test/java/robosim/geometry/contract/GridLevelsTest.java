@@ -117,7 +117,9 @@ class GridLevelsTest {
                     if (result.allowed()) {
                         assertThat(exact.move("mover", move).allowed()).as(as).isTrue();
                     }
-                    assertThat(alone.testObject(world.getObject("mover"))).as("%s, there", as).isFalse();
+                    assertThat(alone.testObject(world.getObject("mover")))
+                            .as("%s, there", as)
+                            .isFalse();
                     allowed += result.allowed() ? 1 : 0;
                     refused += result.allowed() ? 0 : 1;
                 }

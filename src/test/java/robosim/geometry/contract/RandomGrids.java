@@ -32,8 +32,7 @@ final class RandomGrids {
 
     static List<BoxObject> boxes(GridObject grid) {
         List<BoxObject> boxes = new ArrayList<>();
-        grid.occupied().stream()
-                .forEach(cell -> boxes.add(grid.box(cell % grid.columns(), cell / grid.columns())));
+        grid.occupied().stream().forEach(cell -> boxes.add(grid.box(cell % grid.columns(), cell / grid.columns())));
         return boxes;
     }
 }

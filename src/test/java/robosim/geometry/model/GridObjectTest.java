@@ -79,8 +79,9 @@ class GridObjectTest {
     @ParameterizedTest
     @MethodSource("refused")
     void refusalsNameTheArgumentAndItsValue(ThrowingCallable call, List<String> parts) {
-        assertThatIllegalArgumentException().isThrownBy(call).satisfies(thrown -> assertThat(thrown)
-                .hasMessageContainingAll(parts.toArray(CharSequence[]::new)));
+        assertThatIllegalArgumentException()
+                .isThrownBy(call)
+                .satisfies(thrown -> assertThat(thrown).hasMessageContainingAll(parts.toArray(CharSequence[]::new)));
     }
 
     @Test
@@ -190,8 +191,8 @@ class GridObjectTest {
     @Test
     void rowsShareTheMap() throws Exception {
         GridObject one = grid().named("one");
-        List<GeometryObject> written = List.of(
-                one, one.movedTo(new Point()).named("two").turned(0, 12), new SphereObject(CENTER, 1), grid());
+        List<GeometryObject> written =
+                List.of(one, one.movedTo(new Point()).named("two").turned(0, 12), new SphereObject(CENTER, 1), grid());
         ObjectRows rows = ObjectRows.of(written);
         assertThat(rows.shapes()).as("the third grid has a map of its own").hasSize(2);
         List<GeometryObject> read = ((ObjectRows) copy(rows)).objects();

@@ -136,7 +136,9 @@ class CellRingsTest {
                 double steps = around.asAKing(i, j);
                 assertThat(steps).as("%s, %d is late", as, cell).isGreaterThan(farthest - 1 - 2 * slack);
                 assertThat(steps).as("%s, %d is far", as, cell).isLessThan(limit + 1 + 2 * slack);
-                assertThat(sector.isBeyond(i, j, 9 * slack)).as("%s, %d is beyond", as, cell).isFalse();
+                assertThat(sector.isBeyond(i, j, 9 * slack))
+                        .as("%s, %d is beyond", as, cell)
+                        .isFalse();
                 farthest = Math.max(farthest, steps);
                 if (isShrinking) {
                     limit = Math.min(limit, around.distance(i, j));

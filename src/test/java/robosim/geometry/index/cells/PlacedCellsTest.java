@@ -129,11 +129,14 @@ class PlacedCellsTest {
             BigDecimal half = exact(0.5);
             BigDecimal u = c.multiply(dx).subtract(s.multiply(dz)).divide(scale, DIGITS);
             BigDecimal v = s.multiply(dx).add(c.multiply(dz)).divide(scale, DIGITS);
-            double offU = exact(cells.u(px, pz)).subtract(u.add(exact(i)).add(half)).doubleValue();
-            double offV = exact(cells.v(px, pz)).subtract(v.add(exact(j)).add(half)).doubleValue();
+            double offU =
+                    exact(cells.u(px, pz)).subtract(u.add(exact(i)).add(half)).doubleValue();
+            double offV =
+                    exact(cells.v(px, pz)).subtract(v.add(exact(j)).add(half)).doubleValue();
             double slack = cells.slack(Math.abs(px) + Math.abs(pz));
             double off = Math.max(Math.abs(offU), Math.abs(offV)) / slack;
-            assertThat(off).as("%s, %d x %d, cell %d, %d, point %s, %s", at, map.columns(), map.rows(), i, j, px, pz)
+            assertThat(off)
+                    .as("%s, %d x %d, cell %d, %d, point %s, %s", at, map.columns(), map.rows(), i, j, px, pz)
                     .isLessThan(1);
             worst = Math.max(worst, off);
         }

@@ -48,7 +48,8 @@ class PlainCellsTest {
                 ? new Point(random.nextInt(-8, 9) / 4.0, 0, random.nextInt(-8, 9) / 4.0)
                 : new Point(random.nextDouble(-far, far), random.nextDouble(-1, 1), random.nextDouble(-far, far));
         double cell = isDyadic ? 0.5 : random.nextDouble(0.1, 1);
-        GridObject grid = new GridObject(center, cell, isDyadic ? 1 : random.nextDouble(0.2, 2), columns, rows, occupied);
+        GridObject grid =
+                new GridObject(center, cell, isDyadic ? 1 : random.nextDouble(0.2, 2), columns, rows, occupied);
         return switch (random.nextInt(4)) {
             case 0 -> grid;
             case 1 -> grid.turned(0, 90 * random.nextInt(4));
@@ -172,8 +173,8 @@ class PlainCellsTest {
         String as = "%s, %s, %s, way %s, %s, %s".formatted(dimension, grid, body, way[0], way[1], way[2]);
         LeafColumn mover = LocalLeaves.placed(body);
         LeafColumn column = LocalLeaves.placed(grid);
-        int said = plain.compare(
-                dimension, mover.kind(0), mover.rows(0), mover.at(0), way[0], way[1], way[2], column, 0);
+        int said =
+                plain.compare(dimension, mover.kind(0), mover.rows(0), mover.at(0), way[0], way[1], way[2], column, 0);
         boolean isStill = way[0] == 0 && way[2] == 0 && (way[1] == 0 || dimension == Dimension.PLANAR);
         boolean meets = false;
         boolean meetsLater = false;
