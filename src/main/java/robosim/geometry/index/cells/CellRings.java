@@ -53,7 +53,7 @@ public final class CellRings {
         int columns = map.columns();
         int rows = map.rows();
         int outside = Math.max(Math.max(lowI - columns + 1, -highI), Math.max(lowJ - rows + 1, -highJ));
-        lastRing = Math.max(Math.max(lowI, columns - 1 - highI), Math.max(lowJ, rows - 1 - highJ));
+        lastRing = Math.max(0, Math.max(Math.max(lowI, columns - 1 - highI), Math.max(lowJ, rows - 1 - highJ)));
         ring = Math.max(0, Math.max(outside, firstRing()));
         side = 0;
         place = 0;
