@@ -60,6 +60,7 @@ public record Outline(List<Piece> pieces, double[] pivot, boolean isRounded) {
                 pieces.add(disc(object, ((CylinderObject) object).radius()));
             }
             case MESH -> mesh((MeshObject) object, pieces);
+            case CAPSULE, GRID -> throw new CannotException("no other engine has this shape");
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     add(member, pieces);

@@ -90,7 +90,8 @@ final class Truth {
                 }
                 yield new double[] {most};
             }
-            case GROUP -> throw new IllegalArgumentException("a turn of a group is not known (got: " + object + ")");
+            case GROUP, GRID ->
+                throw new IllegalArgumentException("a turn of this is not known (got: " + object + ")");
         };
     }
 

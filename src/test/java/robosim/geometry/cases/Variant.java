@@ -122,6 +122,7 @@ public record Variant(String name, Dimension dimension, double scale, Point offs
                         .members().stream()
                                 .map(member -> new Variant(name, dimension, scale, NOWHERE, true, false).place(member))
                                 .toList());
+            case GRID -> throw new IllegalArgumentException("no case has a grid (got: " + object + ")");
         };
     }
 

@@ -110,7 +110,7 @@ final class Solid {
                         row[3],
                         0);
             }
-            case UPRIGHT_CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -55,6 +55,7 @@ final class Paste {
                         + Arrays.deepToString(mesh.faces()).replace('[', '{').replace(']', '}') + ")"
                         + (mesh.isSolid() ? ".solid()" : "");
             }
+            case GRID -> throw new IllegalArgumentException("no grids here (got: " + object + ")");
             case GROUP ->
                 "new ObjectGroup(List.of("
                         + ((ObjectGroup) object)

@@ -218,6 +218,7 @@ final class PlainList {
                 }
                 yield most;
             }
+            case GRID -> throw new IllegalArgumentException("no grids here (got: " + object + ")");
             case GROUP -> {
                 double most = 0;
                 for (GeometryObject member : ((ObjectGroup) object).members()) {

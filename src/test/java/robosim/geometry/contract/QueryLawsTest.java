@@ -177,6 +177,7 @@ class QueryLawsTest {
             case GROUP ->
                 new ObjectGroup(((ObjectGroup) object)
                         .members().stream().map(member -> scaled(member, by)).toList());
+            case GRID -> throw new IllegalArgumentException("no grids here (got: " + object + ")");
         };
         GeometryObject there = shape.at(object.pose()).movedTo(scaled(object.center(), by));
         return object.isMoveable() ? there.moveable(String.valueOf(object.name())) : there;

@@ -138,7 +138,7 @@ enum WorldLayout {
             case CYLINDER -> ((CylinderObject) object).height() / 2;
             case SPHERE -> ((SphereObject) object).radius();
             case CAPSULE -> ((CapsuleObject) object).height() / 2;
-            case MESH, GROUP -> 0;
+            case MESH, GROUP, GRID -> 0;
         };
     }
 

@@ -224,7 +224,7 @@ class ContactTimeTest {
                 yield m;
             }
             case CYLINDER, PRISM -> m;
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

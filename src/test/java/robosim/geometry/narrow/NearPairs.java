@@ -133,7 +133,7 @@ public final class NearPairs {
             case CYLINDER -> Rows.cylinder(0, 0, 0, p, q, r);
             case SPHERE -> Rows.sphere(0, 0, 0, p);
             case TRIANGLE, PRISM -> triangle(p, q, s, r);
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 
@@ -159,7 +159,7 @@ public final class NearPairs {
             case SPHERE -> row[3];
             case CYLINDER, UPRIGHT_CYLINDER -> row[3] + row[4];
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> row[3] + row[4] + row[5];
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -23,7 +23,7 @@ public final class Projections {
             case SPHERE -> sphere(row, p);
             case BOX, UPRIGHT_BOX -> box(row, p);
             case CYLINDER, UPRIGHT_CYLINDER -> cylinder(row, p);
-            case PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

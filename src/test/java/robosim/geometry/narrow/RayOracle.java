@@ -27,7 +27,7 @@ public final class RayOracle {
             case UPRIGHT_CAPSULE -> capsule(o, d, row, vector(new double[] {0, 1, 0}));
             case CAPSULE -> capsule(o, d, row, vector(row, 7, 3));
             case PRISM -> prism(o, d, row);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
         return t == null ? null : t.multiply(dot(vector(d), vector(d)).sqrt(DIGITS), DIGITS);
     }

@@ -103,7 +103,7 @@ public final class Rows {
                 }
                 yield triangle(corners);
             }
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

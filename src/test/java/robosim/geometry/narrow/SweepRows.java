@@ -79,7 +79,7 @@ public final class SweepRows {
             case CYLINDER, CAPSULE -> cylinder(x, y, z, p, q, yaw, pitch, more);
             case TRIANGLE -> triangle(points(x, y, z, 3, random));
             case PRISM -> prism(points(x, y, z, 6, random));
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

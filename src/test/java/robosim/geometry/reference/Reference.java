@@ -10,6 +10,7 @@ import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -94,6 +95,12 @@ public final class Reference {
             case CYLINDER -> pieces.add(axis((CylinderObject) object));
             case CAPSULE -> pieces.add(capsule((CapsuleObject) object));
             case MESH -> triangles((MeshObject) object, pieces);
+            case GRID -> {
+                GridObject grid = (GridObject) object;
+                grid.occupied().stream()
+                        .mapToObj(cell -> grid.box(cell % grid.columns(), cell / grid.columns()))
+                        .forEach(box -> pieces.addAll(pieces(box)));
+            }
             case GROUP -> {
                 ObjectGroup group = (ObjectGroup) object;
                 if (!group.equals(group.at(robosim.geometry.model.Pose.ORIGIN))) {

@@ -25,7 +25,7 @@ class SpatialConeTest {
     /** No ray inside the cone is shorter, and one that is led towards the answer attains it. */
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void isTheShortestOfAllRaysInTheCone(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(kind.ordinal());
@@ -75,7 +75,7 @@ class SpatialConeTest {
 
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void aNarrowConeTendsToTheRay(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(50 + kind.ordinal());
@@ -410,7 +410,7 @@ class SpatialConeTest {
                                 + z * aside * row[8 + 3 * i];
                     case UPRIGHT_CYLINDER -> row[i] + (i == 1 ? p[1] * row[4] : (i == 0 ? x : z) * row[3]);
                     case SPHERE -> row[i];
-                    case MESH, SOLID_MESH -> throw kind.refused();
+                    case MESH, SOLID_MESH, GRID -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }
@@ -443,7 +443,7 @@ class SpatialConeTest {
                         row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
                     case UPRIGHT_CAPSULE -> row[i] + 0.7 * p[i] * row[3] + (i == 1 ? p[1] * row[4] : 0);
                     case CAPSULE -> row[i] + 0.7 * p[i] * row[3] + p[1] * row[4] * row[7 + 3 * i];
-                    case MESH, SOLID_MESH -> throw kind.refused();
+                    case MESH, SOLID_MESH, GRID -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }

@@ -77,7 +77,7 @@ class SphereDistanceTest {
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, p);
             case TRIANGLE -> root(triangle(corner(row, 0), corner(row, 3), corner(row, 6), p));
             case UPRIGHT_BOX, BOX, PRISM -> box(row, p);
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 

@@ -297,7 +297,8 @@ class CapsuleOverlapTest {
                 yield new MeshObject(
                         mesh.vertices().stream().map(p -> scaled(p, power)).toList(), mesh.faces());
             }
-            case GROUP -> throw new IllegalArgumentException("no groups here (got: " + object + ")");
+            case GROUP, GRID ->
+                throw new IllegalArgumentException("no groups and grids here (got: " + object + ")");
         };
         return scaled.oriented(object.rotation()).movedTo(scaled(object.center(), power));
     }
@@ -322,7 +323,7 @@ class CapsuleOverlapTest {
                 case CYLINDER -> ((CylinderObject) object).radius() + ((CylinderObject) object).height();
                 case SPHERE -> ((SphereObject) object).radius();
                 case CAPSULE -> ((CapsuleObject) object).radius() + ((CapsuleObject) object).segment();
-                case MESH, GROUP -> 4;
+                case MESH, GROUP, GRID -> 4;
             };
             return sizes + Math.abs(c.x()) + Math.abs(c.y()) + Math.abs(c.z());
         }

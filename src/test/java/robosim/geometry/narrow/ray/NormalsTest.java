@@ -23,7 +23,7 @@ class NormalsTest {
     /** Two more rays beside the one tell the slope of the surface. */
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void agreesWithTheSlopeOfTheDistances(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(kind.ordinal());

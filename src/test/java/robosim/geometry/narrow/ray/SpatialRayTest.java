@@ -24,7 +24,7 @@ public class SpatialRayTest {
 
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void agreesWithDecimalsOnRandomRays(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(kind.ordinal());
@@ -39,7 +39,7 @@ public class SpatialRayTest {
 
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void agreesWithDecimalsWhereEverythingTies(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(100 + kind.ordinal());
@@ -71,7 +71,7 @@ public class SpatialRayTest {
 
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void agreesWithDecimalsFromAMillionAway(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(200 + kind.ordinal());
@@ -110,7 +110,7 @@ public class SpatialRayTest {
 
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void powersOfTwoScaleTheBits(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(400 + kind.ordinal());
@@ -144,7 +144,7 @@ public class SpatialRayTest {
 
     @ParameterizedTest
     @EnumSource(
-            names = {"MESH", "SOLID_MESH"},
+            names = {"MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void subnormalsAreDecidedToo(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(500 + kind.ordinal());
