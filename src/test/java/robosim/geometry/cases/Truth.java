@@ -90,8 +90,7 @@ final class Truth {
                 }
                 yield new double[] {most};
             }
-            case GROUP, GRID ->
-                throw new IllegalArgumentException("a turn of this is not known (got: " + object + ")");
+            case GROUP, GRID -> throw new IllegalArgumentException("a turn of this is not known (got: " + object + ")");
         };
     }
 

@@ -297,8 +297,7 @@ class CapsuleOverlapTest {
                 yield new MeshObject(
                         mesh.vertices().stream().map(p -> scaled(p, power)).toList(), mesh.faces());
             }
-            case GROUP, GRID ->
-                throw new IllegalArgumentException("no groups and grids here (got: " + object + ")");
+            case GROUP, GRID -> throw new IllegalArgumentException("no groups and grids here (got: " + object + ")");
         };
         return scaled.oriented(object.rotation()).movedTo(scaled(object.center(), power));
     }
