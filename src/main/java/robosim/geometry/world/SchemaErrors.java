@@ -27,6 +27,7 @@ final class SchemaErrors {
             Map.entry("turn", "two numbers rx ry in degrees, like 0 90"),
             Map.entry("rotation", "nine numbers, row by row, like 1 0 0 0 1 0 0 0 1"),
             Map.entry("count", "a whole number from 1 to 10000"),
+            Map.entry("cells", "a whole number of at least 1"),
             Map.entry("boolean", "true or false"),
             Map.entry("name", "text of at most 1000 characters, one of them visible"),
             Map.entry("color", "# and six hexadecimal digits, like #cc8800"),
