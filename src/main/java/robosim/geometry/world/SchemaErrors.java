@@ -64,6 +64,7 @@ final class SchemaErrors {
                 misplaced(quoted, element);
             case "cvc-complex-type.2.4.b" -> tag + " is not complete; add " + children(quoted);
             case "cvc-complex-type.2.1" -> tag + " must be empty; remove its content";
+            case "cvc-complex-type.2.2" -> tag + " must contain only numbers; remove the elements in it";
             case "cvc-complex-type.2.3" -> tag + " cannot contain text; remove it or make it a comment";
             case "cvc-complex-type.3.2.2" ->
                 tag + " has no attribute " + attribute(quoted, element) + "; see world.xsd for its attributes";
