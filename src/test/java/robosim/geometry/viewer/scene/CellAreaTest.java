@@ -68,12 +68,15 @@ class CellAreaTest {
         List<double[]> polygons = area(grid).onPage(frame, null);
         assertThat(polygons).hasSizeLessThan(40);
         int shown = 0;
-        for (int cell = grid.occupied().nextSetBit(0); cell >= 0; cell = grid.occupied().nextSetBit(cell + 1)) {
+        for (int cell = grid.occupied().nextSetBit(0);
+                cell >= 0;
+                cell = grid.occupied().nextSetBit(cell + 1)) {
             Point middle = grid.box(cell % COLUMNS, cell / COLUMNS).center();
             boolean isIn = middle.x() > 3 && middle.x() < 4 && middle.z() > -2 && middle.z() < -1;
             shown += isIn ? 1 : 0;
             if (isIn) {
-                assertThat(polygonsAt(polygons, frame.x(middle), frame.y(middle))).isEqualTo(1);
+                assertThat(polygonsAt(polygons, frame.x(middle), frame.y(middle)))
+                        .isEqualTo(1);
             }
         }
         assertThat(shown).isGreaterThan(1);
