@@ -3,7 +3,10 @@ package robosim.geometry.world.check;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.collision.Budget;
 import robosim.geometry.collision.Contact;
+import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.collision.Verdict;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Bounds;
@@ -76,11 +79,12 @@ final class Overlaps {
             staticCount += touches(first.object(), second.object()) ? 1 : 0;
             return;
         }
-        Contact contact = Pieces.contact(first.object(), second.object(), dimension);
-        if (contact == null) {
+        List<Contact> contacts = ContactQuery.contacts(first.object(), second.object(), dimension, 1);
+        if (contacts.isEmpty()) {
             return;
         }
         staticCount += fixed ? 1 : 0;
+        Contact contact = contacts.get(0);
         found.add(new Overlap(
                 first,
                 second,
@@ -90,7 +94,7 @@ final class Overlaps {
     }
 
     private boolean touches(GeometryObject a, GeometryObject b) {
-        return Pieces.touch(a, b, dimension);
+        return ContactQuery.ask(a, b, dimension, Budget.UNLIMITED).answer() == Verdict.Answer.YES;
     }
 
     /** How far the first must move along the normal until it is clear of the second. */
