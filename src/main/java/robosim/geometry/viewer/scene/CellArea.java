@@ -96,7 +96,7 @@ public final class CellArea implements Footprint {
             extend(columns, column(x[corner & 1], z[corner >> 1]));
             extend(rows, row(x[corner & 1], z[corner >> 1]));
         }
-        int together = Math.max(1, (int) Math.min(Math.floor(1 / (grid.cell() * frame.scale)), Integer.MAX_VALUE / 2));
+        int together = Math.max(1, (int) Math.min(Math.floor(1 / (grid.cell() * frame.scale)), 1 << 30));
         Window window = new Window(
                 first(columns[0]),
                 first(rows[0]),
