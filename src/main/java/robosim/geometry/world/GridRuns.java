@@ -54,12 +54,21 @@ final class GridRuns {
             throw new IllegalArgumentException("the runs must add up to " + columns + " cells in each row"
                     + " (got: no more after " + column + " cells of row " + row + ")");
         }
-        int run = Numbers.index(text.token());
+        int run = length(text.token());
         if (run < least || run > columns - column) {
             throw new IllegalArgumentException("a run must be from " + least + " to " + (columns - column)
                     + " cells here, after " + column + " of the " + columns + " cells of row " + row + " (got: " + run
                     + ")");
         }
         return run;
+    }
+
+    private static int length(String token) {
+        try {
+            return Integer.parseInt(token);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(
+                    "a run must be a whole number of cells (got: " + Numbers.shown(token) + ")", e);
+        }
     }
 }
