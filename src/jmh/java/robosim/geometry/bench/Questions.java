@@ -61,8 +61,9 @@ public final class Questions {
         }
     }
 
-    private static final LeafKind[] KINDS =
-            Arrays.stream(LeafKind.values()).filter(kind -> !kind.isMesh()).toArray(LeafKind[]::new);
+    private static final LeafKind[] KINDS = Arrays.stream(LeafKind.values())
+            .filter(kind -> !kind.isMesh() && !kind.isGrid())
+            .toArray(LeafKind[]::new);
 
     private final Scratch scratch = new Scratch();
     private final NearContacts pairs = new NearContacts();

@@ -9,8 +9,9 @@ import robosim.geometry.narrow.leaf.LeafKind;
 /** Random leaves and rays: general ones, and ones on a small grid where everything ties. */
 public final class Leaves {
     /** The convex kinds. */
-    public static final LeafKind[] KINDS =
-            Arrays.stream(LeafKind.values()).filter(kind -> !kind.isMesh()).toArray(LeafKind[]::new);
+    public static final LeafKind[] KINDS = Arrays.stream(LeafKind.values())
+            .filter(kind -> !kind.isMesh() && !kind.isGrid())
+            .toArray(LeafKind[]::new);
 
     private Leaves() {}
 
