@@ -13,6 +13,7 @@ one did not, and with 2 where it could not be asked: bad usage, a world with a f
 """
 
 import argparse
+import base64
 import json
 import math
 import os
@@ -28,16 +29,20 @@ SPACE = "urn:robosim:world:1"
 SCHEMA_HINTS = "http://www.w3.org/2001/XMLSchema-instance "
 METRES = {"km": 1000.0, "m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?")
-SIZES = {"box": ["width", "height", "length"], "cylinder": ["radius", "height"], "sphere": ["radius"]}
-SHAPES = ["box", "cylinder", "sphere", "mesh", "group"]
+SIZES = {"box": ["width", "height", "length"], "cylinder": ["radius", "height"], "sphere": ["radius"],
+         "capsule": ["radius", "segment"], "grid": ["cell", "height"]}
+SHAPES = ["box", "cylinder", "sphere", "capsule", "mesh", "group"]
+MOST_CELLS = 1 << 24
 PLACED = ["name", "moveable", "center", "heading", "turned", "rotation"]
 
 # Of each element: the attributes that it needs, those that it may have, and what may stand in it.
 GRAMMAR = {
-    "world": (["width", "height", "length"], ["unit", "dimension", "accuracy"], SHAPES),
+    "world": (["width", "height", "length"], ["unit", "dimension", "accuracy"], SHAPES + ["grid"]),
     "box": (SIZES["box"], PLACED, []),
     "cylinder": (SIZES["cylinder"], PLACED, []),
     "sphere": (SIZES["sphere"], PLACED, []),
+    "capsule": (SIZES["capsule"], PLACED, []),
+    "grid": (SIZES["grid"] + ["columns", "rows"], ["name", "center", "heading", "rotation"], []),
     "mesh": ([], PLACED + ["solid", "file", "scale"], ["bounds", "vertices", "triangles", "quads"]),
     "group": ([], PLACED, ["bounds"] + SHAPES),
     "bounds": ([], [], ["box", "cylinder", "sphere"]),
@@ -124,7 +129,7 @@ class Element:
         """Nothing may stand here that would not be understood."""
         needed, allowed, children = GRAMMAR[self.tag]
         if self.parent is not None and self.parent.tag == "world":
-            allowed, children = allowed + ["color"], children + ["sonar"]
+            allowed, children = allowed + ["color"], children + (["sonar"] if self.tag != "grid" else [])
         for name in needed:
             if name not in self.attributes:
                 raise self.fault(f"<{self.tag}> needs the attribute {name}")
@@ -178,7 +183,8 @@ class Element:
     def indices(self):
         words = self.text.split()
         if not all(word.isascii() and word.isdigit() for word in words):
-            raise self.fault(f"<{self.tag}> must hold indices of vertices, whole numbers from 0")
+            of = "run lengths" if self.tag == "grid" else "indices of vertices"
+            raise self.fault(f"<{self.tag}> must hold {of}, whole numbers from 0")
         return [int(word) for word in words]
 
 
@@ -252,6 +258,8 @@ class World:
 
     def check_border(self, element, made):
         """The module would leave out what is not in the world; seen from above, as that is what it is sent as."""
+        if made["kind"] == "grid":
+            return  # of its cells only the occupied ones count
         width, _, length = self.size
         for size, axis in ((width, 0), (length, 2)):
             for sign in (1.0, -1.0):
@@ -281,6 +289,8 @@ class World:
             made[side] = element.one(side, 0.0, least=0, unit=self.unit)
         if kind == "mesh":
             self.mesh(element, made)
+        elif kind == "grid":
+            self.grid(element, made)
         elif kind == "group":
             made["members"] = [self.read(member) for member in element.children if member.tag in SHAPES]
             if not made["members"]:
@@ -333,6 +343,30 @@ class World:
         made["vertices"], made["faces"] = vertices, faces
         if element.flag("solid"):
             made["solid"] = True
+
+    @staticmethod
+    def grid(element, made):
+        """The cells as bits, from the runs of free and of occupied ones in each row."""
+        size = [element.one(name, 0.0, least=1) for name in ("columns", "rows")]
+        if any(count != int(count) for count in size) or size[0] * size[1] > MOST_CELLS:
+            raise element.fault(f"columns and rows of <grid> must be whole numbers, of {MOST_CELLS} cells at most")
+        columns, rows = (int(count) for count in size)
+        cells = bytearray((columns * rows + 7) // 8)
+        runs = iter(element.indices())
+        for row in range(rows):
+            column, occupied = 0, False
+            while column < columns:
+                run = next(runs, -1)
+                if not (1 if occupied or column else 0) <= run <= columns - column:
+                    raise element.fault(f"the runs of row {row} of <grid> must add up to {columns} cells, in turn free and occupied")
+                if occupied:
+                    for cell in range(row * columns + column, row * columns + column + run):
+                        cells[cell >> 3] |= 1 << (cell & 7)
+                column, occupied = column + run, not occupied
+        if next(runs, None) is not None:
+            raise element.fault(f"the runs of <grid> must end with the last of {rows} rows")
+        made["columns"], made["rows"] = columns, rows
+        made["occupied"] = base64.b64encode(cells).decode("ascii")
 
     def obj(self, element, vertices, faces):
         name = element.attributes["file"]
@@ -391,6 +425,8 @@ def reach(made, direction):
         own = made["radius"] * math.hypot(dx, dz) + made["height"] * abs(dy) / 2
     elif kind == "sphere":
         own = made["radius"]
+    elif kind == "capsule":
+        own = made["radius"] + made["segment"] * abs(dy) / 2
     elif kind == "mesh":
         own = max(x * dx + y * dy + z * dz for x, y, z in made["vertices"])
     else:

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SerialForms;
@@ -32,8 +33,15 @@ final class AllowedClasses {
             DistanceBundle.class);
 
     /** {@code Number} and {@code Enum} are described in the stream along with their subclasses. */
-    private static final Set<Class<?>> VALUES =
-            Set.of(Double.class, Number.class, Enum.class, double[].class, int[].class, int[][].class, LIST_FORM);
+    private static final Set<Class<?>> VALUES = Set.of(
+            Double.class,
+            Number.class,
+            Enum.class,
+            double[].class,
+            int[].class,
+            int[][].class,
+            byte[].class,
+            LIST_FORM);
 
     private static final Set<Class<?>> MADE = Set.of(
             BoxObject.class,
@@ -42,6 +50,7 @@ final class AllowedClasses {
             CapsuleObject.class,
             MeshObject.class,
             ObjectGroup.class,
+            GridObject.class,
             Object[].class,
             String.class,
             List.of().getClass(),

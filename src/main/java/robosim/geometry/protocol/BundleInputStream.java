@@ -9,6 +9,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 
@@ -84,13 +85,17 @@ final class BundleInputStream extends ObjectInputStream {
             return refuse("a" + (numbers ? "n array" : " list") + " must have at most " + most + " items (got: "
                     + length + ")");
         }
-        // An int takes 4 bytes, a double 8, an object at least the 5 of a reference to an earlier one.
-        claimedBytes += length * (item == double.class || item == long.class ? 8 : numbers ? 4 : 5);
+        claimedBytes += length * leastBytes(item);
         if (claimedBytes > MessageLimits.MAX_MESSAGE_BYTES) {
             return refuse("a message's lists and arrays must fit into " + MessageLimits.MAX_MESSAGE_BYTES
                     + " bytes (got: more)");
         }
         return ObjectInputFilter.Status.ALLOWED;
+    }
+
+    /** The bytes of an item on the wire: of an object at least the 5 of a reference to an earlier one. */
+    private static int leastBytes(@Nullable Class<?> item) {
+        return item == byte.class ? 1 : item == double.class ? 8 : item != null && item.isPrimitive() ? 4 : 5;
     }
 
     private ObjectInputFilter.Status refuse(String reason) {
@@ -142,7 +147,7 @@ final class BundleInputStream extends ObjectInputStream {
         return switch (object.kind()) {
             case BOX, CYLINDER, SPHERE, CAPSULE -> 1;
             case MESH -> ((MeshObject) object).triangles().size();
-            case GRID -> throw new UnsupportedOperationException("grid");
+            case GRID -> MessageLimits.parts((GridObject) object);
             case GROUP -> groups.getOrDefault((ObjectGroup) object, 1L);
         };
     }

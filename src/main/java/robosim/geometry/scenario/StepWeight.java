@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.protocol.InitBundle;
@@ -17,10 +18,13 @@ final class StepWeight {
     /** The number of characters of a name that take one unit. */
     private static final int CHARACTERS = 32;
 
+    /** The number of cells of a grid that take one unit. */
+    private static final int CELLS = 60;
+
     private StepWeight() {}
 
     /**
-     * One unit, plus those of its contents: objects with their members, vertices and triangles, moves, distances,
+     * One unit, plus those of its contents: objects with their members, vertices, triangles and cells, moves, distances,
      * names, reasons.
      */
     static long of(Step step) {
@@ -59,6 +63,8 @@ final class StepWeight {
             } else if (object instanceof MeshObject mesh) {
                 weight += (long) mesh.triangles().vertices() + mesh.triangles().size();
                 around = mesh.boundingVolume();
+            } else if (object instanceof GridObject grid) {
+                weight += (long) grid.columns() * grid.rows() / CELLS;
             }
             if (around != null) {
                 left.push(around);

@@ -1,6 +1,7 @@
 package robosim.geometry.world;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -29,6 +30,10 @@ final class Element {
     @Nullable
     GeometryObject bounds;
 
+    /** The occupied cells of a grid. */
+    @Nullable
+    BitSet occupied;
+
     /** Whether it or something in it was refused, so that no object can be made of it. */
     boolean broken;
 
@@ -44,7 +49,10 @@ final class Element {
 
     /** Whether its content is text, that is, numbers. */
     boolean takesText() {
-        return name.equals("vertices") || name.equals("triangles") || name.equals("quads");
+        return switch (name) {
+            case "vertices", "triangles", "quads", "grid" -> true;
+            default -> false;
+        };
     }
 
     /** The value of an attribute, or null if it was left out. */

@@ -12,6 +12,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -20,10 +21,11 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
+import robosim.geometry.world.shared.Rectangles;
 
 /**
  * Writes the surfaces of a world as a Wavefront OBJ file, for display in other programs: world units, Y up, an {@code
- * o} for each object. Boxes and meshes are exact. A cylinder has {@link #SIDES} flat sides, and a sphere or capsule as
+ * o} for each object. Boxes and meshes are exact, and the cells of a grid, to within rounding: as boxes of many cells. A cylinder has {@link #SIDES} flat sides, and a sphere or capsule as
  * many around; their corners are on the true surface, so round shapes are slightly too small.
  */
 public final class ObjWriter {
@@ -86,7 +88,7 @@ public final class ObjWriter {
                 ball(capsule.radius(), capsule.segment() / 2, place);
             }
             case MESH -> mesh((MeshObject) object, place);
-            case GRID -> throw new UnsupportedOperationException("grid");
+            case GRID -> grid((GridObject) object, place);
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     object(member, place);
@@ -96,12 +98,36 @@ public final class ObjWriter {
     }
 
     private void box(BoxObject box, Placement place) throws IOException {
+        double x = box.width() / 2;
+        double y = box.height() / 2;
+        double z = box.length() / 2;
+        box(place, -x, x, -y, y, -z, z);
+    }
+
+    /** Boxes of as many cells as make a rectangle. */
+    private void grid(GridObject grid, Placement place) throws IOException {
+        double y = grid.height() / 2;
+        double x = -0.5 * grid.columns();
+        double z = -0.5 * grid.rows();
+        double cell = grid.cell();
+        Rectangles.<IOException>cover(
+                grid.occupied(),
+                grid.columns(),
+                grid.rows(),
+                (fromColumn, fromRow, toColumn, toRow) -> box(
+                        place,
+                        (fromColumn + x) * cell,
+                        (toColumn + x) * cell,
+                        -y,
+                        y,
+                        (fromRow + z) * cell,
+                        (toRow + z) * cell));
+    }
+
+    private void box(Placement place, double fromX, double toX, double fromY, double toY, double fromZ, double toZ)
+            throws IOException {
         for (int k = 0; k < 8; k++) {
-            vertex(
-                    place,
-                    box.width() / 2 * ((k & 1) == 0 ? -1 : 1),
-                    box.height() / 2 * ((k & 2) == 0 ? -1 : 1),
-                    box.length() / 2 * ((k & 4) == 0 ? -1 : 1));
+            vertex(place, (k & 1) == 0 ? fromX : toX, (k & 2) == 0 ? fromY : toY, (k & 4) == 0 ? fromZ : toZ);
         }
         face(8, 0, 4, 6, 2);
         face(8, 1, 3, 7, 5);

@@ -2,9 +2,11 @@ package robosim.geometry.world;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
@@ -12,6 +14,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -20,6 +23,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
 import robosim.geometry.world.xml.Text;
 
@@ -30,6 +34,9 @@ final class ObjectBuilder {
 
     private final Map<MeshKey, MeshObject> files = new HashMap<>();
     private final Map<MeshObject, MeshObject> meshes = new HashMap<>();
+
+    /** The number of cells of all grids so far. */
+    private long cells;
 
     private record MeshKey(
             Path file,
@@ -81,7 +88,7 @@ final class ObjectBuilder {
 
     static boolean isObject(Element element) {
         return switch (element.name) {
-            case "box", "cylinder", "sphere", "capsule", "mesh", "group" -> true;
+            case "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid" -> true;
             default -> false;
         };
     }
@@ -100,9 +107,20 @@ final class ObjectBuilder {
             case "capsule" ->
                 new CapsuleObject(new Point(), length(element, "radius", "0"), length(element, "segment", "0"));
             case "group" -> new ObjectGroup(element.members, element.bounds);
+            case "grid" -> grid(element);
             default -> mesh(element);
         };
         return tagged(element, shape.at(pose(element)));
+    }
+
+    private GridObject grid(Element element) {
+        return new GridObject(
+                new Point(),
+                length(element, "cell", "0"),
+                length(element, "height", "0"),
+                Numbers.integer(element.attribute("columns", "0")),
+                Numbers.integer(element.attribute("rows", "0")),
+                Objects.requireNonNull(element.occupied));
     }
 
     private static GeometryObject tagged(Element element, GeometryObject object) {
@@ -232,11 +250,37 @@ final class ObjectBuilder {
         }
     }
 
-    /** Reads the numbers of an element of text. */
+    /** Reads the numbers of an element of text, or the runs of a grid. */
     void readText(Element element) throws FileProblem {
-        if (!element.takesText()) {
-            return;
+        if (element.name.equals("grid")) {
+            if (!element.broken) {
+                element.occupied = occupied(element);
+            }
+        } else if (element.takesText()) {
+            readNumbers(element);
         }
+    }
+
+    private BitSet occupied(Element element) throws FileProblem {
+        int columns = Numbers.integer(element.attribute("columns", "0"));
+        int rows = Numbers.integer(element.attribute("rows", "0"));
+        // Checked before memory is allocated: a run of one number may claim any number of cells.
+        cells += (long) columns * rows;
+        if (cells > Limits.MAX_CELLS) {
+            throw new IllegalArgumentException("the grids of a world must have at most " + Limits.MAX_CELLS
+                    + " cells together (got: " + cells + ")");
+        }
+        try {
+            return GridRuns.read(element.text, columns, rows);
+        } catch (IllegalArgumentException e) {
+            if (element.text.token().isEmpty()) {
+                throw e;
+            }
+            throw new FileProblem(source, element.text.line(), element.text.column(), "<grid>: " + e.getMessage(), e);
+        }
+    }
+
+    private void readNumbers(Element element) throws FileProblem {
         Text text = element.text;
         boolean places = element.name.equals("vertices");
         int size = element.name.equals("quads") ? 4 : 3;

@@ -3,22 +3,28 @@ package robosim.geometry.world;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.world.rosmap.MapFiles;
 import robosim.geometry.world.rosmap.MapSettings;
 import robosim.geometry.world.rosmap.MapWalls;
+import robosim.geometry.world.rosmap.OccupancyGrid;
 import robosim.geometry.world.shared.FileProblem;
 
 /**
  * Reads a ROS occupancy map: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
  * raw.
  *
- * <p>Occupied cells become walls: a small number of boxes that cover exactly these cells. A point (x, y, z) of the
- * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, in metres. The world is centred at
+ * <p>The occupied cells become one {@link GridObject}, as high as the walls, which covers the whole image: its column i and
+ * row j are those of the pixels, from the image's upper left corner. It is named {@code map}, so that {@code getObject} and
+ * {@code removeObject} find it and a robot's own map can take its place; a map without an occupied cell has none. A point (x,
+ * y, z) of the map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, in metres. The world is centred at
  * the origin of the map's frame, is as high as its walls, and extends one cell beyond its contents on all sides. These
  * are the whole image, free cells included, and its edges. Yaw is a heading.
  *
@@ -27,7 +33,7 @@ import robosim.geometry.world.shared.FileProblem;
  * and {@code lower edge of the map} and can be removed with {@code removeObject}.
  *
  * <p>In modes trinary and scale a cell is a wall if ROS gives it the value 100; in mode raw if its value is above 100
- * times {@code occupied_thresh}. The edges of the boxes are those of the cells, to within rounding.
+ * times {@code occupied_thresh}. The edges of the grid's cells are those of the map's, to within rounding.
  *
  * <p>Requires snakeyaml-engine on the class path, and the module java.desktop for PNG.
  */
@@ -64,24 +70,26 @@ public final class RosMapReader {
         }
         try {
             MapSettings settings = MapFiles.settings(yaml);
-            MapWalls map = new MapWalls(settings, MapFiles.grid(yaml, settings), height);
-            List<BoxObject> walls = map.walls();
+            OccupancyGrid grid = MapFiles.grid(yaml, settings);
+            MapWalls map = new MapWalls(settings, grid, height);
+            double width = 2 * map.extent(0);
+            double length = 2 * map.extent(2);
+            Optional<GridObject> walls = map.walls();
             List<BoxObject> edges = map.edges();
-            List<WorldObject> objects = Stream.concat(walls.stream(), edges.stream())
+            List<WorldObject> objects = Stream.<GeometryObject>concat(walls.stream(), edges.stream())
                     .map(WorldObject::new)
                     .toList();
-            World world = new World(
-                    2 * map.extent(0),
-                    height,
-                    2 * map.extent(2),
-                    Unit.METRE,
-                    Dimension.SPATIAL,
-                    Accuracy.EXACT,
-                    objects);
+            World world = new World(width, height, length, Unit.METRE, Dimension.SPATIAL, Accuracy.EXACT, objects);
             return new WorldImport(
                     world,
                     "ROS map",
-                    Map.of("wall", walls.size(), "edge", edges.size()),
+                    Map.of(
+                            "cell",
+                            grid.width * grid.height,
+                            "occupied cell",
+                            grid.occupied.cardinality(),
+                            "edge",
+                            edges.size()),
                     Map.of(),
                     List.of(),
                     remarks(yaml, settings));

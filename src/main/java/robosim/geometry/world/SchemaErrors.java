@@ -27,6 +27,7 @@ final class SchemaErrors {
             Map.entry("turn", "two numbers rx ry in degrees, like 0 90"),
             Map.entry("rotation", "nine numbers, row by row, like 1 0 0 0 1 0 0 0 1"),
             Map.entry("count", "a whole number from 1 to 10000"),
+            Map.entry("cells", "a whole number of at least 1"),
             Map.entry("boolean", "true or false"),
             Map.entry("name", "text of at most 1000 characters, one of them visible"),
             Map.entry("color", "# and six hexadecimal digits, like #cc8800"),
@@ -63,6 +64,7 @@ final class SchemaErrors {
                 misplaced(quoted, element);
             case "cvc-complex-type.2.4.b" -> tag + " is not complete; add " + children(quoted);
             case "cvc-complex-type.2.1" -> tag + " must be empty; remove its content";
+            case "cvc-complex-type.2.2" -> tag + " must contain only numbers; remove the elements in it";
             case "cvc-complex-type.2.3" -> tag + " cannot contain text; remove it or make it a comment";
             case "cvc-complex-type.3.2.2" ->
                 tag + " has no attribute " + attribute(quoted, element) + "; see world.xsd for its attributes";

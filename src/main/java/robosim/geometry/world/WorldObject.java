@@ -11,10 +11,10 @@ import robosim.geometry.model.GeometryObject;
  *
  * @param object the object with its name and place
  * @param color  for the viewer, {@code #rrggbb} in lower case; null leaves it to the viewer
- * @param sonars range sensors; only an object with a name can have any
+ * @param sonars range sensors; only an object with a name can have any, and no grid
  */
 public record WorldObject(GeometryObject object, @Nullable String color, List<SonarRing> sonars) {
-    /** Refuses a colour of another form, and sensors of an object without a name. */
+    /** Refuses a colour of another form, and sensors of a grid or of an object without a name. */
     public WorldObject {
         Checks.present("object", object);
         if (color != null) {
@@ -24,6 +24,9 @@ public record WorldObject(GeometryObject object, @Nullable String color, List<So
             color = color.toLowerCase(Locale.ROOT);
         }
         sonars = Checks.list("sonars", sonars);
+        if (!sonars.isEmpty() && object.kind() == GeometryObject.Kind.GRID) {
+            throw new IllegalArgumentException("a grid has no sonars (got: " + object + ")");
+        }
         if (!sonars.isEmpty() && object.name() == null) {
             throw new IllegalArgumentException("an object with sonars must have a name (got: " + object + ")");
         }

@@ -3,6 +3,7 @@ package robosim.geometry.world;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
@@ -11,6 +12,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -92,7 +94,7 @@ public final class WorldWriter {
      * A world as the text of its file.
      *
      * @throws IllegalArgumentException if XML cannot express it: a name with a character that XML does not allow or of
-     *     more than 1000 characters, or groups more than 50 deep
+     *     more than 1000 characters, groups more than 50 deep, or grids of more than 16,777,216 cells together
      */
     public static String toXml(World world) {
         Checks.present("world", world);
@@ -115,6 +117,16 @@ public final class WorldWriter {
         attribute("dimension", world.dimension().name());
         attribute("accuracy", world.accuracy().name());
         out.append(">\n");
+        long cells = 0;
+        for (WorldObject object : world.objects()) {
+            if (object.object() instanceof GridObject grid) {
+                cells += (long) grid.columns() * grid.rows();
+            }
+        }
+        if (cells > Limits.MAX_CELLS) {
+            throw new IllegalArgumentException("the grids of a world file must have at most " + Limits.MAX_CELLS
+                    + " cells together (got: " + cells + ")");
+        }
         for (WorldObject object : world.objects()) {
             object(object.object(), object.color(), object.sonars(), 1);
         }
@@ -202,7 +214,13 @@ public final class WorldWriter {
                 }
             }
             case GROUP -> {}
-            case GRID -> throw new UnsupportedOperationException("grid");
+            case GRID -> {
+                GridObject grid = (GridObject) object;
+                number("cell", grid.cell());
+                number("height", grid.height());
+                number("columns", grid.columns());
+                number("rows", grid.rows());
+            }
         }
     }
 
@@ -214,6 +232,12 @@ public final class WorldWriter {
             bounds(group.boundingVolume(), depth);
             for (GeometryObject member : group.members()) {
                 object(member, null, List.of(), depth);
+            }
+        } else if (object instanceof GridObject grid) {
+            BitSet occupied = grid.occupied();
+            for (int row = 0; row < grid.rows(); row++) {
+                GridRuns.write(grid, occupied, row, indent(depth));
+                out.append('\n');
             }
         }
     }

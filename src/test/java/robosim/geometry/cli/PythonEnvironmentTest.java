@@ -195,6 +195,8 @@ class PythonEnvironmentTest {
                   <group center="0 0 3" rotation="0 0 1 0 1 0 -1 0 0">
                     <sphere center="0 0 0" radius="0.5"/><cylinder center="1 0 0" radius="0.2" height="1"/>
                   </group>
+                  <capsule center="-6 0 -4" radius="0.3" segment="1" turned="50 20"/>
+                  <grid name="map" center="0 0 5" heading="90" cell="25cm" height="2" columns="7" rows="2">1 3 3 0 2 4 1</grid>
                   <cylinder name="robot" moveable="true" radius="0.3" height="1"><sonar count="12" max="5" width="20"/></cylinder>
                 </world>
                 """);
@@ -248,6 +250,24 @@ class PythonEnvironmentTest {
                 Arguments.of(
                         "<group center='9 0 0' heading='90'><cylinder center='0 0 1' radius='0.1' height='1'/></group>",
                         ":2: this <group> reaches beyond the world;"),
+                Arguments.of(
+                        "<grid cell='1' height='1' columns='3' rows='2'>1 2 0 2</grid>",
+                        ":2: the runs of row 1 of <grid> must add up to 3 cells, in turn free and occupied"),
+                Arguments.of(
+                        "<grid cell='1' height='1' columns='3' rows='1'>1 2 3</grid>",
+                        ":2: the runs of <grid> must end with the last of 1 rows"),
+                Arguments.of(
+                        "<grid cell='1' height='1' columns='3' rows='1'>1 two</grid>",
+                        ":2: <grid> must hold run lengths, whole numbers from 0"),
+                Arguments.of(
+                        "<grid cell='1' height='1' columns='99999' rows='99999'>1</grid>",
+                        ":2: columns and rows of <grid> must be whole numbers, of 16777216 cells at most"),
+                Arguments.of(
+                        "<grid cell='1' height='1' columns='3' rows='1' moveable='true' name='g'>3</grid>",
+                        ":2: <grid> has no attribute moveable"),
+                Arguments.of(
+                        "<grid cell='1' height='1' columns='3' rows='1'>3</grid>",
+                        ":2: the module refused it: line 2, at /objects/0: occupied must have a bit"),
                 Arguments.of("<group/>", ":2: <group> must have a member"),
                 Arguments.of("<mesh file='../up.obj'/>", ":2: file must lead to a file under the folder of the world"),
                 Arguments.of("<mesh file='no.obj'/>", "no.obj cannot be read (No such file or directory)"),

@@ -8,6 +8,7 @@ import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -19,6 +20,18 @@ public final class Samples {
 
     /** Every shape, named and nameless, static and moveable, upright and turned, with and without bounding volumes. */
     public static List<GeometryObject> everyShape() {
+        List<GeometryObject> shapes = new ArrayList<>(shapesBeforeTheGrid());
+        byte[] cells = {(byte) 0b1010_0101, 0b11};
+        shapes.add(GridObject.of(new Point(6, 0.5, -6), 0.3, 2, 5, 2, cells));
+        shapes.add(GridObject.of(new Point(0.1, 0, 8), 0.05, 0, 2, 5, cells)
+                .turned(0, 0.1)
+                .turned(0, 33.3)
+                .named("map"));
+        return List.copyOf(shapes);
+    }
+
+    /** The shapes that there were before the grid. */
+    static List<GeometryObject> shapesBeforeTheGrid() {
         List<GeometryObject> shapes = new ArrayList<>(firstShapes());
         shapes.add(
                 new CapsuleObject(new Point(-4, 1, 4), 0.25, 1.5).turned(10, 20).moveable("capsule"));

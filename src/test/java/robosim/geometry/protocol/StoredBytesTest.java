@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 class StoredBytesTest {
     private static final String FIRST = "first-release.ser";
     private static final String WITH_CAPSULES = "with-capsules.ser";
+    static final String WITH_GRIDS = "with-grids.ser";
 
     @Test
     void theFirstReleasesBytesMeanWhatTheyMeant() throws IOException {
@@ -21,7 +22,13 @@ class StoredBytesTest {
 
     @Test
     void bytesWithCapsulesMeanWhatTheyMeant() throws IOException {
-        assertThat(MessageTest.readAll(stored(WITH_CAPSULES))).isEqualTo(Samples.everyBundle());
+        assertThat(MessageTest.readAll(stored(WITH_CAPSULES)))
+                .isEqualTo(Samples.everyBundle(Samples.shapesBeforeTheGrid()));
+    }
+
+    @Test
+    void bytesWithGridsMeanWhatTheyMeant() throws IOException {
+        assertThat(MessageTest.readAll(stored(WITH_GRIDS))).isEqualTo(Samples.everyBundle());
     }
 
     static byte[] stored(String file) throws IOException {
@@ -30,13 +37,13 @@ class StoredBytesTest {
         }
     }
 
-    /** Wrote the second file; whoever changes what is written adds one more and leaves these alone. */
+    /** Wrote the last file; whoever changes what is written adds one more and leaves these alone. */
     static final class Write {
         private Write() {}
 
         public static void main(String[] args) throws IOException {
             byte[] bytes = MessageTest.write(Samples.everyBundle().toArray(Bundle[]::new));
-            Files.write(Path.of(args[0], WITH_CAPSULES), bytes);
+            Files.write(Path.of(args[0], WITH_GRIDS), bytes);
         }
     }
 }

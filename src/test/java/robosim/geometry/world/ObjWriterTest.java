@@ -15,6 +15,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -69,6 +70,20 @@ class ObjWriterTest {
         double full = (32.0 / 3 + 3 * 4) * Math.PI;
         assertThat(volume(capsule)).isBetween(0.99 * full, full);
         assertThat(volume(ball)).isBetween(0.99 * 32 / 3 * Math.PI, 32.0 / 3 * Math.PI);
+    }
+
+    /** Cells side by side are one box, so that a wall has no faces inside. */
+    @Test
+    void cellsOfAGridAreJoinedToBoxes() throws IOException {
+        // Rows ##.. and ##.#: a box of four cells and one of one.
+        GridObject grid = GridObject.of(new Point(1, 2, 3), 0.5, 4, 4, 2, new byte[] {(byte) 0b1011_0011});
+        MeshObject straight = written(grid);
+        assertThat(straight.vertices()).hasSize(16);
+        assertThat(straight.solid().isSolid()).isTrue();
+        assertThat(straight.vertices()).contains(new Point(0, 0, 2.5), new Point(1, 4, 3.5), new Point(2, 4, 3.5));
+        assertThat(volume(straight)).isCloseTo(5 * 0.25 * 4, within(1e-12));
+        MeshObject turned = written(grid.turned(0, 90));
+        assertThat(turned.bounds()).isEqualTo(grid.turned(0, 90).bounds());
     }
 
     @Test

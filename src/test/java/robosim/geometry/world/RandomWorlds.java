@@ -1,6 +1,7 @@
 package robosim.geometry.world;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
@@ -10,6 +11,7 @@ import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -40,11 +42,12 @@ final class RandomWorlds {
         List<WorldObject> objects = new ArrayList<>();
         int count = random.nextInt(8);
         for (int k = 0; k < count; k++) {
-            GeometryObject object = object(0);
+            boolean isGrid = random.nextInt(8) == 0;
+            GeometryObject object = isGrid ? grid() : object(0);
             object = random.nextBoolean() ? object.named(NAMES[random.nextInt(NAMES.length)] + k) : object;
-            object = random.nextInt(3) == 0 ? object.moveable("mover " + k) : object;
+            object = !isGrid && random.nextInt(3) == 0 ? object.moveable("mover " + k) : object;
             String color = random.nextBoolean() ? "#%06x".formatted(random.nextInt(1 << 24)) : null;
-            objects.add(new WorldObject(object, color, object.name() == null ? List.of() : sonars()));
+            objects.add(new WorldObject(object, color, isGrid || object.name() == null ? List.of() : sonars()));
         }
         Unit[] units = Unit.values();
         return new World(
@@ -65,6 +68,24 @@ final class RandomWorlds {
             sonars.add(new SonarRing(1 + random.nextInt(100), angle(), angle(), min, max, random.nextDouble(180)));
         }
         return sonars;
+    }
+
+    private GeometryObject grid() {
+        int columns = 1 + random.nextInt(9);
+        int rows = 1 + random.nextInt(9);
+        BitSet occupied = new BitSet();
+        occupied.set(random.nextInt(columns * rows));
+        for (int k = random.nextInt(40); k > 0; k--) {
+            occupied.set(random.nextInt(columns * rows));
+        }
+        GeometryObject grid = new GridObject(new Point(), random.nextDouble(0.01, 3), size(), columns, rows, occupied);
+        grid = grid.movedTo(new Point(random.nextDouble(-100, 100), number(), random.nextDouble(-100, 100)));
+        return switch (random.nextInt(4)) {
+            case 0 -> grid;
+            case 1 -> grid.turned(0, 90 * random.nextInt(8));
+            case 2 -> grid.oriented(new double[] {0.8, 0, 0.6, 0, 1, 0, -0.6, 0, 0.8});
+            default -> drifted(grid);
+        };
     }
 
     private GeometryObject object(int depth) {

@@ -20,7 +20,7 @@ import robosim.geometry.model.Ray;
 import robosim.geometry.model.SphereObject;
 
 /**
- * What is seen and touched in the boxes of a map is what is seen and touched in its cells. The figures go to
+ * What is seen and touched in the grid of a map is what is seen and touched in its cells. The figures go to
  * {@code target/ros-map-rays.md}; {@code -Drays=1000000} asks for more of them.
  */
 class RosMapRaysTest {

@@ -14,6 +14,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.SplittableRandom;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -23,6 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -78,8 +80,9 @@ class RosMapReaderTest {
         // The lower left corner is (-1, -2) of the map, which is X -1 and Z +2; up in the image is -Z.
         assertThat(world.objects())
                 .containsExactly(
-                        new WorldObject(new BoxObject(new Point(-0.5, 0, 0.75), 1, 3, 0.5)),
-                        new WorldObject(new BoxObject(new Point(0.75, 0, 1.75), 0.5, 3, 0.5)),
+                        new WorldObject(
+                                new GridObject(new Point(0, 0, 1.25), 0.5, 3, 4, 3, BitSet.valueOf(new byte[] {3, 8}))
+                                        .named("map")),
                         // The image, from -1 to 1 and from 0.5 to 2, has a cell of wall around it.
                         new WorldObject(
                                 new BoxObject(new Point(-1.25, 0, 1.25), 0.5, 3, 1.5).named("left edge of the map")),
@@ -90,7 +93,23 @@ class RosMapReaderTest {
                                 new BoxObject(new Point(0, 0, 2.25), 3, 3, 0.5).named("lower edge of the map")));
         assertThat(world.unit()).isEqualTo(Unit.METRE);
         assertThat(new double[] {world.width(), world.height(), world.length()}).containsExactly(4, 3, 6);
-        assertThat(world.toGeometry().objects()).hasSize(6);
+        GridObject walls = (GridObject) world.objects().get(0).object();
+        assertThat(walls.box(1, 0)).isEqualTo(new BoxObject(new Point(-0.25, 0, 0.75), 0.5, 3, 0.5));
+        assertThat(walls.box(3, 2)).isEqualTo(new BoxObject(new Point(0.75, 0, 1.75), 0.5, 3, 0.5));
+        assertThat(world.toGeometry().objects()).hasSize(5);
+    }
+
+    /** A robot that maps replaces what it was given. */
+    @Test
+    void theGridCanBeReplacedByItsName() throws IOException {
+        Geometry geometry = RosMapReader.read(map("P2 2 1 1 0 1")).toGeometry();
+        GridObject before = (GridObject) geometry.getObject("map");
+        assertThat(geometry.removeObject("map")).isTrue();
+        BitSet other = new BitSet();
+        other.set(1);
+        GridObject after = new GridObject(before.center(), before.cell(), before.height(), 2, 1, other).named("map");
+        assertThat(geometry.addObjectUnchecked(after)).isTrue();
+        assertThat(geometry.getObject("map")).isEqualTo(after);
     }
 
     /** The frame's origin may be far from the image: the world about it is four times the map, and none of that is map. */
@@ -132,7 +151,7 @@ class RosMapReaderTest {
     @Test
     void givesWallsTheHeightThatIsAskedFor() throws IOException {
         Path yaml = map("P2 1 1 1 0");
-        assertThat(((BoxObject) RosMapReader.read(yaml).objects().get(0).object()).height())
+        assertThat(((GridObject) RosMapReader.read(yaml).objects().get(0).object()).height())
                 .isEqualTo(RosMapReader.WALL_HEIGHT);
         for (double wrong : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatIllegalArgumentException()
@@ -410,7 +429,9 @@ class RosMapReaderTest {
                         ".......... .......... .......### ....#..### ....#..### .......... .......... ...###.... .......###"
                                 + " .......###");
         assertThat(grid.unknown()).isEqualTo(2);
-        assertThat(RosMapReader.read(MAPS.resolve("TenByTen.yaml")).objects()).hasSize(4 + 4);
+        World world = RosMapReader.read(MAPS.resolve("TenByTen.yaml"));
+        assertThat(world.objects()).hasSize(1 + 4);
+        assertThat(((GridObject) world.objects().get(0).object()).occupied()).isEqualTo(grid.occupied);
     }
 
     @Test
@@ -421,13 +442,11 @@ class RosMapReaderTest {
         assertThat(grid.occupied.cardinality()).isEqualTo(870);
         assertThat(grid.unknown()).isEqualTo(138_683);
         World world = RosMapReader.read(MAPS.resolve("tb3_sandbox.yaml"));
-        assertThat(world.objects()).hasSizeBetween(100, 500);
-        double area = world.objects().stream()
-                .filter(object -> object.object().name() == null)
-                .map(object -> (BoxObject) object.object())
-                .mapToDouble(box -> box.width() * box.length())
-                .sum();
-        assertThat(area / (0.05 * 0.05)).isCloseTo(870, within(1e-9));
+        GridObject walls = (GridObject) world.objects().get(0).object();
+        assertThat(walls.occupied()).isEqualTo(grid.occupied);
+        assertThat(walls.cell()).isEqualTo(0.05);
+        assertThat(walls.center().x()).isCloseTo(-10 + 192 * 0.05, within(1e-12));
+        assertThat(walls.center().z()).isCloseTo(10 - 192 * 0.05, within(1e-12));
         assertThat(world.toGeometry().objects()).hasSameSizeAs(world.objects());
     }
 }

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Limits the memory of the worlds of all connections together, as estimated from the sizes of their messages. */
 public final class WorldMemory {
-    /** Memory per byte of a message: a box of 50 bytes takes some 400, a triangle of 34 some 240. */
+    /** Memory per byte of a message: a box of 50 bytes takes some 400, a triangle of 34 some 240, a byte of eight cells 8. */
     static final int MEMORY_FOR_A_BYTE = 8;
 
     /** Worlds from smaller messages are not counted: 256 of them take 32 MiB. */

@@ -9,6 +9,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -22,7 +23,7 @@ final class JsonObjects {
     private static final Fields FIELDS = Fields.of(
             "kind",
             "name moveable center rotation headingDegrees width height length radius vertices faces solid"
-                    + " boundingVolume members segment");
+                    + " boundingVolume members segment cell columns rows occupied");
 
     private static final List<String> COMMON =
             List.of("kind", "name", "moveable", "center", "rotation", "headingDegrees");
@@ -33,9 +34,12 @@ final class JsonObjects {
             Form.of(GeometryObject.Kind.SPHERE, "sphere", "center radius", ""),
             Form.of(GeometryObject.Kind.CAPSULE, "capsule", "center radius segment", ""),
             Form.of(GeometryObject.Kind.MESH, "mesh", "vertices faces", "solid boundingVolume"),
-            Form.of(GeometryObject.Kind.GROUP, "group", "members", "boundingVolume"));
+            Form.of(GeometryObject.Kind.GROUP, "group", "members", "boundingVolume"),
+            Form.of(GeometryObject.Kind.GRID, "grid", "center cell height columns rows occupied", ""));
 
     private static final int MAX_VERTICES = MessageLimits.MAX_ARRAY_LENGTH / 3;
+
+    private static final int MAX_CELLS = MessageLimits.MAX_ARRAY_LENGTH * Byte.SIZE;
 
     private final JsonInput in;
     private long parts;
@@ -76,8 +80,9 @@ final class JsonObjects {
             read(draft, field);
         }
         checkFields(draft, members);
-        weight = draft.weight;
-        return in.make(draft::make);
+        GeometryObject made = in.make(draft::make);
+        weight = made instanceof GridObject grid ? MessageLimits.parts(grid) : draft.weight;
+        return made;
     }
 
     private void read(Draft draft, int field) throws IOException {
@@ -103,7 +108,11 @@ final class JsonObjects {
                 draft.members = list();
                 draft.weight = weight;
             }
-            default -> draft.segment = in.number();
+            case 15 -> draft.segment = in.number();
+            case 16 -> draft.cell = in.number();
+            case 17 -> draft.columns = (int) in.whole(1, MAX_CELLS);
+            case 18 -> draft.rows = (int) in.whole(1, MAX_CELLS);
+            default -> draft.occupied = in.bytes();
         }
     }
 
@@ -178,7 +187,7 @@ final class JsonObjects {
                 return form;
             }
         }
-        throw in.refused("must be box, cylinder, sphere, capsule, mesh or group (got: " + in.told(text) + ")");
+        throw in.refused("must be box, cylinder, sphere, capsule, mesh, group or grid (got: " + in.told(text) + ")");
     }
 
     /** The fields of an object read so far. */
@@ -195,6 +204,10 @@ final class JsonObjects {
         private double length;
         private double radius;
         private double segment;
+        private double cell;
+        private int columns;
+        private int rows;
+        private byte[] occupied = {};
         private List<Point> vertices = List.of();
         private int[][] faces = {};
         private boolean solid;
@@ -220,7 +233,7 @@ final class JsonObjects {
                 case CAPSULE -> new CapsuleObject(center, radius, segment);
                 case MESH -> mesh();
                 case GROUP -> new ObjectGroup(members, boundingVolume);
-                case GRID -> throw new UnsupportedOperationException("grid");
+                case GRID -> GridObject.of(center, cell, height, columns, rows, occupied);
             };
         }
 

@@ -3,12 +3,14 @@ package robosim.geometry.protocol.json;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -234,7 +236,10 @@ final class JsonOutput {
                 objects("members", group.members());
                 bounding(group.boundingVolume());
             }
-            case GRID -> throw new UnsupportedOperationException("grid");
+            case GRID -> {
+                place("grid", object);
+                grid((GridObject) object);
+            }
         }
         out.writeEndObject();
     }
@@ -280,6 +285,14 @@ final class JsonOutput {
             out.writeBooleanField("solid", true);
         }
         bounding(mesh.boundingVolume());
+    }
+
+    private void grid(GridObject grid) throws IOException {
+        out.writeNumberField("cell", grid.cell());
+        out.writeNumberField("height", grid.height());
+        out.writeNumberField("columns", grid.columns());
+        out.writeNumberField("rows", grid.rows());
+        out.writeStringField("occupied", Base64.getEncoder().encodeToString(grid.bytes()));
     }
 
     private void bounding(@Nullable GeometryObject volume) throws IOException {

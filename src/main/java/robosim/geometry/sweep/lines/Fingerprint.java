@@ -11,6 +11,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -75,13 +76,18 @@ public final class Fingerprint {
             case SPHERE -> add(((SphereObject) object).radius());
             case CAPSULE -> add(((CapsuleObject) object).radius()).add(((CapsuleObject) object).segment());
             case MESH -> add((MeshObject) object);
-            case GRID -> throw new UnsupportedOperationException("grid");
+            case GRID -> add((GridObject) object);
             case GROUP -> {
                 List<GeometryObject> members = ((ObjectGroup) object).members();
                 add(members.size());
                 members.forEach(this::add);
             }
         }
+    }
+
+    private void add(GridObject grid) {
+        add(grid.cell()).add(grid.height()).add(grid.columns()).add(grid.rows());
+        digest.update(grid.bytes());
     }
 
     private void add(MeshObject mesh) {

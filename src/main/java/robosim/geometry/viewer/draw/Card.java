@@ -8,6 +8,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SphereObject;
@@ -60,7 +61,11 @@ public record Card(String heading, List<String> lines) {
                 yield "radius " + number(capsule.radius()) + ", segment " + number(capsule.segment());
             }
             case MESH -> ((MeshObject) object).triangles().size() + " triangles, " + covers(object);
-            case GRID -> throw new UnsupportedOperationException("grid");
+            case GRID -> {
+                GridObject grid = (GridObject) object;
+                yield grid.columns() + " by " + grid.rows() + " cells of " + number(grid.cell()) + ", height "
+                        + number(grid.height());
+            }
             case GROUP -> ((ObjectGroup) object).members().size() + " members, " + covers(object);
         };
     }

@@ -96,7 +96,8 @@ final class LabelPainter {
     private void upon(GeometryObject object, List<Cover> above) {
         Bounds bounds = object.bounds();
         String name = object.name();
-        if (name != null) {
+        // The middle of a grid is as a rule free floor.
+        if (name != null && object.kind() != GeometryObject.Kind.GRID) {
             upon(name, bounds, above);
         }
         above.add(new Cover(Footprint.of(object), bounds));

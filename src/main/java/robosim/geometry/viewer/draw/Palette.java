@@ -23,6 +23,9 @@ public final class Palette {
     private static final Ink MESH = new Ink(0xa795b5, 0x6c5a7b);
     private static final Ink GROUP = new Ink(0xa3ab88, 0x666e4c);
 
+    /** Darker than other objects, as cells have no edges. */
+    private static final Ink GRID_CELL = new Ink(0x5f6974, 0x8b96a5);
+
     /** Hues that differ in lightness too, for colour-blind readers (after Okabe and Ito). */
     private static final Ink[] ROBOTS = {
         new Ink(0x0067a8, 0x56b4e9), new Ink(0xc85a00, 0xff9f45), new Ink(0x00805a, 0x2fd0a0),
@@ -46,7 +49,7 @@ public final class Palette {
             case CAPSULE -> CAPSULE;
             case MESH -> MESH;
             case GROUP -> GROUP;
-            case GRID -> BOX;
+            case GRID -> GRID_CELL;
         };
     }
 

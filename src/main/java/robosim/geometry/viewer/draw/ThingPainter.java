@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.viewer.scene.CellArea;
 import robosim.geometry.viewer.scene.Footprint;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
@@ -114,12 +116,44 @@ final class ThingPainter {
                 canvas.circle(frame.x(disc.x()), frame.y(disc.z()), radius, style);
             } else if (outline instanceof Footprint.Polygon polygon) {
                 polygons.add(frame.toPage(polygon.corners()));
+            } else if (outline instanceof CellArea cells) {
+                draw(cells, style, frame, canvas);
             }
         }
         if (!polygons.isEmpty()) {
             boolean many = polygons.size() > 8;
             Style drawn = many ? new Style(style.fill(), style.fillOpacity(), style.stroke(), 0.5, 0.5, 0) : style;
             canvas.polygons(polygons, drawn);
+        }
+    }
+
+    /** Cells are filled and have no outlines of their own; where nothing is filled, the whole grid has one. */
+    private static void draw(CellArea cells, Style style, MapFrame frame, Canvas canvas) {
+        if (style.fill() == null) {
+            canvas.polygons(List.of(cells.outline(frame)), style);
+        } else {
+            fill(cells.onPage(frame, null), style, canvas);
+        }
+    }
+
+    private static void fill(List<double[]> polygons, Style style, Canvas canvas) {
+        if (!polygons.isEmpty()) {
+            canvas.polygons(polygons, new Style(style.fill(), style.fillOpacity(), null, 0, 0, 0));
+        }
+    }
+
+    /** Draws an object, but of a grid only the cells near another object. */
+    static void drawNear(GeometryObject object, GeometryObject other, Style style, MapFrame frame, Canvas canvas) {
+        if (!(object instanceof GridObject)) {
+            draw(object, style, frame, canvas);
+            return;
+        }
+        Bounds b = other.bounds();
+        double more = Math.max(b.width(), b.length());
+        Bounds around =
+                new Bounds(b.minX() - more, b.minY(), b.minZ() - more, b.maxX() + more, b.maxY(), b.maxZ() + more);
+        for (Footprint outline : Footprint.of(object)) {
+            fill(((CellArea) outline).onPage(frame, around), style, canvas);
         }
     }
 

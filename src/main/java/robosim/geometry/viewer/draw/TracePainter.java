@@ -120,7 +120,7 @@ final class TracePainter {
                         frame.bottom() - frame.top(),
                         Style.line(Palette.REFUSED, 6, each.strength()));
             } else {
-                ThingPainter.draw(obstacle, style, frame, canvas);
+                ThingPainter.drawNear(obstacle, each.mover(), style, frame, canvas);
             }
             Bounds bounds = each.mover().bounds();
             double radius = frame.scale * StrictMath.hypot(bounds.width(), bounds.length()) / 2 + 4;

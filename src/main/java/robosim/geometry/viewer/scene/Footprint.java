@@ -7,14 +7,15 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
-/** A convex piece of an object's projection on the XZ plane; for pictures, in plain doubles. */
-public sealed interface Footprint {
+/** A convex piece of an object's projection on the XZ plane, or all cells of a grid; for pictures, in plain doubles. */
+public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, CellArea {
     /** A disc. */
     record Disc(double x, double z, double radius) implements Footprint {}
 
@@ -41,6 +42,9 @@ public sealed interface Footprint {
     static double depth(Footprint outline, double x, double z) {
         if (outline instanceof Disc disc) {
             return disc.radius() - Math.sqrt((x - disc.x()) * (x - disc.x()) + (z - disc.z()) * (z - disc.z()));
+        }
+        if (outline instanceof CellArea cells) {
+            return cells.depth(x, z);
         }
         double[] corners = ((Polygon) outline).corners();
         double least = corners.length < 6 ? -1 : Double.POSITIVE_INFINITY;
@@ -71,7 +75,7 @@ public sealed interface Footprint {
             case SPHERE -> outlines.add(new Disc(frame.origin.x(), frame.origin.z(), ((SphereObject) object).radius()));
             case CAPSULE -> outlines.add(capsule((CapsuleObject) object, frame));
             case MESH -> mesh(((MeshObject) object).triangles(), frame, outlines);
-            case GRID -> throw new UnsupportedOperationException("grid");
+            case GRID -> outlines.add(new CellArea((GridObject) object));
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     add(member, frame, outlines);

@@ -7,6 +7,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -60,7 +61,7 @@ public final class Heights {
                 }
                 yield most;
             }
-            case GRID -> object.center().y() + ((robosim.geometry.model.GridObject) object).height() / 2;
+            case GRID -> object.center().y() + ((GridObject) object).height() / 2;
             case GROUP -> {
                 double most = Double.NEGATIVE_INFINITY;
                 for (GeometryObject member : ((ObjectGroup) object).members()) {

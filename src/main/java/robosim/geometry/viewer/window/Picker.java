@@ -3,6 +3,7 @@ package robosim.geometry.viewer.window;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.CellArea;
 import robosim.geometry.viewer.scene.Footprint;
 import robosim.geometry.viewer.scene.Heights;
 import robosim.geometry.viewer.scene.Scene;
@@ -55,6 +56,8 @@ final class Picker {
                 least = Math.min(least, Math.max(0, StrictMath.hypot(x - disc.x(), z - disc.z()) - disc.radius()));
             } else if (outline instanceof Footprint.Polygon polygon) {
                 least = Math.min(least, distance(polygon.corners(), x, z));
+            } else if (outline instanceof CellArea cells) {
+                least = Math.min(least, cells.distance(x, z, limit));
             }
             if (least == 0) {
                 return 0;

@@ -255,8 +255,8 @@ final class Questions {
     private static boolean isPrism(GeometryObject object) {
         return object.pose().isUpright()
                 && switch (object.kind()) {
-                    case BOX, CYLINDER -> true;
-                    case SPHERE, CAPSULE, MESH, GROUP, GRID -> false;
+                    case BOX, CYLINDER, GRID -> true;
+                    case SPHERE, CAPSULE, MESH, GROUP -> false;
                 };
     }
 }

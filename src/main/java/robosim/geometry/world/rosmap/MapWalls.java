@@ -1,23 +1,23 @@
 package robosim.geometry.world.rosmap;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.world.shared.Limits;
 
-/** The occupied cells of a map as boxes, placed in the world. */
+/** The occupied cells of a map as a grid, and boxes along its edges, placed in the world. */
 public final class MapWalls {
     /** Height in metres of the walls of a map, which does not specify it: that of a door. */
     public static final double HEIGHT = 2;
 
-    /** Cells must be far larger than the rounding of their coordinates. */
-    private static final double LEAST_ULPS = 0x1p20;
+    /** The name of the grid. */
+    private static final String NAME = "map";
 
-    /** Boxes around the image. */
-    private static final int EDGES = 4;
+    /** Cells must be far larger than the rounding of their coordinates, and not more than 2^30 of them from the origin. */
+    private static final double LEAST_ULPS = 0x1p25;
 
     private final MapSettings settings;
     private final OccupancyGrid grid;
@@ -30,14 +30,16 @@ public final class MapWalls {
         this.height = height;
     }
 
-    /** Boxes that cover the occupied cells. */
-    public List<BoxObject> walls() {
-        List<BoxObject> walls = new ArrayList<>();
-        for (Rectangles.Rectangle cells :
-                Rectangles.cover(grid.occupied, grid.width, grid.height, Limits.MAX_OBJECTS - EDGES)) {
-            walls.add(box(cells));
+    /** The occupied cells; empty if there are none. */
+    public Optional<GridObject> walls() {
+        if (grid.occupied.isEmpty()) {
+            return Optional.empty();
         }
-        return walls;
+        // Rows of the image, from its top, are rows of the grid, whose own Z is down in the image.
+        GridObject walls =
+                new GridObject(new Point(), settings.resolution(), height, grid.width, grid.height, grid.occupied);
+        Point center = place(grid.width / 2.0 * settings.resolution(), grid.height / 2.0 * settings.resolution());
+        return Optional.of(walls.at(Pose.of(center, heading())).named(NAME));
     }
 
     /** A wall one cell thick around the image, since the map ends there although the world may not. */
@@ -45,26 +47,20 @@ public final class MapWalls {
         int width = grid.width;
         int rows = grid.height;
         return List.of(
-                edge("left", new Rectangles.Rectangle(-1, 0, 0, rows)),
-                edge("right", new Rectangles.Rectangle(width, 0, width + 1, rows)),
-                edge("upper", new Rectangles.Rectangle(-1, -1, width + 1, 0)),
-                edge("lower", new Rectangles.Rectangle(-1, rows, width + 1, rows + 1)));
+                edge("left", -1, 0, 0, rows),
+                edge("right", width, 0, width + 1, rows),
+                edge("upper", -1, -1, width + 1, 0),
+                edge("lower", -1, rows, width + 1, rows + 1));
     }
 
-    private BoxObject edge(String side, Rectangles.Rectangle cells) {
-        return box(cells).named(side + " edge of the map");
-    }
-
-    private BoxObject box(Rectangles.Rectangle cells) {
+    /** A box in the place of the cells of columns {@code [fromX, toX)} in rows {@code [fromRow, toRow)}. */
+    private BoxObject edge(String side, int fromX, int fromRow, int toX, int toRow) {
         BoxObject box = new BoxObject(
-                new Point(),
-                (cells.toX() - cells.fromX()) * settings.resolution(),
-                height,
-                (cells.toRow() - cells.fromRow()) * settings.resolution());
+                new Point(), (toX - fromX) * settings.resolution(), height, (toRow - fromRow) * settings.resolution());
         Point center = place(
-                (cells.fromX() + cells.toX()) / 2.0 * settings.resolution(),
-                (grid.height - (cells.fromRow() + cells.toRow()) / 2.0) * settings.resolution());
-        return box.at(Pose.of(center, heading()));
+                (fromX + toX) / 2.0 * settings.resolution(),
+                (grid.height - (fromRow + toRow) / 2.0) * settings.resolution());
+        return box.at(Pose.of(center, heading())).named(side + " edge of the map");
     }
 
     private double heading() {

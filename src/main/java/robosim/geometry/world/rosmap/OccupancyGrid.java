@@ -40,6 +40,22 @@ public final class OccupancyGrid {
         return unknown;
     }
 
+    /** What a cell is. */
+    enum Cell {
+        FREE,
+        WALL,
+        UNKNOWN
+    }
+
+    /** Sets the next cell of a row; each is set once. */
+    void set(int x, int row, Cell cell) {
+        if (cell == Cell.WALL) {
+            occupied.set(row * width + x);
+        } else if (cell == Cell.UNKNOWN) {
+            unknown++;
+        }
+    }
+
     /**
      * Converts a pixel to a cell.
      *
@@ -48,15 +64,9 @@ public final class OccupancyGrid {
      * @param alpha    its opacity, 0 to {@code opaque}
      * @param opaque   the value of full opacity; 0 if the image has no alpha channel
      */
-    void pixel(int x, int row, long sum, long whole, int alpha, int opaque) {
+    Cell cell(long sum, long whole, int alpha, int opaque) {
         int value = value(sum, whole, alpha, opaque);
-        if (value == UNKNOWN) {
-            unknown++;
-        } else if (isWall(value)) {
-            occupied.set(row * width + x);
-        } else if (value != 0) {
-            unknown++;
-        }
+        return value == 0 ? Cell.FREE : value != UNKNOWN && isWall(value) ? Cell.WALL : Cell.UNKNOWN;
     }
 
     private boolean isWall(int value) {

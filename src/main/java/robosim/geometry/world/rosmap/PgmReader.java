@@ -21,8 +21,9 @@ public final class PgmReader {
             throw words.wrong(String.valueOf(e.getMessage()));
         }
         int white = words.digits("the value of white", 1, MOST);
+        OccupancyGrid grid = new OccupancyGrid(width, height, settings);
         if (isText) {
-            return text(words, new OccupancyGrid(width, height, settings), white);
+            return text(words, grid, cells(grid, white));
         }
         int size = white < 256 ? 1 : 2;
         int from = words.behind();
@@ -39,13 +40,23 @@ public final class PgmReader {
                                     : "there is extra data after its last pixel, so save it again (got: " + there
                                             + ")"));
         }
-        return binary(bytes, from, source, new OccupancyGrid(width, height, settings), white);
+        return binary(bytes, from, source, grid, cells(grid, white));
     }
 
-    private static OccupancyGrid text(AsciiScanner words, OccupancyGrid grid, int white) throws FileProblem {
+    /** What each value of a pixel means, up to that of white. */
+    private static OccupancyGrid.Cell[] cells(OccupancyGrid grid, int white) {
+        OccupancyGrid.Cell[] cells = new OccupancyGrid.Cell[white + 1];
+        for (int value = 0; value <= white; value++) {
+            cells[value] = grid.cell(value, white, 0, 0);
+        }
+        return cells;
+    }
+
+    private static OccupancyGrid text(AsciiScanner words, OccupancyGrid grid, OccupancyGrid.Cell[] cells)
+            throws FileProblem {
         for (int row = 0; row < grid.height; row++) {
             for (int x = 0; x < grid.width; x++) {
-                grid.pixel(x, row, words.digits("a pixel", 0, white), white, 0, 0);
+                grid.set(x, row, cells[words.digits("a pixel", 0, cells.length - 1)]);
             }
         }
         if (words.next()) {
@@ -55,8 +66,9 @@ public final class PgmReader {
         return grid;
     }
 
-    private static OccupancyGrid binary(byte[] bytes, int from, String source, OccupancyGrid grid, int white)
-            throws FileProblem {
+    private static OccupancyGrid binary(
+            byte[] bytes, int from, String source, OccupancyGrid grid, OccupancyGrid.Cell[] cells) throws FileProblem {
+        int white = cells.length - 1;
         int at = from;
         for (int row = 0; row < grid.height; row++) {
             for (int x = 0; x < grid.width; x++) {
@@ -72,7 +84,7 @@ public final class PgmReader {
                             "a pixel must be at most white, " + white + " (got: " + value + " in column " + (x + 1)
                                     + " of row " + (row + 1) + ")");
                 }
-                grid.pixel(x, row, value, white, 0, 0);
+                grid.set(x, row, cells[value]);
             }
         }
         return grid;

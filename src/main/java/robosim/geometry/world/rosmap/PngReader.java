@@ -41,11 +41,16 @@ public final class PngReader {
 
     private static void fromPalette(Raster raster, IndexColorModel palette, OccupancyGrid grid) {
         int opaque = palette.hasAlpha() ? 255 : 0;
+        OccupancyGrid.Cell[] cells = new OccupancyGrid.Cell[palette.getMapSize()];
+        for (int index = 0; index < cells.length; index++) {
+            int sum = palette.getRed(index) + palette.getGreen(index) + palette.getBlue(index);
+            cells[index] = grid.cell(sum, 3 * 255, palette.getAlpha(index), opaque);
+        }
+        int[] indices = new int[grid.width];
         for (int row = 0; row < grid.height; row++) {
+            raster.getSamples(0, row, grid.width, 1, 0, indices);
             for (int x = 0; x < grid.width; x++) {
-                int index = raster.getSample(x, row, 0);
-                int sum = palette.getRed(index) + palette.getGreen(index) + palette.getBlue(index);
-                grid.pixel(x, row, sum, 3 * 255, palette.getAlpha(index), opaque);
+                grid.set(x, row, cells[indices[x]]);
             }
         }
     }
@@ -55,12 +60,23 @@ public final class PngReader {
         int most = (1 << model.getComponentSize(0)) - 1;
         int colours = model.getNumColorComponents();
         int opaque = model.hasAlpha() ? most : 0;
-        int[] samples = new int[raster.getNumBands()];
+        int bands = raster.getNumBands();
+        int[] samples = new int[bands * grid.width];
+        long lastSum = -1;
+        int lastAlpha = 0;
+        OccupancyGrid.Cell cell = OccupancyGrid.Cell.FREE;
         for (int row = 0; row < grid.height; row++) {
+            raster.getPixels(0, row, grid.width, 1, samples);
             for (int x = 0; x < grid.width; x++) {
-                raster.getPixel(x, row, samples);
-                long sum = colours == 1 ? 3L * samples[0] : (long) samples[0] + samples[1] + samples[2];
-                grid.pixel(x, row, sum, 3L * most, opaque > 0 ? samples[colours] : 0, opaque);
+                int at = x * bands;
+                long sum = colours == 1 ? 3L * samples[at] : (long) samples[at] + samples[at + 1] + samples[at + 2];
+                int alpha = opaque > 0 ? samples[at + colours] : 0;
+                if (sum != lastSum || alpha != lastAlpha) { // most pixels are as the one before
+                    cell = grid.cell(sum, 3L * most, alpha, opaque);
+                    lastSum = sum;
+                    lastAlpha = alpha;
+                }
+                grid.set(x, row, cell);
             }
         }
     }

@@ -8,7 +8,7 @@ public final class Limits {
     /** Bytes of one file of any format. A mesh of a million triangles takes about 60 MB as XML, OBJ or binary STL. */
     public static final long MAX_BYTES = 128L << 20;
 
-    /** Boxes, cylinders, spheres, capsules, meshes and groups of one world, members included. The warehouse has about 2,700. */
+    /** Objects of one world, members included. The warehouse has about 2,700. */
     public static final int MAX_OBJECTS = 200_000;
 
     /** Elements of one SDFormat file that are read. A world of 3,000 shapes has about 30,000. */
@@ -47,7 +47,10 @@ public final class Limits {
     /** Faces of one mesh file, after its polygons are cut. A file of 128 MB has 3,000,000, unless it repeats faces. */
     public static final int MAX_FACES = 5_000_000;
 
-    /** Cells of one map. A hall of 200 x 200 m with cells of 5 cm has 16,000,000. */
+    /**
+     * Cells of one map, and of all grids of one world file, since a few characters may claim any number. A hall of 200 x
+     * 200 m with cells of 5 cm has 16,000,000, which take 16 MB of memory.
+     */
     public static final int MAX_CELLS = 1 << 24;
 
     /** Bytes of a map's settings. The longest seen has 200. */

@@ -79,7 +79,8 @@ public final class Numbers {
                 "a number must be decimal and finite, like 12, -0.5 or 1.5e-3 (got: " + shown(token) + ")", cause);
     }
 
-    private static String shown(String token) {
+    /** A token for a message, shortened if it is long. */
+    public static String shown(String token) {
         return token.length() <= MAX_LENGTH ? token : token.substring(0, MAX_LENGTH) + "...";
     }
 }

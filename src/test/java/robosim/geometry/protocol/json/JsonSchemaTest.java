@@ -48,7 +48,10 @@ class JsonSchemaTest {
             "name must have a visible character",
             "must be indices",
             "faces[",
-            "enclose");
+            "enclose",
+            "occupied must have",
+            "a grid stands upright",
+            "must be bytes in base64");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -190,6 +193,8 @@ class JsonSchemaTest {
             "{\"error\":\"x\"}",
             "\"SPATIAL\"",
             "\"mesh\"",
+            "\"/wM=\"",
+            "\"/wMA\"",
             "9007199254740992",
             "1333333",
             "3.141592653589793",
@@ -231,6 +236,9 @@ class JsonSchemaTest {
             "headingDegrees",
             "solid",
             "radius",
+            "cell",
+            "columns",
+            "occupied",
             "secret",
             "id",
             "settings",

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -22,6 +23,7 @@ import org.w3c.dom.NodeList;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -123,6 +125,44 @@ class PainterTest {
         assertThat(withClass(document, "ramp")).hasSize(1);
         assertThat(document.getDocumentElement().getTextContent())
                 .contains("Everything", "a line below", "wall & <door>", "drum", "2 m", "refused move, 1 shown");
+    }
+
+    /** Cells side by side are one area without edges, and what a robot met on a map is not the whole of it. */
+    @Test
+    void aGridIsDrawnAsItsCells() throws Exception {
+        BitSet cells = new BitSet();
+        cells.set(0, 40); // the first of ten rows, and the last cell
+        cells.set(399);
+        GridObject map = new GridObject(new Point(0, 0, 0), 0.25, 1, 40, 10, cells).named("map");
+        GeometryObject robot = new CylinderObject(new Point(-4.5, 0, -0.5), 0.2, 1).moveable("robot");
+        Scene scene = Scene.of("Map", VIEW, List.of(new Scene.Thing(map, null), new Scene.Thing(robot, null)))
+                .blocked(List.of(new Scene.Blocked(robot, map, 1)))
+                .marked(List.of(new Scene.Mark(map, Scene.Mark.Why.PICKED)), 0);
+        Document document = parse(Painter.svg(scene));
+        Element drawn = withClass(document, "object").get(0);
+        assertThat(count(drawn, "path")).isEqualTo(1);
+        Element path = (Element) drawn.getElementsByTagName("path").item(0);
+        assertThat(path.getAttribute("d")).containsPattern("^M[^Z]*Z *M[^Z]*Z$");
+        assertThat(path.getAttribute("class")).matches("f[0-9]+");
+        assertThat(path.getAttribute("stroke-width")).isEmpty();
+        // Near the robot are some cells of the first row, 25 pixels high, and not the one in the far corner.
+        Element block = withClass(document, "block").get(0);
+        assertThat(((Element) block.getElementsByTagName("path").item(0)).getAttribute("d"))
+                .containsPattern("^M[^Z]*Z$");
+        Element picked = withClass(document, "picked").get(0);
+        assertThat(count(picked, "path")).as("an outline of the whole grid").isEqualTo(1);
+        BufferedImage image = Painter.image(scene, Theme.LIGHT);
+        assertThat(image.getRGB(MIDDLE_X, MIDDLE_Y - (int) (1.125 * SCALE)) & 0xffffff)
+                .isEqualTo(Palette.of(GeometryObject.Kind.GRID).light());
+        assertThat(image.getRGB(MIDDLE_X + 10, MIDDLE_Y + 20) & 0xffffff).isEqualTo(FLOOR);
+        assertThat(Card.of(map, "m").lines())
+                .containsExactly(
+                        "grid, cannot move",
+                        "at x 0, z 0, y 0 m",
+                        "heading 0 degrees",
+                        "40 by 10 cells of 0.25, height 1 m");
+        // Its name would stand on free floor.
+        assertThat(withClass(document, "names").get(0).getTextContent()).doesNotContain("map");
     }
 
     @Test

@@ -2,6 +2,7 @@ package robosim.geometry.viewer.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -10,6 +11,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
@@ -22,6 +24,23 @@ class PickerTest {
 
     private static boolean hits(GeometryObject object, double x, double z) {
         return Picker.at(List.of(thing(object)), x, z, 0) != null;
+    }
+
+    /** A map lies under everything and over most of the floor, which is free. */
+    @Test
+    void aGridIsPickedAtItsCellsAlone() {
+        BitSet cells = new BitSet();
+        cells.set(1, 3); // of the first row of three
+        cells.set(8);
+        GeometryObject map = new GridObject(new Point(), 1, 2, 3, 3, cells).named("map");
+        GeometryObject robot = new CylinderObject(new Point(1, 0, -1), 0.2, 1).moveable("robot");
+        List<Scene.Thing> things = List.of(thing(map), thing(robot));
+        assertThat(Picker.at(things, 0, -1, 0)).isEqualTo(map);
+        assertThat(Picker.at(things, 1, -1, 0)).isEqualTo(robot);
+        assertThat(Picker.at(things, 1.4, 1.4, 0)).isEqualTo(map);
+        assertThat(Picker.at(things, 0, 0, 0)).isNull();
+        assertThat(Picker.at(things, 0, -0.4, 0.2)).isEqualTo(map);
+        assertThat(Picker.at(things, 0, -0.2, 0.2)).isNull();
     }
 
     @Test

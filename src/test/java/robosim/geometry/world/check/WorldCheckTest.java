@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -20,6 +21,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.World;
@@ -314,6 +316,37 @@ class WorldCheckTest {
                 .singleElement()
                 .satisfies(room -> assertThat(room.robots()).containsExactly("free"));
         assertThat(check.isFine()).isFalse();
+    }
+
+    /** The same wall with a door, as boxes and as cells of a quarter. */
+    @Test
+    void aGridIsCheckedAsItsCellsAreAsBoxes() {
+        BitSet cells = new BitSet();
+        for (int row = 0; row < 80; row++) {
+            cells.set(row, row < 48 || row > 55);
+        }
+        GridObject grid = new GridObject(new Point(0, 0, 0), 0.25, 2, 1, 80, cells).named("map");
+        List<GeometryObject> boxes = new ArrayList<>();
+        cells.stream().mapToObj(cell -> grid.box(0, cell)).forEach(boxes::add);
+        List<GeometryObject> robots =
+                List.of(drum("a", -5, 0, 0.5), drum("b", 5, 0, 0.5), drum("in the wall", 0.25, -3, 0.25));
+        List<GeometryObject> one = new ArrayList<>(robots);
+        one.add(grid);
+        List<GeometryObject> many = new ArrayList<>(robots);
+        many.addAll(boxes);
+        WorldCheck ofGrid = WorldCheck.of(world(Dimension.SPATIAL, one.toArray(GeometryObject[]::new)));
+        WorldCheck ofBoxes = WorldCheck.of(world(Dimension.SPATIAL, many.toArray(GeometryObject[]::new)));
+        assertThat(ofGrid.rooms()).isEqualTo(ofBoxes.rooms());
+        assertThat(ofGrid.shutIn()).isEmpty();
+        assertThat(ofGrid.staticOverlaps()).isZero();
+        assertThat(ofGrid.startingContacts()).singleElement().satisfies(overlap -> {
+            assertThat(overlap.first().object().name()).isEqualTo("in the wall");
+            assertThat(overlap.second().object()).isEqualTo(grid);
+            assertThat(overlap.depth()).isGreaterThan(0.1);
+        });
+        Needs needs = ofGrid.needs();
+        assertThat(needs.isProven()).isEqualTo(ofBoxes.needs().isProven()).isTrue();
+        assertThat(needs.met()).isEqualTo(ofBoxes.needs().met()).isGreaterThan(100);
     }
 
     /** All pairs, found by asking every one. */

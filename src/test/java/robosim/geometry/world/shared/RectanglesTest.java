@@ -1,14 +1,26 @@
-package robosim.geometry.world.rosmap;
+package robosim.geometry.world.shared;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class RectanglesTest {
+    private record Rectangle(int fromX, int fromRow, int toX, int toRow) {}
+
+    private static List<Rectangle> cover(BitSet cells, int width, int height) {
+        List<Rectangle> found = new ArrayList<>();
+        Rectangles.cover(
+                cells,
+                width,
+                height,
+                (fromX, fromRow, toX, toRow) -> found.add(new Rectangle(fromX, fromRow, toX, toRow)));
+        return found;
+    }
+
     @Test
     void coverEverySetCellOnceAndNoOther() {
         SplittableRandom random = new SplittableRandom(11);
@@ -22,10 +34,10 @@ class RectanglesTest {
                 cells.set(cell, random.nextInt(10) < share);
             }
             BitSet before = (BitSet) cells.clone();
-            List<Rectangles.Rectangle> found = Rectangles.cover(cells, width, height, 1000);
+            List<Rectangle> found = cover(cells, width, height);
             assertThat(cells).isEqualTo(before);
             int[] covered = new int[width * height];
-            for (Rectangles.Rectangle rectangle : found) {
+            for (Rectangle rectangle : found) {
                 // Cells beyond the right edge would be those of the next row.
                 assertThat(rectangle.toX()).isBetween(rectangle.fromX() + 1, width);
                 assertThat(rectangle.toRow()).isBetween(rectangle.fromRow() + 1, height);
@@ -49,18 +61,6 @@ class RectanglesTest {
         for (int row = 0; row < 9; row++) {
             cells.set(row * 7 + 2, row * 7 + 4);
         }
-        assertThat(Rectangles.cover(cells, 7, 9, 1)).containsExactly(new Rectangles.Rectangle(2, 0, 4, 9));
-    }
-
-    @Test
-    void areLimited() {
-        BitSet cells = new BitSet();
-        cells.set(0);
-        cells.set(2);
-        cells.set(4);
-        assertThat(Rectangles.cover(cells, 5, 1, 3)).hasSize(3);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> Rectangles.cover(cells, 5, 1, 2))
-                .withMessageContaining("must fit in 2 boxes");
+        assertThat(cover(cells, 7, 9)).containsExactly(new Rectangle(2, 0, 4, 9));
     }
 }
