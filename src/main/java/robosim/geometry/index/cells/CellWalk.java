@@ -74,15 +74,14 @@ public final class CellWalk {
         perU = 1 / du;
         perV = 1 / dv;
         slackAlong = 2 * slack * Math.min(Math.abs(perU), Math.abs(perV));
-        this.to = to;
+        this.to = Math.min(to, Math.min(leaves(u, du, perU, map.columns()), leaves(v, dv, perV, map.rows())));
         double begin = from;
         if (!(u >= 0 && v >= 0 && u <= map.columns() && v <= map.rows())) {
             begin = Math.max(from, Math.max(enters(u, du, perU, map.columns()), enters(v, dv, perV, map.rows())));
-            double end = Math.min(leaves(u, du, perU, map.columns()), leaves(v, dv, perV, map.rows()));
-            if (!(begin <= Math.min(to, end))) {
-                finish();
-                return;
-            }
+        }
+        if (!(begin <= this.to)) {
+            finish();
+            return;
         }
         double atU = du == 0 ? u : u + begin * du;
         double atV = dv == 0 ? v : v + begin * dv;
@@ -204,9 +203,6 @@ public final class CellWalk {
             double alongV = (lineV - beginV) * perV;
             boolean isU = alongU <= alongV;
             double along = isU ? alongU : alongV;
-            if (!(along <= end)) {
-                break;
-            }
             double past; // how far off the middle of the cell across
             if (isU) {
                 column = lineU - behindU;
@@ -219,11 +215,15 @@ public final class CellWalk {
                 column = (int) at;
                 past = at - column;
             }
-            if (Math.abs(past - 0.5) > most) {
-                return cross(lineU, lineV, alongU, alongV);
-            }
-            if (Integer.compareUnsigned(column, columns) >= 0 || Integer.compareUnsigned(row, rows) >= 0) {
-                break;
+            boolean isPlain = along <= end
+                    && Math.abs(past - 0.5) <= most
+                    && Integer.compareUnsigned(column, columns) < 0
+                    && Integer.compareUnsigned(row, rows) < 0;
+            if (!isPlain) {
+                aheadI = lineU - behindU - stepU * reach;
+                aheadJ = lineV - behindV - stepV * reach;
+                free = reach;
+                return advance(limit);
             }
             reach = of.clearance(of.cell(column, row));
             if (reach == 0) {
@@ -239,23 +239,41 @@ public final class CellWalk {
                 return true;
             }
         }
-        finish();
-        return false;
     }
 
     /** Goes to where the line leaves the cells around it that need no look any more; false where it ends before. */
     private boolean advance(double limit) {
         int reach = Math.max(1, free);
-        int lineU = du > 0 ? aheadI + reach : aheadI - reach + 1;
-        int lineV = dv > 0 ? aheadJ + reach : aheadJ - reach + 1;
-        double alongU = du == 0 ? Double.POSITIVE_INFINITY : (lineU - u) * perU;
-        double alongV = dv == 0 ? Double.POSITIVE_INFINITY : (lineV - v) * perV;
+        int lineU = du > 0 ? Math.min(aheadI + reach, map.columns()) : Math.max(aheadI - reach + 1, 0);
+        int lineV = dv > 0 ? Math.min(aheadJ + reach, map.rows()) : Math.max(aheadJ - reach + 1, 0);
+        boolean hasU = du != 0 && aheadI >= 0 && aheadI < map.columns();
+        boolean hasV = dv != 0 && aheadJ >= 0 && aheadJ < map.rows();
+        double alongU = hasU ? (leaving(lineU, map.columns()) - u) * perU : Double.POSITIVE_INFINITY;
+        double alongV = hasV ? (leaving(lineV, map.rows()) - v) * perV : Double.POSITIVE_INFINITY;
         double along = Math.min(alongU, alongV);
         if (!(along <= to && along - slackAlong <= limit)) {
-            finish();
-            return false;
+            return end(Math.min(to, limit), hasU ? lineU : Double.NaN, hasV ? lineV : Double.NaN);
         }
         return cross(lineU, lineV, alongU, alongV);
+    }
+
+    /** Ends the walk: near a line ahead, which it may cross before in truth, with the cells on both sides. */
+    private boolean end(double along, double lineU, double lineV) {
+        double atU = u + along * du;
+        double atV = v + along * dv;
+        finish();
+        if (!(Math.abs(atU - lineU) <= slack || Math.abs(atV - lineV) <= slack)) {
+            return false;
+        }
+        takeColumns(atU);
+        takeRows(atV);
+        enter();
+        return true;
+    }
+
+    /** A line between cells; where that is an edge of the grid, a line so far outside that the grid is left for certain. */
+    private double leaving(int line, int count) {
+        return line <= 0 ? -slack : line >= count ? count + slack : line;
     }
 
     /** Goes to the nearer one of two lines, and to the corner if it is that; false where the line leaves the grid. */
