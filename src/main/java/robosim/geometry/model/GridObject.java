@@ -16,7 +16,7 @@ import robosim.geometry.index.cells.PlacedCells;
  * map of millions of cells takes a byte a cell, and rays and moves pass over what is free without looking at its cells.
  *
  * <p>It is placed by the middle of the whole grid, free cells included. Columns go along its own +X, rows along its own +Z.
- * The lines between cells are rounded where the grid stands, to a multiple of a power of two, by less than 2<sup>-49</sup>
+ * The lines between cells are rounded where the grid stands, to a multiple of a power of two, by less than 2<sup>-50</sup>
  * of the largest coordinate of its corners: neighbours share a line, so there is neither gap nor overlap between them while
  * the grid is turned by a multiple of 90 degrees. At other headings each cell is a box that is placed and rounded for
  * itself.

@@ -112,6 +112,11 @@ public final class WorldBounds {
             return true;
         }
         PlacedCells cells = column.cells(leaf);
+        if (cells.isAlongAxes()) { // then the outermost lines of all cells are those of one box, to the bit
+            piece.setPiece(column, leaf, cells.map.next(0));
+            cells.occupiedRectangle(piece.rows(), 0);
+            return holds(piece, 0);
+        }
         for (int cell = cells.map.next(0); cell >= 0; cell = cells.map.next(cell + 1)) {
             piece.setPiece(column, leaf, cell);
             if (!holds(piece, 0)) {

@@ -113,7 +113,7 @@ public final class CellRings {
     }
 
     private boolean nextStretch(double limit) {
-        int sides = ring == 0 ? highJ - lowJ + 1 : 4;
+        int sides = ring == 0 ? Math.min(highJ, map.rows() - 1) - Math.max(lowJ, 0) + 1 : 4;
         if (side >= sides) {
             side = 0;
             ring++;
@@ -125,7 +125,7 @@ public final class CellRings {
             return false;
         }
         if (ring == 0) {
-            stretch(true, lowJ + side, lowI, highI);
+            stretch(true, Math.max(lowJ, 0) + side, lowI, highI);
         } else {
             switch (side) {
                 case 0 -> stretch(true, lowJ - ring, lowI - ring, highI + ring);

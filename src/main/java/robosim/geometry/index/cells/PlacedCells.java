@@ -10,7 +10,7 @@ package robosim.geometry.index.cells;
  */
 public final class PlacedCells {
     /** How far below the largest coordinate the quantum is: sums of two lines, and half of them, need no rounding then. */
-    private static final int BITS = 49;
+    private static final int BITS = 50;
 
     /** The share of all coordinates, and of a cell, that covers some ten roundings and the quantum. */
     private static final double ERROR = 0x1p-46;
@@ -48,7 +48,7 @@ public final class PlacedCells {
         middleV = sin * x + cos * z;
         half = side / 2;
         perCell = 1 / side;
-        largest = Math.max(Math.abs(middleU), Math.abs(middleV)) + (map.columns() + map.rows()) * half;
+        largest = Math.max(Math.abs(middleU) + map.columns() * half, Math.abs(middleV) + map.rows() * half);
         rounder = Math.scalb(1.5, Math.getExponent(largest) - BITS + 52);
         skew = Math.abs(cos * cos + sin * sin - 1) + (isAlongAxes() ? 0 : 0x1p-50);
         bounds = measure();
@@ -91,6 +91,11 @@ public final class PlacedCells {
         rectangle(i, j, i + 1, j + 1, out, to);
     }
 
+    /** The same for the least rectangle along the cells' axes that holds all occupied cells. */
+    public void occupiedRectangle(double[] out, int to) {
+        rectangle(map.firstColumn(), map.firstRow(), map.lastColumn() + 1, map.lastRow() + 1, out, to);
+    }
+
     /** The same for the rectangle between two lines along each axis. */
     private void rectangle(int fromColumn, int fromRow, int toColumn, int toRow, double[] out, int to) {
         double lowU = lineU(fromColumn);
@@ -108,7 +113,7 @@ public final class PlacedCells {
 
     private double[] measure() {
         double[] all = new double[6];
-        rectangle(map.firstColumn(), map.firstRow(), map.lastColumn() + 1, map.lastRow() + 1, all, 0);
+        occupiedRectangle(all, 0);
         double halfX = all[3];
         double halfZ = all[5];
         if (!isAlongAxes()) {
