@@ -168,8 +168,10 @@ public final class CellWalk {
                     return cell;
                 }
             }
-            boolean isInside = lowI == highI && lowJ == highJ && lowI == aheadI && lowJ == aheadJ;
-            if (!(isInside && du != 0 && dv != 0 ? run(limit) : advance(limit))) {
+            boolean isSingle = lowI == highI && lowJ == highJ && lowI == aheadI && lowJ == aheadJ;
+            isSingle &= du != 0 && dv != 0;
+            boolean goesOn = isSingle ? run(limit) : advance(limit);
+            if (!goesOn) {
                 return -1;
             }
         }
