@@ -1,6 +1,5 @@
 package robosim.geometry.narrow.leaf;
 
-import robosim.geometry.exact.Rotations;
 import robosim.geometry.index.cells.CellRings;
 import robosim.geometry.index.cells.CellScan;
 import robosim.geometry.index.cells.CellWalk;
@@ -255,19 +254,7 @@ public final class GridWalk {
 
     /** Writes a cell, an {@link LeafKind#UPRIGHT_BOX}, as a leaf's row. */
     public void corners(int cell, double[] out, int to) {
-        box(cells, row, at, cell, out, to);
-    }
-
-    /** The same of a grid with its row. */
-    static void box(PlacedCells cells, double[] row, int at, int cell, double[] out, int to) {
-        cells.square(cell, out, to);
-        out[to + 1] = row[at + 1];
-        out[to + 4] = row[at + 4];
-        if (cells.isAlongAxes()) {
-            Rotations.identity(out, to + Leaf.ROTATION);
-        } else {
-            System.arraycopy(row, at + Leaf.ROTATION, out, to + Leaf.ROTATION, Rotations.SIZE);
-        }
+        CellBox.write(cells, row, at, cell, out, to);
     }
 
     /**

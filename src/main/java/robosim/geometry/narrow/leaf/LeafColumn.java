@@ -248,7 +248,7 @@ public final class LeafColumn {
         append(1);
         if (other.kind(leaf).isGrid()) {
             setKind(0, LeafKind.UPRIGHT_BOX);
-            GridWalk.box(other.cells(leaf), other.rows, leaf * Leaf.STRIDE, piece, rows, 0);
+            CellBox.write(other.cells(leaf), other.rows, leaf * Leaf.STRIDE, piece, rows, 0);
             return;
         }
         setKind(0, LeafKind.TRIANGLE);
