@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.Limits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;

@@ -30,7 +30,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;

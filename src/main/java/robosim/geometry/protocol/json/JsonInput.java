@@ -1,11 +1,13 @@
 package robosim.geometry.protocol.json;
 
+import com.fasterxml.jackson.core.Base64Variants;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
+import com.fasterxml.jackson.core.io.JsonEOFException;
 import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import java.io.ByteArrayInputStream;
 import java.io.Closeable;
@@ -323,6 +325,42 @@ final class JsonInput implements Closeable {
         } catch (JsonProcessingException e) {
             throw noJson(e);
         }
+    }
+
+    /**
+     * The current value as bytes in base64 (RFC 4648, section 4), with padding and nothing between. They are decoded as they
+     * arrive: their text may be longer than that of other values.
+     *
+     * @param stride the bytes come in groups of so many
+     * @param most   maximum number of groups
+     */
+    byte[] base64(int stride, int most) throws IOException {
+        if (!isText()) {
+            throw refused("must be a string of base64 (got: " + kind() + ")");
+        }
+        PackedNumbers.Sink bytes = new PackedNumbers.Sink(stride * most);
+        try {
+            parser.readBinaryValue(Base64Variants.MIME_NO_LINEFEEDS, bytes);
+        } catch (JsonEOFException e) {
+            throw noJson(e);
+        } catch (JsonProcessingException e) {
+            throw refused("must be base64, with its padding (got: other characters)");
+        } catch (IOException e) {
+            if (bytes.isFull()) {
+                throw refused("must have at most " + (long) stride * most + " bytes in base64 (got: more)");
+            }
+            throw e;
+        }
+        // The parser skips white space between the characters, which is not base64; nor may these be escaped.
+        long characters = parser.currentLocation().getCharOffset()
+                - parser.currentTokenLocation().getCharOffset();
+        if (characters != (bytes.count() + 2) / 3 * 4 + 2) {
+            throw refused("must be base64 without white space or escapes (got: some)");
+        }
+        if (bytes.count() % stride != 0) {
+            throw refused("must have " + stride + " bytes each in base64 (got: " + bytes.count() + " bytes)");
+        }
+        return bytes.bytes();
     }
 
     /** The current value as a constant of an enum. */

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.Limits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
