@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.json.Gate;
@@ -91,6 +92,11 @@ final class Hostile {
                 seeds.add(one.toByteArray());
                 together.write(bundle);
             }
+            for (Bundle bundle : BatchSamples.everyBundle()) {
+                ByteArrayOutputStream one = new ByteArrayOutputStream();
+                new MessageWriter(one).write(bundle);
+                seeds.add(one.toByteArray());
+            }
             seeds.add(all.toByteArray());
             return seeds;
         } catch (IOException e) {
@@ -110,6 +116,8 @@ final class Hostile {
                 lines.add(JsonLines.write(bundle));
             }
         }
+        lines.add(JsonLines.write(BatchSamples.requests()));
+        lines.add(JsonLines.write(new Reply(BatchSamples.answers(), List.of(Problem.of(5, "why")))));
         lines.add(JsonLines.write(new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "why")))));
         lines.add(lines.get(1) + "\n" + lines.get(4) + "\n" + lines.get(1));
         return lines.stream()
@@ -132,7 +140,7 @@ final class Hostile {
         if (text.contains("\"hello\"")) {
             return speak(bytes);
         }
-        if (text.contains("\"distances\"") || text.contains("\"refused\"")) {
+        if (text.contains("\"distances\"") || text.contains("\"answers\"") || text.contains("\"refused\"")) {
             Reply reply = JsonLines.readReply(text.endsWith("\n") ? text.substring(0, text.length() - 1) : text);
             assertThat(JsonLines.readReply(JsonLines.write(reply)).bundle()).isEqualTo(reply.bundle());
             return List.of();

@@ -1,13 +1,12 @@
 package robosim.geometry.protocol.json;
 
-import com.fasterxml.jackson.core.Base64Variants;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
-import com.fasterxml.jackson.core.io.JsonEOFException;
+
 import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import java.io.ByteArrayInputStream;
 import java.io.Closeable;
@@ -34,11 +33,14 @@ final class JsonInput implements Closeable {
     /** Maximum length of a whole number that has a decimal point or an exponent. */
     private static final int MAX_WHOLE_LENGTH = 40;
 
+    /** Maximum length of any string: the base64 of a normal for each of the most beams. */
+    private static final int MAX_BASE64 = 3 * Double.BYTES * Limits.MAX_BEAMS / 3 * 4;
+
     static final JsonFactory FACTORY = JsonFactory.builder()
             .streamReadConstraints(StreamReadConstraints.builder()
                     .maxNestingDepth(Limits.MAX_DEPTH)
                     .maxNumberLength(MAX_NUMBER_LENGTH)
-                    .maxStringLength(Limits.MAX_TEXT_BYTES)
+                    .maxStringLength(MAX_BASE64)
                     .maxNameLength(Limits.MAX_TEXT_BYTES)
                     .build())
             // Names come from a peer, so none are cached.
@@ -328,8 +330,7 @@ final class JsonInput implements Closeable {
     }
 
     /**
-     * The current value as bytes in base64 (RFC 4648, section 4), with padding and nothing between. They are decoded as they
-     * arrive: their text may be longer than that of other values.
+     * The current value as bytes in base64 (RFC 4648, section 4), whose text may be longer than that of other values.
      *
      * @param stride the bytes come in groups of so many
      * @param most   maximum number of groups
@@ -338,24 +339,17 @@ final class JsonInput implements Closeable {
         if (!isText()) {
             throw refused("must be a string of base64 (got: " + kind() + ")");
         }
-        PackedNumbers.Sink bytes = new PackedNumbers.Sink(stride * most);
+        Base64Sink bytes = new Base64Sink(stride * most);
         try {
-            parser.readBinaryValue(Base64Variants.MIME_NO_LINEFEEDS, bytes);
-        } catch (JsonEOFException e) {
-            throw noJson(e);
+            parser.getText(bytes);
         } catch (JsonProcessingException e) {
-            throw refused("must be base64, with its padding (got: other characters)");
-        } catch (IOException e) {
-            if (bytes.isFull()) {
-                throw refused("must have at most " + (long) stride * most + " bytes in base64 (got: more)");
-            }
-            throw e;
+            throw noJson(e);
         }
-        // The parser skips white space between the characters, which is not base64; nor may these be escaped.
-        long characters = parser.currentLocation().getCharOffset()
-                - parser.currentTokenLocation().getCharOffset();
-        if (characters != (bytes.count() + 2) / 3 * 4 + 2) {
-            throw refused("must be base64 without white space or escapes (got: some)");
+        if (bytes.isFull()) {
+            throw refused("must have at most " + (long) stride * most + " bytes in base64 (got: more)");
+        }
+        if (!bytes.isWhole()) {
+            throw refused("must be base64, with its padding and nothing else (got: other characters)");
         }
         if (bytes.count() % stride != 0) {
             throw refused("must have " + stride + " bytes each in base64 (got: " + bytes.count() + " bytes)");
