@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -200,7 +201,10 @@ final class Hostile {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
             new MessageWriter(bytes).write(bundle);
             assertThat(readJava(bytes.toByteArray())).containsExactly(bundle);
-            if (!(bundle instanceof DistanceBundle)) {
+            if (bundle instanceof BatchAnswerBundle) {
+                assertThat(JsonLines.readReply(JsonLines.write(new Reply(bundle))).bundle())
+                        .isEqualTo(bundle);
+            } else if (!(bundle instanceof DistanceBundle)) {
                 assertThat(JsonLines.readRequest(JsonLines.write(bundle))).isEqualTo(bundle);
             }
         } catch (ProtocolException e) {

@@ -27,6 +27,8 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -108,6 +110,8 @@ class NullArgumentsTest {
             new MoveRequest("a", 0, 0, 0, 0, 0),
             new SonarRequest("a", 1, 0),
             Beam.LINE,
+            new BatchRequestBundle(List.of()),
+            new BatchAnswerBundle(List.of()),
             JsonRecord.read("{\"a\":\"b\"}"),
             new MessageChannel(
                     new ByteArrayInputStream(new byte[0]),
