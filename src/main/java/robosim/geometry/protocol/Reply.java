@@ -17,8 +17,9 @@ public record Reply(Bundle bundle, List<Problem> problems) {
         if (!(bundle instanceof MoveBundle
                 || bundle instanceof DistanceBundle
                 || bundle instanceof BatchAnswerBundle)) {
-            throw new IllegalArgumentException("bundle must be a MoveBundle, a DistanceBundle or a BatchAnswerBundle (got: "
-                    + (bundle == null ? "null" : bundle.getClass().getSimpleName()) + ")");
+            throw new IllegalArgumentException(
+                    "bundle must be a MoveBundle, a DistanceBundle or a BatchAnswerBundle (got: "
+                            + (bundle == null ? "null" : bundle.getClass().getSimpleName()) + ")");
         }
         problems = Checks.copy("problems", problems, Problem.class);
     }

@@ -73,13 +73,17 @@ final class BatchMismatch {
     }
 
     private static String words(BatchRequest request) {
-        String what = request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
+        String what =
+                request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
         return "batch of " + request.size() + " " + what + " of " + Text.quoted(request.objectName());
     }
 
     private static String words(BatchAnswer answer, int item) {
         if (answer instanceof SenseAnswer sense) {
-            return item < 0 ? "distances" : "for beam " + item + " " + Mismatch.distance(sense.distances().get(item)) + normal(sense, item);
+            return item < 0
+                    ? "distances"
+                    : "for beam " + item + " "
+                            + Mismatch.distance(sense.distances().get(item)) + normal(sense, item);
         }
         if (answer instanceof FreeAnswer free) {
             return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
@@ -90,7 +94,8 @@ final class BatchMismatch {
     private static String normal(SenseAnswer answer, int beam) {
         return answer.normals().size() == 0
                 ? ""
-                : " off (" + answer.normals().get(3 * beam) + ", " + answer.normals().get(3 * beam + 1) + ", "
+                : " off (" + answer.normals().get(3 * beam) + ", "
+                        + answer.normals().get(3 * beam + 1) + ", "
                         + answer.normals().get(3 * beam + 2) + ")";
     }
 

@@ -19,7 +19,6 @@ import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.Limits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
@@ -31,6 +30,7 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
 import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
 
 /**
@@ -202,7 +202,8 @@ final class Hostile {
             new MessageWriter(bytes).write(bundle);
             assertThat(readJava(bytes.toByteArray())).containsExactly(bundle);
             if (bundle instanceof BatchAnswerBundle) {
-                assertThat(JsonLines.readReply(JsonLines.write(new Reply(bundle))).bundle())
+                assertThat(JsonLines.readReply(JsonLines.write(new Reply(bundle)))
+                                .bundle())
                         .isEqualTo(bundle);
             } else if (!(bundle instanceof DistanceBundle)) {
                 assertThat(JsonLines.readRequest(JsonLines.write(bundle))).isEqualTo(bundle);

@@ -48,14 +48,16 @@ class BatchSessionTest {
     private static final double INFINITY = Double.POSITIVE_INFINITY;
     private static final Mount MAST = new Mount(
             new Point(0.1, 0.7, -0.05),
-            new Numbers(new BoxObject(new Point(), 1, 1, 1).turned(10, 35).pose().rotation()));
+            new Numbers(
+                    new BoxObject(new Point(), 1, 1, 1).turned(10, 35).pose().rotation()));
 
     private final Session session = new Session();
 
     private static List<GeometryObject> scene(SplittableRandom random) {
         List<GeometryObject> objects = new ArrayList<>();
         for (int k = 0; k < 60; k++) {
-            Point at = new Point(20 * random.nextDouble() - 10, random.nextDouble() - 0.5, 20 * random.nextDouble() - 10);
+            Point at =
+                    new Point(20 * random.nextDouble() - 10, random.nextDouble() - 0.5, 20 * random.nextDouble() - 10);
             double size = 0.2 + random.nextDouble();
             objects.add(
                     switch (k % 3) {
@@ -64,7 +66,9 @@ class BatchSessionTest {
                         default -> new SphereObject(at, size / 2);
                     });
         }
-        objects.add(new CylinderObject(new Point(0.5, 0, 0.25), 0.2, 1).turned(0, 33).moveable("robot"));
+        objects.add(new CylinderObject(new Point(0.5, 0, 0.25), 0.2, 1)
+                .turned(0, 33)
+                .moveable("robot"));
         objects.add(new BoxObject(new Point(-3, 0, 2), 0.5, 1, 0.3).moveable("cart"));
         objects.add(new BoxObject(new Point(9, 0, 9), 1, 1, 1).named("wall"));
         return objects;
@@ -153,11 +157,14 @@ class BatchSessionTest {
                 // The nearest double to each angle in radians becomes the double of degrees again.
                 BeamPattern pattern = new BeamPattern.Fan(-Math.PI, Degrees.toRadians(2.25), 160);
                 assertThat(Degrees.toDegrees(Degrees.toRadians(2.25))).isEqualTo(2.25);
-                SenseAnswer all = (SenseAnswer)
-                        ask(new SenseRequest("cart", Mount.CENTER, pattern, 0.1, 9, width, false, false)).get(0);
+                SenseAnswer all =
+                        (SenseAnswer) ask(new SenseRequest("cart", Mount.CENTER, pattern, 0.1, 9, width, false, false))
+                                .get(0);
                 assertThat(all.distances()).isEqualTo(new Numbers(singles));
                 assertThat(singles).contains(INFINITY);
-                assertThat(Arrays.stream(singles).filter(distance -> distance < 9).count())
+                assertThat(Arrays.stream(singles)
+                                .filter(distance -> distance < 9)
+                                .count())
                         .isGreaterThan(30);
             }
         }

@@ -55,8 +55,8 @@ class BatchMessageTest {
                 .hasMessage("requests must have at most 262144 poses and edges together (got: 262145)");
         assertThatThrownBy(() -> new BatchRequestBundle(times(5, beams)))
                 .hasMessage("requests must have at most 1048576 beams together (got: 1310720)");
-        assertThatThrownBy(() -> new BatchRequestBundle(times(
-                        1_000_000, new SenseRequest("r", new BeamPattern.Pinhole(4096, 4096, 1)))))
+        assertThatThrownBy(() -> new BatchRequestBundle(
+                        times(1_000_000, new SenseRequest("r", new BeamPattern.Pinhole(4096, 4096, 1)))))
                 .hasMessageContaining("at most 1048576 beams together (got: 16777216000000)");
         assertThatThrownBy(() -> new BatchRequestBundle(null)).hasMessageContaining("requests");
         assertThatThrownBy(() -> new BatchRequestBundle(Arrays.asList(edge, null)))

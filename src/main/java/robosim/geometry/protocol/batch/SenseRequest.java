@@ -39,7 +39,8 @@ public record SenseRequest(
                     "width must be an angle in radians from 0 up to, not including, pi (got: " + width + ")");
         }
         if (normals && width > 0) {
-            throw new IllegalArgumentException("width must be 0 for normals, which cones have not (got: " + width + ")");
+            throw new IllegalArgumentException(
+                    "width must be 0 for normals, which cones have not (got: " + width + ")");
         }
     }
 

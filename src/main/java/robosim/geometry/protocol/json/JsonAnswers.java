@@ -68,8 +68,9 @@ final class JsonAnswers {
             case COUNT + FREE -> in.make(() -> new FreeAnswer(count[0], free[0]));
             case ERROR -> new NoAnswer();
             default ->
-                throw in.refused("an answer must have distances, or distances and normals, or count and free, or an error"
-                        + " (got: other fields)");
+                throw in.refused(
+                        "an answer must have distances, or distances and normals, or count and free, or an error"
+                                + " (got: other fields)");
         };
     }
 }

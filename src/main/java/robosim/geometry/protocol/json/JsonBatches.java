@@ -151,7 +151,6 @@ final class JsonBatches {
         while (in.more(elevations.size(), Limits.MAX_BEAMS)) {
             elevations.add(in.number());
         }
-        return new Numbers(
-                elevations.stream().mapToDouble(Double::doubleValue).toArray());
+        return new Numbers(elevations.stream().mapToDouble(Double::doubleValue).toArray());
     }
 }

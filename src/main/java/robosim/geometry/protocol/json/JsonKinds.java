@@ -52,8 +52,8 @@ final class JsonKinds {
             String name = fields.name(field);
             boolean must = of.must.contains(name);
             if (has.test(field) ? !must && !of.may.contains(name) && !fields.isRequired(field) : must) {
-                throw in.refused("of kind \"" + of.word + "\" it must" + (must ? "" : " not") + " have the field \"" + name
-                        + "\"");
+                throw in.refused("of kind \"" + of.word + "\" it must" + (must ? "" : " not") + " have the field \""
+                        + name + "\"");
             }
         }
     }

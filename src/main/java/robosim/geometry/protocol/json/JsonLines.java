@@ -79,8 +79,8 @@ public final class JsonLines {
                     case "distances" -> new JsonMessages(in).distances();
                     case "answers" -> new JsonAnswers(in).answers();
                     default ->
-                        throw new ProtocolException(
-                                "an answer's type must be moves, distances or answers (got: " + Text.quoted(type) + ")");
+                        throw new ProtocolException("an answer's type must be moves, distances or answers (got: "
+                                + Text.quoted(type) + ")");
                 };
             }
         });

@@ -60,8 +60,9 @@ final class JsonOutput {
             new JsonBatchOutput(out).requests(batch.requests());
             out.writeEndObject();
         } else {
-            throw new IllegalArgumentException("a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a"
-                    + " BatchRequestBundle (got: " + request.getClass().getSimpleName() + ")");
+            throw new IllegalArgumentException(
+                    "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a"
+                            + " BatchRequestBundle (got: " + request.getClass().getSimpleName() + ")");
         }
     }
 

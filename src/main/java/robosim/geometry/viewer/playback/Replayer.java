@@ -68,7 +68,13 @@ public final class Replayer {
                 return open(step, init);
             }
             if (step.request() instanceof BatchRequestBundle batch) {
-                return frame(step, null, Map.of(), List.of(), Map.of(), "a batch of " + NumberText.count(batch.size(), "item"));
+                return frame(
+                        step,
+                        null,
+                        Map.of(),
+                        List.of(),
+                        Map.of(),
+                        "a batch of " + NumberText.count(batch.size(), "item"));
             }
             return step.request() instanceof MoveBundle moves
                     ? move(step, moves.moves())

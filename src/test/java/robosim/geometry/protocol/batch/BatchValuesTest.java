@@ -66,7 +66,12 @@ class BatchValuesTest {
         refuses("mount", () -> new SenseRequest("a", null, FAN, 0, 1, 0, false, false));
         refuses("min ", v -> new SenseRequest("a", Mount.CENTER, FAN, v, 9, 0, false, false), Double.NaN, -1);
         refuses("max ", v -> new SenseRequest("a", Mount.CENTER, FAN, 2, v, 0, false, false), Double.NaN, 1.9);
-        refuses("width ", v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, false), Double.NaN, -1, Math.PI);
+        refuses(
+                "width ",
+                v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, false),
+                Double.NaN,
+                -1,
+                Math.PI);
         refuses("width ", v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, true), 0.1);
         refuses("place", () -> new Mount(null));
         refuses("rotation", () -> new Mount(new Point(), Numbers.of(1, 0, 0)));
@@ -76,12 +81,20 @@ class BatchValuesTest {
         refuses("poses[3] must be an angle", v -> new FreePosesRequest("a", Numbers.of(1, 2, 3, v)), NO_ANGLES);
         refuses("edges ", () -> new FreeEdgesRequest("a", Numbers.of(1, 2, 3, 4)));
         refuses("edges[4] ", v -> new FreeEdgesRequest("a", Numbers.of(0, 0, 0, 0, v, 0, 0, 0)), NO_ANGLES);
-        refuses("edges[7] must be an angle", v -> new FreeEdgesRequest("a", Numbers.of(0, 0, 0, 0, 0, 0, 0, v)), NO_ANGLES);
+        refuses(
+                "edges[7] must be an angle",
+                v -> new FreeEdgesRequest("a", Numbers.of(0, 0, 0, 0, 0, 0, 0, v)),
+                NO_ANGLES);
     }
 
     @Test
     void answersRefuseWhatNoAnswerHas() {
-        refuses("distances[1] ", v -> new SenseAnswer(Numbers.of(0, v), Numbers.NONE), Double.NaN, -1, -Double.MIN_VALUE);
+        refuses(
+                "distances[1] ",
+                v -> new SenseAnswer(Numbers.of(0, v), Numbers.NONE),
+                Double.NaN,
+                -1,
+                -Double.MIN_VALUE);
         refuses("normals ", () -> new SenseAnswer(Numbers.of(0, 1), Numbers.of(1, 0, 0)));
         refuses("normals[2] ", v -> new SenseAnswer(Numbers.of(1), Numbers.of(0, 0, v)), Double.NaN, 1.1, -2);
         refuses("count ", () -> new FreeAnswer(-1, new byte[0]));
@@ -106,7 +119,8 @@ class BatchValuesTest {
         bits[0] = 0;
         answer.free()[0] = 0;
         assertThat(answer).isEqualTo(new FreeAnswer(3, new byte[] {5})).isNotEqualTo(new FreeAnswer(4, new byte[] {5}));
-        assertThat(new Numbers(new double[1000])).hasToString("[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ... 1000 numbers]");
+        assertThat(new Numbers(new double[1000]))
+                .hasToString("[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ... 1000 numbers]");
     }
 
     @Test

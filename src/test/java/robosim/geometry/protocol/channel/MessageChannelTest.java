@@ -20,7 +20,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.Limits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
@@ -33,6 +32,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
 
 class MessageChannelTest {

@@ -92,7 +92,8 @@ class JsonBatchesTest {
 
     @Test
     void numbersAreLittleEndianDoubles() throws ProtocolException {
-        Reply reply = new Reply(new BatchAnswerBundle(List.of(new SenseAnswer(Numbers.of(1.5, INFINITY), Numbers.NONE))));
+        Reply reply =
+                new Reply(new BatchAnswerBundle(List.of(new SenseAnswer(Numbers.of(1.5, INFINITY), Numbers.NONE))));
         assertThat(JsonLines.write(reply)).isEqualTo(answers("{\"distances\":\"" + packed(1.5, INFINITY) + "\"}"));
         assertThat(packed(1.5, INFINITY)).isEqualTo("AAAAAAAA+D8AAAAAAADwfw==");
     }
@@ -102,8 +103,9 @@ class JsonBatchesTest {
         BeamPattern pattern = new BeamPattern.Fan(0, 1, 4);
         assertThat(JsonLines.readRequest(fan("")))
                 .isEqualTo(new BatchRequestBundle(List.of(new SenseRequest("r", pattern))));
-        assertThat(JsonLines.readRequest(fan(",\"max\":null,\"min\":0,\"width\":0,\"normals\":false,\"seesCarrier\":false,"
-                        + "\"mount\":{\"place\":[0,0,0]}")))
+        assertThat(JsonLines.readRequest(
+                        fan(",\"max\":null,\"min\":0,\"width\":0,\"normals\":false,\"seesCarrier\":false,"
+                                + "\"mount\":{\"place\":[0,0,0]}")))
                 .isEqualTo(JsonLines.readRequest(fan("")));
     }
 
@@ -129,8 +131,8 @@ class JsonBatchesTest {
     @Test
     void longLinesAreReadAsTheyArrive() throws IOException {
         double[] numbers = new SplittableRandom(3).doubles(80_000).toArray();
-        BatchRequestBundle bundle = new BatchRequestBundle(
-                List.of(new FreeEdgesRequest("r", new Numbers(numbers)), new SenseRequest("r", new BeamPattern.Fan(0, 1, 4))));
+        BatchRequestBundle bundle = new BatchRequestBundle(List.of(
+                new FreeEdgesRequest("r", new Numbers(numbers)), new SenseRequest("r", new BeamPattern.Fan(0, 1, 4))));
         String text = "{\"type\":\"hello\",\"version\":1}\n" + JsonLines.write(bundle) + "\n";
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         ByteArrayInputStream slow = new ByteArrayInputStream(bytes) {
@@ -149,7 +151,8 @@ class JsonBatchesTest {
         return Stream.of(
                 Arguments.of(batch("{\"kind\":\"sense\",\"objectName\":\"r\"}"), "it must have the field \"pattern\""),
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
-                Arguments.of(batch("{\"kind\":\"x\",\"objectName\":\"r\"}"), "must be sense, poses or edges (got: \"x\")"),
+                Arguments.of(
+                        batch("{\"kind\":\"x\",\"objectName\":\"r\"}"), "must be sense, poses or edges (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),
@@ -159,14 +162,18 @@ class JsonBatchesTest {
                 Arguments.of(fan(",\"mount\":{}"), "must have the field \"place\""),
                 Arguments.of(fan(",\"mount\":{\"place\":[0,0]}"), "must be a list of 3 numbers (got: 2)"),
                 Arguments.of(
-                        fan(",\"mount\":{\"place\":[0,0,0],\"rotation\":[1,0,0,0,1,0,0,0,2]}"), "rotation must be 9 numbers"),
+                        fan(",\"mount\":{\"place\":[0,0,0],\"rotation\":[1,0,0,0,1,0,0,0,2]}"),
+                        "rotation must be 9 numbers"),
                 Arguments.of(pattern("\"kind\":\"cube\""), "must be fan, layers, pinhole or directions"),
                 Arguments.of(pattern("\"kind\":\"fan\",\"first\":0,\"step\":1"), "it must have the field \"count\""),
-                Arguments.of(pattern("\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":0"), "a whole number from 1 to 16777216"),
+                Arguments.of(
+                        pattern("\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":0"),
+                        "a whole number from 1 to 16777216"),
                 Arguments.of(pattern("\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":1e9"), "from 1 to 16777216"),
                 Arguments.of(pattern("\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":1.5"), "a whole number"),
                 Arguments.of(
-                        pattern("\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2,\"height\":2"), "must not have the field \"height\""),
+                        pattern("\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2,\"height\":2"),
+                        "must not have the field \"height\""),
                 Arguments.of(
                         pattern("\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":1048577"),
                         "requests must have at most 1048576 beams together (got: 1048577)"),
@@ -174,8 +181,11 @@ class JsonBatchesTest {
                         pattern("\"kind\":\"pinhole\",\"width\":4096,\"height\":4096,\"fieldOfView\":1"),
                         "at most 1048576 beams together (got: 16777216)"),
                 Arguments.of(
-                        pattern("\"kind\":\"pinhole\",\"width\":16777216,\"height\":2,\"fieldOfView\":1"), "height must be from 1 to 1"),
-                Arguments.of(pattern("\"kind\":\"pinhole\",\"width\":1,\"height\":1,\"fieldOfView\":0"), "fieldOfView must be"),
+                        pattern("\"kind\":\"pinhole\",\"width\":16777216,\"height\":2,\"fieldOfView\":1"),
+                        "height must be from 1 to 1"),
+                Arguments.of(
+                        pattern("\"kind\":\"pinhole\",\"width\":1,\"height\":1,\"fieldOfView\":0"),
+                        "fieldOfView must be"),
                 Arguments.of(
                         pattern("\"kind\":\"layers\",\"elevations\":[],\"first\":0,\"step\":0,\"count\":1"),
                         "number of elevations must be from 1"),
@@ -184,9 +194,11 @@ class JsonBatchesTest {
                         "elevations[1] must be an angle in radians"),
                 Arguments.of(pattern("\"kind\":\"directions\",\"directions\":\"\""), "at least one beam"),
                 Arguments.of(
-                        pattern("\"kind\":\"directions\",\"directions\":\"" + packed(0, 0, 0) + "\""), "direction 0 must not be zero"),
+                        pattern("\"kind\":\"directions\",\"directions\":\"" + packed(0, 0, 0) + "\""),
+                        "direction 0 must not be zero"),
                 Arguments.of(
-                        pattern("\"kind\":\"directions\",\"directions\":\"" + packed(0, Double.NaN, 0) + "\""), "directions[1] "),
+                        pattern("\"kind\":\"directions\",\"directions\":\"" + packed(0, Double.NaN, 0) + "\""),
+                        "directions[1] "),
                 Arguments.of(poses("x"), "must be"),
                 Arguments.of(poses("AAA"), "must be"),
                 Arguments.of(poses("AAAA"), "must have 32 bytes each in base64 (got: 3 bytes)"),
@@ -197,18 +209,28 @@ class JsonBatchesTest {
                 Arguments.of(poses("===="), "must be base64"),
                 Arguments.of(poses("A==="), "must be base64"),
                 Arguments.of(poses(one.substring(0, 8) + "\\n" + one.substring(8)), "must be base64"),
-                Arguments.of(poses(one.replace('=', '*')), "must be base64, with its padding and nothing else (got: other characters)"),
+                Arguments.of(
+                        poses(one.replace('=', '*')),
+                        "must be base64, with its padding and nothing else (got: other characters)"),
                 Arguments.of(poses(one.replace("=", "")), "must be base64"),
-                Arguments.of(poses(one.replace('A', '-')), "must be base64, with its padding and nothing else (got: other characters)"),
-                Arguments.of(poses("\u00e9" + one.substring(1)), "must be base64, with its padding and nothing else (got: other characters)"),
+                Arguments.of(
+                        poses(one.replace('A', '-')),
+                        "must be base64, with its padding and nothing else (got: other characters)"),
+                Arguments.of(
+                        poses("\u00e9" + one.substring(1)),
+                        "must be base64, with its padding and nothing else (got: other characters)"),
                 Arguments.of(poses(packed(0, 0, 0, Double.NaN)), "poses[3] must be an angle in radians"),
                 Arguments.of(poses(packed(0, INFINITY, 0, 0)), "poses[1] must be"),
-                Arguments.of(batch("{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":[1,2,3,4]}"), "a string of base64"),
-                Arguments.of(batch("{\"kind\":\"edges\",\"objectName\":\"r\",\"edges\":\"" + one + "\"}"), "64 bytes each"),
+                Arguments.of(
+                        batch("{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":[1,2,3,4]}"), "a string of base64"),
+                Arguments.of(
+                        batch("{\"kind\":\"edges\",\"objectName\":\"r\",\"edges\":\"" + one + "\"}"), "64 bytes each"),
                 Arguments.of(poses(one).substring(0, 70), "must be JSON (RFC 8259), which ends"),
                 Arguments.of(answers("{\"distances\":\"" + packed(-1) + "\"}"), "distances[0] must be at least 0"),
-                Arguments.of(answers("{\"distances\":\"" + packed(Double.NaN) + "\"}"), "distances[0] must be at least 0"),
-                Arguments.of(answers("{\"distances\":\"" + packed(1) + "\",\"count\":1}"), "an answer must have distances"),
+                Arguments.of(
+                        answers("{\"distances\":\"" + packed(Double.NaN) + "\"}"), "distances[0] must be at least 0"),
+                Arguments.of(
+                        answers("{\"distances\":\"" + packed(1) + "\",\"count\":1}"), "an answer must have distances"),
                 Arguments.of(answers("{}"), "an answer must have distances"),
                 Arguments.of(answers("{\"normals\":\"\"}"), "an answer must have distances"),
                 Arguments.of(answers("{\"count\":3,\"free\":\"\"}"), "free must have 1 bytes for 3 bits (got: 0)"),
@@ -235,7 +257,8 @@ class JsonBatchesTest {
     @Test
     void batchesHaveTheirLimits() throws ProtocolException {
         String largest = packed(new double[4 * Limits.MAX_POSES]);
-        assertThat(((BatchRequestBundle) JsonLines.readRequest(poses(largest))).size()).isEqualTo(Limits.MAX_POSES);
+        assertThat(((BatchRequestBundle) JsonLines.readRequest(poses(largest))).size())
+                .isEqualTo(Limits.MAX_POSES);
         assertThatThrownBy(() -> JsonLines.readRequest(poses(packed(new double[4 * Limits.MAX_POSES + 4]))))
                 .hasMessageContaining("must have at most 8388608 bytes in base64 (got: more)");
         String one = "{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":\"" + packed(0, 0, 0, 0) + "\"}";
@@ -254,11 +277,13 @@ class JsonBatchesTest {
     @Test
     void escapesAreOfJson() throws ProtocolException {
         String slash = packed(-0x1p99, 0, 0, 0);
-        double number = ByteBuffer.wrap(new byte[] {63, -1, -1, -1, -1, -1, -1, -1}).getDouble();
+        double number =
+                ByteBuffer.wrap(new byte[] {63, -1, -1, -1, -1, -1, -1, -1}).getDouble();
         assertThat(packed(number, 0, 0, 0)).startsWith("////");
         assertThat(JsonLines.readRequest(poses(packed(number, 0, 0, 0).replace("/", "\\/"))))
                 .isEqualTo(JsonLines.readRequest(poses(packed(number, 0, 0, 0))));
-        assertThat(JsonLines.readRequest(poses(slash.replace("A", "\\u0041")))).isEqualTo(JsonLines.readRequest(poses(slash)));
+        assertThat(JsonLines.readRequest(poses(slash.replace("A", "\\u0041"))))
+                .isEqualTo(JsonLines.readRequest(poses(slash)));
     }
 
     /** As the JDK decodes and encodes them; what it encodes otherwise is refused. */
@@ -298,8 +323,8 @@ class JsonBatchesTest {
     @Test
     void otherTextsAreNoLonger() {
         String name = "x".repeat(Limits.MAX_TEXT_BYTES + 1);
-        assertThatThrownBy(() -> JsonLines.readRequest(batch(
-                        "{\"kind\":\"poses\",\"poses\":\"\",\"objectName\":\"" + name + "\"}")))
+        assertThatThrownBy(() -> JsonLines.readRequest(
+                        batch("{\"kind\":\"poses\",\"poses\":\"\",\"objectName\":\"" + name + "\"}")))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("a string must have at most 65535 bytes");
     }
