@@ -26,7 +26,7 @@ public record FreeAnswer(int count, byte[] free) implements BatchAnswer {
             throw new IllegalArgumentException(
                     "free must have " + bytes + " bytes for " + count + " bits (got: " + free.length + ")");
         }
-        if (count % 8 != 0 && (free[bytes - 1] & 0xff) >> count % 8 != 0) {
+        if (count % 8 != 0 && ((free[bytes - 1] & 0xff) >> (count % 8)) != 0) {
             throw new IllegalArgumentException("free must have no bits but its " + count + " (got: others)");
         }
     }
@@ -35,7 +35,7 @@ public record FreeAnswer(int count, byte[] free) implements BatchAnswer {
     public static FreeAnswer of(int count, long[] words) {
         byte[] bytes = new byte[bytes(Checks.count(count))];
         for (int k = 0; k < bytes.length; k++) {
-            bytes[k] = (byte) (Checks.present("words", words)[k / 8] >>> 8 * (k % 8));
+            bytes[k] = (byte) (Checks.present("words", words)[k / 8] >>> (8 * (k % 8)));
         }
         return new FreeAnswer(count, bytes);
     }
@@ -54,7 +54,7 @@ public record FreeAnswer(int count, byte[] free) implements BatchAnswer {
         if (index < 0 || index >= count) {
             throw new IllegalArgumentException("index must be from 0 to " + (count - 1) + " (got: " + index + ")");
         }
-        return (free[index / 8] >> index % 8 & 1) != 0;
+        return ((free[index / 8] >> (index % 8)) & 1) != 0;
     }
 
     @Override

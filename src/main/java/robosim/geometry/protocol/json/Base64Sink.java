@@ -50,7 +50,7 @@ final class Base64Sink extends Writer {
             return;
         }
         padding += isPad ? 1 : 0;
-        bits = bits << 6 | (isPad ? 0 : value);
+        bits = (bits << 6) | (isPad ? 0 : value);
         if (++pending == 4) {
             emit();
         }
@@ -59,7 +59,7 @@ final class Base64Sink extends Writer {
     private void emit() {
         pending = 0;
         int more = 3 - padding;
-        isBad = more < 1 || (bits & (1 << 8 * padding) - 1) != 0;
+        isBad = more < 1 || (bits & ((1 << (8 * padding)) - 1)) != 0;
         isFull = more > most - count;
         if (isBad || isFull) {
             return;
@@ -68,7 +68,7 @@ final class Base64Sink extends Writer {
             bytes = Arrays.copyOf(bytes, (int) Math.min(most + 3L, 2L * bytes.length));
         }
         for (int k = 0; k < more; k++) {
-            bytes[count++] = (byte) (bits >> 16 - 8 * k);
+            bytes[count++] = (byte) (bits >> (16 - 8 * k));
         }
     }
 
