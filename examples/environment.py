@@ -3,7 +3,8 @@
 
 It loads a world, sends it to the geometry module over TCP as JSON lines, and lets its robots wander by what their
 sonars tell: what ReferenceEnvironment.java does in Java serialization. It checks every answer against the protocol and
-measures how long answers take. Of meshes in OBJ files it reads those of triangles and quads.
+measures how long answers take. All sonars of a step are one batch, with a request for each ring. Of meshes in OBJ files
+it reads those of triangles and quads.
 
     python3 examples/environment.py --world worlds/rooms.xml --connect localhost:7575
 
@@ -21,6 +22,7 @@ import pathlib
 import random
 import re
 import socket
+import struct
 import sys
 import time
 import xml.parsers.expat as expat
@@ -252,9 +254,9 @@ class World:
             if rings and name is None:
                 raise element.fault(f"<{element.tag}> with a sonar needs a name")
             # What lies on its side has no level sensors, and stays.
-            beams = [beam for ring in rings for beam in self.ring(ring)]
+            sensors = [self.ring(ring) for ring in rings]
             if made.get("moveable") and made.get("rotation", [0, 0, 0, 0, 1])[4] == 1:
-                self.robots.append((made, beams))
+                self.robots.append((made, sensors))
 
     def check_border(self, element, made):
         """The module would leave out what is not in the world; seen from above, as that is what it is sent as."""
@@ -395,23 +397,33 @@ class World:
                 raise NotDone(f"{path}:{number}: this must be `v x y z` or `f i j k` (got: {line[:100]})") from None
 
     def ring(self, ring):
-        """Each sensor of a ring: its bearing in radians, its direction in the robot's own frame, and its beam."""
+        """The bearing of each sensor of a ring, in radians, and what asks for all of them at once."""
         count = ring.one("count", 0.0, least=1, below=10001)
         if count != int(count):
             raise ring.fault(f"count of <sonar> must be a whole number (got: {ring.attributes['count']})")
         first = ring.one("first", 0.0)
         step = ring.one("step", 360 / count)
         # On the wire every angle is in radians, and no end is null.
-        beam = {
+        request = {
+            "kind": "sense",
+            "pattern": {
+                "kind": "fan",
+                "first": math.radians(first),
+                "step": math.radians(step),
+                "count": int(count),
+            },
             "min": ring.one("min", 0.0, least=0, unit=self.unit),
             "max": ring.one("max", None, least=0, unit=self.unit),
             "width": math.radians(ring.one("width", 0.0, least=0, below=180)),
         }
-        if beam["max"] is not None and beam["max"] < beam["min"]:
-            raise ring.fault(f"max of <sonar> must be at least its min (got: {beam['max']:g} and {beam['min']:g})")
+        if request["max"] is not None and request["max"] < request["min"]:
+            raise ring.fault(
+                f"max of <sonar> must be at least its min (got: {request['max']:g} and {request['min']:g})")
+        bearings = []
         for sensor in range(int(count)):
             c, s = turn(first + sensor * step)
-            yield math.atan2(s, c), (c, -s), beam
+            bearings.append(math.atan2(s, c))
+        return bearings, request
 
 
 def reach(made, direction):
@@ -442,6 +454,16 @@ def turn(degrees):
     return [(c, s), (-s, c), (-c, -s), (s, -c)][quarter % 4]
 
 
+# One ray ahead, without an end, for a robot without sensors.
+AHEAD = {
+    "kind": "sense",
+    "pattern": {"kind": "fan", "first": 0.0, "step": 0.0, "count": 1},
+    "min": 0.0,
+    "max": None,
+    "width": 0.0,
+}
+
+
 class Robot:
     """Goes ahead where there is room, turns to the roomier side where there is not, and is bold at times."""
 
@@ -451,15 +473,10 @@ class Robot:
         self.random = random.Random(seed)
         box = math.hypot(made.get("width", 0), made.get("length", 0)) / 2
         self.reach = box if made["kind"] == "box" else made.get("radius", 0)
-        sensors = sensors or [(0.0, (1.0, 0.0), None)]
-        self.bearings = [bearing for bearing, _, _ in sensors]
-        self.requests = []
-        for _, (x, z), beam in sensors:
-            request = {"objectName": self.name, "xOffset": x, "zOffset": z}
-            if beam is not None:
-                request["beam"] = beam
-            self.requests.append(request)
-        self.distances = [math.inf] * len(sensors)
+        sensors = sensors or [([0.0], AHEAD)]
+        self.bearings = [bearing for bearings, _ in sensors for bearing in bearings]
+        self.requests = [{**request, "objectName": self.name} for _, request in sensors]
+        self.distances = [math.inf] * len(self.bearings)
         self.refused_in_a_row = self.bold_steps = self.retreat_steps = 0
         self.retreat = 0.0
 
@@ -538,28 +555,39 @@ class Tally:
         return "\n".join(lines)
 
 
+def unpacked(text, count):
+    """So many packed numbers: the base64 of doubles, the lowest byte first."""
+    try:
+        return list(struct.unpack(f"<{count}d", base64.b64decode(text, validate=True)))
+    except (TypeError, ValueError, struct.error):
+        raise ProtocolFault(f"there must be {count} packed numbers (got: {str(text)[:100]})") from None
+
+
 def sense(connection, robots, tally):
-    """One round of all sonars of all robots."""
+    """One round of all sonars of all robots: one request for each ring, in one batch."""
     requests = [request for robot in robots for request in robot.requests]
-    answer, seconds = connection.ask({"type": "sonars", "requests": requests}, "distances")
+    answer, seconds = connection.ask({"type": "batch", "requests": requests}, "answers")
     tally.sonar_seconds.append(seconds)
-    distances = answer["distances"]
-    if len(distances) != len(requests):
-        raise ProtocolFault(f"{len(requests)} requests, {len(distances)} distances")
-    for k, (request, distance) in enumerate(zip(requests, distances)):
-        if isinstance(distance, dict):
-            raise ProtocolFault(f"{distance['error']} (for {request})")
-        distances[k] = math.inf if distance is None else distance
-        beam = request.get("beam", {"min": 0.0, "max": None})
-        most = math.inf if beam["max"] is None else beam["max"]
-        if distance is not None and not beam["min"] <= distance <= most:
-            raise ProtocolFault(f"a distance must be {beam['min']} to {most} or null (got: {distance} for {request})")
-        tally.echoes += distance is not None
+    answers = answer["answers"]
+    if len(answers) != len(requests):
+        raise ProtocolFault(f"{len(requests)} requests, {len(answers)} answers")
+    distances = []
+    for request, given in zip(requests, answers):
+        if "error" in given:
+            raise ProtocolFault(f"{given['error']} (for {request})")
+        ring = unpacked(given["distances"], request["pattern"]["count"])
+        most = math.inf if request["max"] is None else request["max"]
+        for distance in ring:
+            if not request["min"] <= distance <= most and distance != math.inf:
+                raise ProtocolFault(f"a distance must be {request['min']} to {most}, or infinite where nothing echoes"
+                                    f" (got: {distance} for {request})")
+            tally.echoes += distance < math.inf
+        distances += ring
     tally.distances += len(distances)
     at = 0
     for robot in robots:
-        robot.distances = distances[at:at + len(robot.requests)]
-        at += len(robot.requests)
+        robot.distances = distances[at:at + len(robot.bearings)]
+        at += len(robot.bearings)
 
 
 def step(connection, robots, tally):

@@ -15,6 +15,7 @@ module robosim.geometry {
     exports robosim.geometry.model;
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;
+    exports robosim.geometry.protocol.batch;
     exports robosim.geometry.protocol.json;
     exports robosim.geometry.scenario;
     exports robosim.geometry.sweep;

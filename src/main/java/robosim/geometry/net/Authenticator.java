@@ -2,8 +2,8 @@ package robosim.geometry.net;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.pace.PacedInput;
-import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.Gate;
 
 /** Admits a peer by its encoding and its secret; until it is admitted, shorter timeouts hold. */
 final class Authenticator implements Gate {

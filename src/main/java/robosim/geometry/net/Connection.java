@@ -11,6 +11,7 @@ import robosim.geometry.net.pace.PacedOutput;
 import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
@@ -171,13 +172,13 @@ final class Connection implements Runnable {
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
-            converse(channel, session.pausing(turn::breathe, around.log()));
+            converse(channel, in, session.pausing(turn::breathe, around.log()));
         } finally {
             listener.ended();
         }
     }
 
-    private void converse(MessageChannel channel, Session session) throws IOException {
+    private void converse(MessageChannel channel, PacedInput in, Session session) throws IOException {
         message = 1;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
@@ -185,6 +186,9 @@ final class Connection implements Runnable {
             if (refusal != null) {
                 channel.refuse(refusal);
                 throw new ProtocolException(refusal);
+            }
+            if (request instanceof BatchRequestBundle batch) {
+                in.needs(batch.workBytes());
             }
             Reply reply = reply(channel, session, request);
             around.figures().carriedOut(request, reply);
@@ -230,7 +234,10 @@ final class Connection implements Runnable {
         if (request instanceof SonarRequestBundle sonars) {
             return tooMany("a bundle", "requests", sonars.requests().size(), quotas.requests());
         }
-        return "a request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
+        if (request instanceof BatchRequestBundle batch) {
+            return tooMany("a bundle", "beams, poses and edges", batch.size(), quotas.requests());
+        }
+        return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
                 + request.getClass().getSimpleName() + ")";
     }
 

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.LongAdder;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
@@ -47,6 +48,8 @@ final class Figures implements FiguresMXBean {
             }
         } else if (request instanceof SonarRequestBundle sonars) {
             requests.add(sonars.requests().size());
+        } else if (request instanceof BatchRequestBundle batch) {
+            requests.add(batch.size());
         }
     }
 

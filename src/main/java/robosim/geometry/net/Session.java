@@ -12,11 +12,14 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.net.session.Batches;
 import robosim.geometry.net.session.Extent;
 import robosim.geometry.net.session.LogBudget;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
 import robosim.geometry.net.session.World;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -29,6 +32,9 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.NoAnswer;
 
 /**
  * A conversation about one world at a time: takes a request bundle and returns an answer bundle or nothing. It is
@@ -41,9 +47,11 @@ import robosim.geometry.protocol.WorldSettings;
  *   <li>A {@link MoveBundle} is answered by the moves that were made, in order, each tried in the world as the earlier
  *       ones left it. The answer contains the requests themselves, unchanged to the bit.
  *   <li>A {@link SonarRequestBundle} is answered by one distance for each request, in order.
+ *   <li>A {@link BatchRequestBundle} is answered by one answer for each request, in order, with the bits of the single
+ *       calls.
  *   <li>A request with a name that is unknown, missing or of a static object, or that its world refuses (in a planar
- *       world, a sonar pointing straight up), is logged: a move is left out of the answer, a distance is NaN. Before
- *       the first InitBundle every name is unknown. The session goes on.
+ *       world, a sonar pointing straight up), is logged: a move is left out of the answer, a distance is NaN, a request of
+ *       a batch has a {@link NoAnswer}. Before the first InitBundle every name is unknown. The session goes on.
  * </ul>
  *
  * <p>Angles come in radians and are converted here: the double nearest to k pi / 2 becomes exactly 90 k degrees. Each
@@ -59,6 +67,8 @@ public final class Session {
 
     /** Runs between two parts of the work. */
     private Runnable breath = () -> {};
+
+    private final Batches batches = new Batches();
 
     private @Nullable World world;
     private Set<String> moveable = Set.of();
@@ -134,7 +144,7 @@ public final class Session {
      * Carries out a request; the short form of {@link #reply}.
      *
      * @return the answer; null after an {@link InitBundle}
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle}, which is an answer and no request
+     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, an answer and no request
      */
     public @Nullable Bundle answer(Bundle request) {
         Reply reply = reply(request);
@@ -144,14 +154,14 @@ public final class Session {
     /**
      * Carries out a request, and reports what was refused and why.
      *
-     * @return the answer, with a problem for each move that is left out and each distance that is NaN; null after an
-     *     {@link InitBundle}
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle}, which is an answer and no request
+     * @return the answer, with a problem for each move that is left out, each distance that is NaN and each
+     *     {@link NoAnswer}; null after an {@link InitBundle}
+     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, an answer and no request
      */
     public @Nullable Reply reply(Bundle request) {
-        if (request == null || request instanceof DistanceBundle) {
+        if (request == null || request instanceof DistanceBundle || request instanceof BatchAnswerBundle) {
             throw new IllegalArgumentException(
-                    "request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
+                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
@@ -174,6 +184,9 @@ public final class Session {
         if (request instanceof InitBundle init) {
             replaceWorld(init);
             return null;
+        }
+        if (request instanceof BatchRequestBundle batch) {
+            return answer(batch);
         }
         return request instanceof MoveBundle moves ? move(moves) : measure((SonarRequestBundle) request);
     }
@@ -290,6 +303,33 @@ public final class Session {
             complaints.warn("a distance of object " + Text.quoted(name) + " is NaN: " + reason);
             problems.add(Problem.of(index, reason));
             return Double.NaN;
+        }
+    }
+
+    private Reply answer(BatchRequestBundle batch) {
+        List<BatchAnswer> answers = new ArrayList<>(batch.requests().size());
+        List<Problem> problems = new ArrayList<>();
+        for (BatchRequest request : batch.requests()) {
+            breath.run();
+            answers.add(answer(request, answers.size(), problems));
+        }
+        batches.rest();
+        return new Reply(new BatchAnswerBundle(answers), problems);
+    }
+
+    private BatchAnswer answer(BatchRequest request, int index, List<Problem> problems) {
+        String name = request.objectName();
+        if (world == null || !moveable.contains(name)) {
+            problems.add(unknown(name, index, "its batches have no answer"));
+            return new NoAnswer();
+        }
+        try {
+            return batches.answer(world, request, breath);
+        } catch (IllegalArgumentException e) {
+            String reason = reason(e);
+            complaints.warn("a batch of object " + Text.quoted(name) + " has no answer: " + reason);
+            problems.add(Problem.of(index, reason));
+            return new NoAnswer();
         }
     }
 

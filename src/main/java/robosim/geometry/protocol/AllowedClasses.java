@@ -14,6 +14,15 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SerialForms;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.FreeEdgesRequest;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.NoAnswer;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
 
 /** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
 final class AllowedClasses {
@@ -43,6 +52,24 @@ final class AllowedClasses {
             byte[].class,
             LIST_FORM);
 
+    /** Requests with packed numbers, and their answers. */
+    private static final Set<Class<?>> BATCHES = Set.of(
+            BatchRequestBundle.class,
+            SenseRequest.class,
+            Mount.class,
+            BeamPattern.Fan.class,
+            BeamPattern.Layers.class,
+            BeamPattern.Pinhole.class,
+            BeamPattern.Directions.class,
+            Numbers.class,
+            FreePosesRequest.class,
+            FreeEdgesRequest.class,
+            BatchAnswerBundle.class,
+            SenseAnswer.class,
+            FreeAnswer.class,
+            NoAnswer.class,
+            byte[].class);
+
     private static final Set<Class<?>> MADE = Set.of(
             BoxObject.class,
             CylinderObject.class,
@@ -60,7 +87,7 @@ final class AllowedClasses {
     private final Set<Class<?>> all = new HashSet<>(MADE);
 
     AllowedClasses(Set<Class<?>> translated) {
-        for (Set<Class<?>> some : List.of(BUNDLES, VALUES, SerialForms.classes(), translated)) {
+        for (Set<Class<?>> some : List.of(BUNDLES, VALUES, BATCHES, SerialForms.classes(), translated)) {
             for (Class<?> type : some) {
                 named.put(type.getName(), type);
             }

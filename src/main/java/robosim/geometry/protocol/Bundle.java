@@ -4,4 +4,4 @@ import java.io.Serializable;
 
 /** One message. */
 public sealed interface Bundle extends Serializable
-        permits InitBundle, MoveBundle, SonarRequestBundle, DistanceBundle {}
+        permits InitBundle, MoveBundle, SonarRequestBundle, DistanceBundle, BatchRequestBundle, BatchAnswerBundle {}

@@ -52,6 +52,18 @@ public final class MessageLimits {
     }
 
     /**
+     * Maximum number of beams in one bundle, because a few bytes can describe millions. A depth image of 1280 x 720 has
+     * 921,600; a lidar of 128 layers has 262,144 in a turn.
+     */
+    public static final int MAX_BEAMS = 1 << 20;
+
+    /**
+     * Maximum number of poses and edges in one bundle. A planner asks for some thousands at once; the edges of a roadmap of
+     * 10,000 poses are about 100,000.
+     */
+    public static final int MAX_POSES = 1 << 18;
+
+    /**
      * Maximum length of a string in bytes of modified UTF-8: the limit of the short form in a Java stream. A name has
      * about 10 letters.
      */

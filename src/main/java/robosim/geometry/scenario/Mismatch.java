@@ -4,6 +4,7 @@ import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -17,7 +18,7 @@ import robosim.geometry.protocol.Text;
 
 /**
  * A step whose answer differs from the expected one. Answers are the same if the same moves were made, in the same
- * order, and each distance has the same bits; NaN equals NaN. If an answer says which moves were refused, these are
+ * order, and each distance has the same bits; NaN equals NaN; and each bit and number of the answers to a batch is the same. If an answer says which moves were refused, these are
  * compared too, which tells equal moves apart. The words that say why something was refused are not compared.
  *
  * @param step     number of the step in the conversation, from 1
@@ -53,6 +54,9 @@ public record Mismatch(long step, long line, int index, String request, String e
         if (step.request() instanceof SonarRequestBundle sonars) {
             return distances(number, step, sonars.requests(), expected, got);
         }
+        if (step.request() instanceof BatchRequestBundle batch) {
+            return BatchMismatch.of(number, step, batch.requests(), expected, got);
+        }
         return moves(number, step, ((MoveBundle) step.request()).moves(), expected, got);
     }
 
@@ -63,6 +67,9 @@ public record Mismatch(long step, long line, int index, String request, String e
     private static String kind(Bundle request) {
         if (request instanceof MoveBundle moves) {
             return moves.moves().size() + " moves";
+        }
+        if (request instanceof BatchRequestBundle batch) {
+            return "a batch of " + batch.size();
         }
         return request instanceof SonarRequestBundle sonars ? sonars.requests().size() + " distances" : "a new world";
     }
@@ -165,7 +172,7 @@ public record Mismatch(long step, long line, int index, String request, String e
         return indices;
     }
 
-    private static String reason(Reply reply, int index) {
+    static String reason(Reply reply, int index) {
         for (Problem problem : reply.problems()) {
             if (problem.index() == index) {
                 return Text.line(problem.reason());
@@ -192,14 +199,14 @@ public record Mismatch(long step, long line, int index, String request, String e
                                 + (beam.width() == 0 ? "" : ", " + beam.width() + " wide"));
     }
 
-    private static String distance(double distance) {
+    static String distance(double distance) {
         if (Double.isNaN(distance)) {
             return "no such object (NaN)";
         }
         return Double.isInfinite(distance) ? "no echo" : distance + " (" + Double.toHexString(distance) + ")";
     }
 
-    private static String off(double before, double now) {
+    static String off(double before, double now) {
         if (!(Math.abs(now - before) > 0 && Double.isFinite(now - before))) {
             return "";
         }

@@ -9,6 +9,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
@@ -98,10 +99,13 @@ public final class Replay {
         return mismatch;
     }
 
-    /** The number of moves or distances in a request. */
+    /** The number of moves, distances, poses and edges in a request. */
     private static long requests(Bundle request) {
         if (request instanceof MoveBundle moves) {
             return moves.moves().size();
+        }
+        if (request instanceof BatchRequestBundle batch) {
+            return batch.size();
         }
         return request instanceof SonarRequestBundle sonars ? sonars.requests().size() : 0;
     }
@@ -116,7 +120,7 @@ public final class Replay {
         return steps;
     }
 
-    /** The number of moves and distances that were compared with expected ones. */
+    /** The number of moves, distances, poses and edges that were compared with expected ones. */
     public long compared() {
         return compared;
     }

@@ -3,19 +3,24 @@ package robosim.geometry.scenario;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.BatchRequest;
 
 /**
  * One request of a conversation, and its answer.
  *
  * @param line     the line of the request in its file, from 1; 0 if there is none
  * @param notes    notes for people before it
- * @param request  an {@link InitBundle}, a {@link MoveBundle} or a {@link SonarRequestBundle}
+ * @param request  an {@link InitBundle}, a {@link MoveBundle}, a {@link SonarRequestBundle} or a
+ *                 {@link BatchRequestBundle}
  * @param expected the recorded or expected answer; null for an InitBundle, and if unknown
  * @param timing   the timing; null if it was not recorded
  */
@@ -29,9 +34,10 @@ public record Step(
     /** Refuses an answer that does not fit the request. */
     public Step {
         notes = Checks.list("notes", notes);
-        if (request == null || request instanceof DistanceBundle) {
-            throw new IllegalArgumentException("request must be an InitBundle, a MoveBundle or a SonarRequestBundle"
-                    + " (got: " + (request == null ? "null" : "a DistanceBundle") + ")");
+        if (request == null || request instanceof DistanceBundle || request instanceof BatchAnswerBundle) {
+            throw new IllegalArgumentException("request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a"
+                    + " BatchRequestBundle (got: "
+                    + (request == null ? "null" : "a " + request.getClass().getSimpleName()) + ")");
         }
         if (expected != null) {
             checkAnswer(request, expected.bundle());
@@ -50,7 +56,7 @@ public record Step(
         }
         if (request instanceof MoveBundle moves) {
             if (!(answer instanceof MoveBundle made)) {
-                throw new IllegalArgumentException("moves must be answered by moves (got: distances)");
+                throw new IllegalArgumentException("moves must be answered by moves (got: another answer)");
             }
             if (made.moves().size() > moves.moves().size()) {
                 throw new IllegalArgumentException("there must be at most as many moves made as asked for, "
@@ -59,12 +65,31 @@ public record Step(
         }
         if (request instanceof SonarRequestBundle sonars) {
             if (!(answer instanceof DistanceBundle distances)) {
-                throw new IllegalArgumentException("sonars must be answered by distances (got: moves)");
+                throw new IllegalArgumentException("sonars must be answered by distances (got: another answer)");
             }
             if (distances.distances().size() != sonars.requests().size()) {
                 throw new IllegalArgumentException("there must be one distance for each request, "
                         + sonars.requests().size() + " (got: "
                         + distances.distances().size() + ")");
+            }
+        }
+        if (request instanceof BatchRequestBundle batch) {
+            if (!(answer instanceof BatchAnswerBundle answers)) {
+                throw new IllegalArgumentException("a batch must be answered by answers (got: another answer)");
+            }
+            checkAnswers(batch.requests(), answers.answers());
+        }
+    }
+
+    private static void checkAnswers(List<BatchRequest> requests, List<BatchAnswer> answers) {
+        if (answers.size() != requests.size()) {
+            throw new IllegalArgumentException("there must be one answer for each request of a batch, "
+                    + requests.size() + " (got: " + answers.size() + ")");
+        }
+        for (int k = 0; k < answers.size(); k++) {
+            if (!answers.get(k).fits(requests.get(k))) {
+                throw new IllegalArgumentException("answers[" + k + "] must be of the kind and size of its request, "
+                        + requests.get(k).size() + " items (got: another)");
             }
         }
     }

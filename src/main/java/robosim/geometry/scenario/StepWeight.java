@@ -7,19 +7,21 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.batch.BatchRequest;
 
 /** Estimates the memory of a step in units of some 60 bytes, the most that one object, move or distance takes. */
 final class StepWeight {
     /** The number of characters of a name that take one unit. */
     private static final int CHARACTERS = 32;
 
-    /** The number of cells of a grid that take one unit. */
-    private static final int CELLS = 60;
+    /** The bytes of a batch, and the cells of a grid, that take one unit. */
+    private static final int UNIT_BYTES = 60;
 
     private StepWeight() {}
 
@@ -42,6 +44,11 @@ final class StepWeight {
             for (SonarRequest sonar : sonars.requests()) {
                 weight += 1 + text(sonar.objectName());
             }
+        } else if (step.request() instanceof BatchRequestBundle batch) {
+            for (BatchRequest request : batch.requests()) {
+                weight += 1 + text(request.objectName());
+            }
+            weight += batch.workBytes() / UNIT_BYTES;
         }
         return step.expected() == null
                 ? weight
@@ -64,7 +71,7 @@ final class StepWeight {
                 weight += (long) mesh.triangles().vertices() + mesh.triangles().size();
                 around = mesh.boundingVolume();
             } else if (object instanceof GridObject grid) {
-                weight += (long) grid.columns() * grid.rows() / CELLS;
+                weight += (long) grid.columns() * grid.rows() / UNIT_BYTES;
             }
             if (around != null) {
                 left.push(around);

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -63,9 +64,11 @@ public final class WireReader implements StepReader {
             return null;
         }
         steps++;
-        if (request instanceof DistanceBundle) {
+        if (request instanceof DistanceBundle || request instanceof BatchAnswerBundle) {
             throw refused(
-                    "a request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: distances)", null);
+                    "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
+                            + (request instanceof DistanceBundle ? "distances" : "answers") + ")",
+                    null);
         }
         if (request instanceof InitBundle) {
             return new Step(request, null);

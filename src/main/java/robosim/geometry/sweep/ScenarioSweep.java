@@ -14,6 +14,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -99,6 +100,11 @@ public final class ScenarioSweep implements SweepScenario {
             if (step.request() instanceof InitBundle) {
                 throw new SweepException(file + " line " + step.line()
                         + ": a scenario that is swept must have one world (got: another)");
+            }
+            if (step.request() instanceof BatchRequestBundle) {
+                throw new SweepException(file + " line " + step.line()
+                        + ": a scenario that is swept must have moves and sonars (got: a batch, for which a sweep knows no"
+                        + " noise)");
             }
             Reply expected = step.expected();
             sweep.requests.add(step.request());

@@ -15,9 +15,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
@@ -29,6 +30,7 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
 import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
 
 /**
@@ -91,6 +93,11 @@ final class Hostile {
                 seeds.add(one.toByteArray());
                 together.write(bundle);
             }
+            for (Bundle bundle : BatchSamples.everyBundle()) {
+                ByteArrayOutputStream one = new ByteArrayOutputStream();
+                new MessageWriter(one).write(bundle);
+                seeds.add(one.toByteArray());
+            }
             seeds.add(all.toByteArray());
             return seeds;
         } catch (IOException e) {
@@ -110,6 +117,8 @@ final class Hostile {
                 lines.add(JsonLines.write(bundle));
             }
         }
+        lines.add(JsonLines.write(BatchSamples.requests()));
+        lines.add(JsonLines.write(new Reply(BatchSamples.answers(), List.of(Problem.of(5, "why")))));
         lines.add(JsonLines.write(new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "why")))));
         lines.add(lines.get(1) + "\n" + lines.get(4) + "\n" + lines.get(1));
         return lines.stream()
@@ -132,7 +141,7 @@ final class Hostile {
         if (text.contains("\"hello\"")) {
             return speak(bytes);
         }
-        if (text.contains("\"distances\"") || text.contains("\"refused\"")) {
+        if (text.contains("\"distances\"") || text.contains("\"answers\"") || text.contains("\"refused\"")) {
             Reply reply = JsonLines.readReply(text.endsWith("\n") ? text.substring(0, text.length() - 1) : text);
             assertThat(JsonLines.readReply(JsonLines.write(reply)).bundle()).isEqualTo(reply.bundle());
             return List.of();
@@ -192,7 +201,11 @@ final class Hostile {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
             new MessageWriter(bytes).write(bundle);
             assertThat(readJava(bytes.toByteArray())).containsExactly(bundle);
-            if (!(bundle instanceof DistanceBundle)) {
+            if (bundle instanceof BatchAnswerBundle) {
+                assertThat(JsonLines.readReply(JsonLines.write(new Reply(bundle)))
+                                .bundle())
+                        .isEqualTo(bundle);
+            } else if (!(bundle instanceof DistanceBundle)) {
                 assertThat(JsonLines.readRequest(JsonLines.write(bundle))).isEqualTo(bundle);
             }
         } catch (ProtocolException e) {

@@ -27,10 +27,11 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
@@ -41,6 +42,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.scenario.Recorder;
 import robosim.geometry.scenario.Recordings;
@@ -108,6 +110,8 @@ class NullArgumentsTest {
             new MoveRequest("a", 0, 0, 0, 0, 0),
             new SonarRequest("a", 1, 0),
             Beam.LINE,
+            new BatchRequestBundle(List.of()),
+            new BatchAnswerBundle(List.of()),
             JsonRecord.read("{\"a\":\"b\"}"),
             new MessageChannel(
                     new ByteArrayInputStream(new byte[0]),

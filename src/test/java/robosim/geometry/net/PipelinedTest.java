@@ -23,7 +23,6 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageTranslator;
@@ -33,6 +32,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
 
 /**

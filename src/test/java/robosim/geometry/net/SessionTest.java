@@ -11,12 +11,16 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.MoveResult;
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.net.session.World;
 import robosim.geometry.protocol.Beam;
@@ -79,6 +83,23 @@ class SessionTest {
                 throw new IllegalArgumentException("direction must not be vertical (got: 13)");
             }
             return beams.size();
+        }
+
+        // Batches are asked of real worlds: BatchSessionTest.
+
+        @Override
+        public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+            throw new UnsupportedOperationException(name);
+        }
+
+        @Override
+        public void freePoses(String name, double[] poses, long[] free) {
+            throw new UnsupportedOperationException(name);
+        }
+
+        @Override
+        public void freeEdges(String name, double[] edges, long[] free) {
+            throw new UnsupportedOperationException(name);
         }
     }
 

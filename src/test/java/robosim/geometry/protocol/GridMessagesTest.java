@@ -98,11 +98,11 @@ class GridMessagesTest {
                 "\"rows\":2 | \"rows\":32000000 | 5 x 32000000 cells, 20000000 bytes (got: 2 bytes)",
                 "\"BQI=\" | \"AAA=\" | occupied must have a bit",
                 "\"BQI=\" | \"BQY=\" | none from 10 on (got: bit 10)",
-                "\"BQI=\" | \"BQI\" | /occupied: must be bytes in base64, padded with =",
-                "\"BQI=\" | \"BQJ=\" | must be bytes in base64",
-                "\"BQI=\" | \"BQI= \" | must be bytes in base64",
-                "\"BQI=\" | \"B QI=\" | must be bytes in base64",
-                "\"BQI=\" | \"*()!\" | must be bytes in base64",
+                "\"BQI=\" | \"BQI\" | /occupied: must be base64, with its padding and nothing else",
+                "\"BQI=\" | \"BQJ=\" | must be base64",
+                "\"BQI=\" | \"BQI= \" | must be base64",
+                "\"BQI=\" | \"B QI=\" | must be base64",
+                "\"BQI=\" | \"*()!\" | must be base64",
                 "\"BQI=\" | \"\" | 2 bytes (got: 0 bytes)",
                 "\"BQI=\" | [5,2] | /occupied: must be a string (got: a list)",
                 "\"cell\":0.123 | \"cell\":0 | cell must be a number from 2^-500",
@@ -184,7 +184,7 @@ class GridMessagesTest {
                 .isLessThan(1_000_000);
         refused(
                 JSON.replace("BQI=", "A".repeat(5_333_340)),
-                "/occupied: bytes in base64 must have at most 5333336 characters (got: more)");
+                "/occupied: must have at most 4000000 bytes in base64 (got: more)");
         // Other texts are not longer for it.
         refused(JSON.replace("\"rows\"", "\"name\":\"" + "x".repeat(65_536) + "\",\"rows\""), "65535 bytes");
     }

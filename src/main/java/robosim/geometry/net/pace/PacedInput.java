@@ -140,12 +140,29 @@ public final class PacedInput extends InputStream implements MessagePace {
         if (messageBytes < LARGE_BYTES) {
             return;
         }
-        long wanted = (messageBytes / LARGE_BYTES + 1) * LARGE_BYTES * MessageMemory.MEMORY_FOR_A_BYTE;
+        grow((messageBytes / LARGE_BYTES + 1) * LARGE_BYTES * MessageMemory.MEMORY_FOR_A_BYTE);
+    }
+
+    private void grow(long wanted) throws IOException {
         if (!memory.holds(wanted)) {
             turn.give();
             long start = System.nanoTime();
             memory.growTo(wanted);
             deadline += System.nanoTime() - start; // the wait was not its fault
+        }
+    }
+
+    /**
+     * Waits until there is memory for the answer to the message that was read last, beside that of the message; it is held
+     * until the next message is waited for.
+     *
+     * @param bytes for the work on it, which may be far more than the message has
+     */
+    public void needs(long bytes) throws IOException {
+        long wanted = bytes + messageBytes * MessageMemory.MEMORY_FOR_A_BYTE;
+        if (wanted >= (long) LARGE_BYTES * MessageMemory.MEMORY_FOR_A_BYTE) {
+            grow(wanted);
+            turn.hold();
         }
     }
 

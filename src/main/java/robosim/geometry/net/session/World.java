@@ -3,8 +3,12 @@ package robosim.geometry.net.session;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.protocol.WorldSettings;
 
 /** The operations that a session needs of a world; angles in degrees. */
@@ -15,6 +19,15 @@ public interface World {
     MoveResult move(String name, Move move);
 
     double sonar(String name, double x, double z, double min, double max, double width);
+
+    /** All beams of a pattern. */
+    void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out);
+
+    /** Whether an object could stand at poses. */
+    void freePoses(String name, double[] poses, long[] free);
+
+    /** Whether an object could go along edges. */
+    void freeEdges(String name, double[] edges, long[] free);
 
     /** The geometry behind it; null if it is not one of this module's worlds. */
     default @Nullable Geometry geometry() {
@@ -49,6 +62,21 @@ public interface World {
             @Override
             public double sonar(String name, double x, double z, double min, double max, double width) {
                 return geometry.getSonarDistance(name, x, z, min, max, width);
+            }
+
+            @Override
+            public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+                geometry.sense(name, mount, pattern, options, out);
+            }
+
+            @Override
+            public void freePoses(String name, double[] poses, long[] free) {
+                geometry.freePoses(name, poses, free);
+            }
+
+            @Override
+            public void freeEdges(String name, double[] edges, long[] free) {
+                geometry.freeEdges(name, edges, free);
             }
 
             @Override

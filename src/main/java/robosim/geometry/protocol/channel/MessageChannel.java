@@ -12,7 +12,6 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
@@ -20,6 +19,7 @@ import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonCodec;
 import robosim.geometry.protocol.json.JsonLines;
 

@@ -15,7 +15,7 @@ final class Fields {
 
     /** Takes names separated by spaces; required fields are numbered first, then optional ones. */
     static Fields of(String required, String optional) {
-        List<String> names = new ArrayList<>(List.of(required.split(" ")));
+        List<String> names = new ArrayList<>(required.isEmpty() ? List.of() : List.of(required.split(" ")));
         int count = names.size();
         if (!optional.isEmpty()) {
             names.addAll(List.of(optional.split(" ")));
@@ -35,6 +35,10 @@ final class Fields {
 
     String name(int index) {
         return names.get(index);
+    }
+
+    boolean isRequired(int index) {
+        return index < required;
     }
 
     /** The first required field whose bit is not set in {@code seen}; -1 if none is missing. */

@@ -6,7 +6,6 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
-import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -15,7 +14,6 @@ import java.io.Reader;
 import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.Base64;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.MessageLimits;
@@ -30,17 +28,17 @@ final class JsonInput implements Closeable {
     /** Maximum length of a number: the longest double has about 1,080 exact digits. */
     static final int MAX_NUMBER_LENGTH = 1_100;
 
-    /** Maximum length of bytes in base64, four characters for three bytes. */
-    static final int MAX_BASE64_LENGTH = (MessageLimits.MAX_ARRAY_LENGTH + 2) / 3 * 4;
-
     /** Maximum length of a whole number that has a decimal point or an exponent. */
     private static final int MAX_WHOLE_LENGTH = 40;
+
+    /** Maximum length of any string: the base64 of a normal for each of the most beams. */
+    private static final int MAX_BASE64 = 3 * Double.BYTES * MessageLimits.MAX_BEAMS / 3 * 4;
 
     static final JsonFactory FACTORY = JsonFactory.builder()
             .streamReadConstraints(StreamReadConstraints.builder()
                     .maxNestingDepth(MessageLimits.MAX_DEPTH)
                     .maxNumberLength(MAX_NUMBER_LENGTH)
-                    .maxStringLength(MAX_BASE64_LENGTH) // other strings are limited by text()
+                    .maxStringLength(MAX_BASE64) // other strings are limited by text()
                     .maxNameLength(MessageLimits.MAX_TEXT_BYTES)
                     .build())
             // Names come from a peer, so none are cached.
@@ -320,35 +318,6 @@ final class JsonInput implements Closeable {
         return text;
     }
 
-    /** The current value as bytes in base64, as RFC 4648 defines it in section 4: padded, without spaces. */
-    byte[] bytes() throws IOException {
-        if (!isText()) {
-            throw refused("must be a string (got: " + kind() + ")");
-        }
-        String text;
-        try {
-            text = parser.getText();
-        } catch (StreamConstraintsException e) {
-            throw refused("bytes in base64 must have at most " + MAX_BASE64_LENGTH + " characters (got: more)");
-        } catch (JsonProcessingException e) {
-            throw problems.noJson(e);
-        }
-        try {
-            byte[] bytes = Base64.getDecoder().decode(text);
-            if (Base64.getEncoder().encodeToString(bytes).equals(text)) {
-                return bytes;
-            }
-        } catch (IllegalArgumentException e) {
-            throw noBase64(text, e);
-        }
-        throw noBase64(text, null); // padding is missing, or its bits are not 0
-    }
-
-    private ProtocolException noBase64(String text, @Nullable Throwable cause) {
-        return new ProtocolException(
-                problems.place() + "must be bytes in base64, padded with = (got: " + told(text) + ")", cause);
-    }
-
     private boolean isAgain(String text) throws IOException {
         try {
             char[] chars = parser.getTextCharacters();
@@ -361,6 +330,34 @@ final class JsonInput implements Closeable {
         } catch (JsonProcessingException e) {
             throw problems.noJson(e);
         }
+    }
+
+    /**
+     * The current value as bytes in base64 (RFC 4648, section 4), whose text may be longer than that of other values.
+     *
+     * @param stride the bytes come in groups of so many
+     * @param most   maximum number of groups
+     */
+    byte[] base64(int stride, int most) throws IOException {
+        if (!isText()) {
+            throw refused("must be a string of base64 (got: " + kind() + ")");
+        }
+        Base64Sink bytes = new Base64Sink(stride * most);
+        try {
+            parser.getText(bytes);
+        } catch (JsonProcessingException e) {
+            throw problems.noJson(e);
+        }
+        if (bytes.isFull()) {
+            throw refused("must have at most " + (long) stride * most + " bytes in base64 (got: more)");
+        }
+        if (!bytes.isWhole()) {
+            throw refused("must be base64, with its padding and nothing else (got: other characters)");
+        }
+        if (bytes.count() % stride != 0) {
+            throw refused("must have " + stride + " bytes each in base64 (got: " + bytes.count() + " bytes)");
+        }
+        return bytes.bytes();
     }
 
     /** The current value as a constant of an enum. */

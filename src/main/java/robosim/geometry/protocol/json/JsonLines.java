@@ -9,6 +9,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.MessageLimits;
@@ -33,16 +34,16 @@ public final class JsonLines {
     private JsonLines() {}
 
     /**
-     * Writes an {@code init}, {@code moves} or {@code sonars} line.
+     * Writes an {@code init}, {@code moves}, {@code sonars} or {@code batch} line.
      *
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle}, which is not a request
+     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, which is not a request
      */
     public static String write(Bundle request) {
         Checks.present("request", request);
         return text(output -> output.write(request));
     }
 
-    /** Writes a {@code moves} line with the refusals, or a {@code distances} line. */
+    /** Writes a {@code moves} line with the refusals, a {@code distances} or an {@code answers} line. */
     public static String write(Reply reply) {
         Checks.present("reply", reply);
         return text(output -> output.write(reply));
@@ -76,9 +77,10 @@ public final class JsonLines {
                 return switch (type) {
                     case "moves" -> new JsonMessages(in).made();
                     case "distances" -> new JsonMessages(in).distances();
+                    case "answers" -> new JsonAnswers(in).answers();
                     default ->
-                        throw new ProtocolException(
-                                "an answer's type must be moves or distances (got: " + Text.quoted(type) + ")");
+                        throw new ProtocolException("an answer's type must be moves, distances or answers (got: "
+                                + Text.quoted(type) + ")");
                 };
             }
         });
@@ -95,14 +97,14 @@ public final class JsonLines {
     }
 
     /**
-     * Whether a line is an answer rather than a request: {@code distances}, or {@code moves} with refusals.
+     * Whether a line is an answer rather than a request: {@code distances}, {@code answers}, or {@code moves} with refusals.
      *
      * @throws ProtocolException if the line is not an object with a {@code type}
      */
     public static boolean isReply(String line) throws ProtocolException {
         String type = typeOf(line);
         if (!type.equals("moves")) {
-            return type.equals("distances");
+            return type.equals("distances") || type.equals("answers");
         }
         byte[] bytes = bytes(line);
         return guarded(() -> {
@@ -118,9 +120,10 @@ public final class JsonLines {
             case "init" -> messages.init();
             case "moves" -> messages.moves();
             case "sonars" -> messages.sonars();
+            case "batch" -> new JsonBatches(in).batch();
             default ->
                 throw new ProtocolException(
-                        "a request's type must be init, moves or sonars (got: " + Text.quoted(type) + ")");
+                        "a request's type must be init, moves, sonars or batch (got: " + Text.quoted(type) + ")");
         };
     }
 

@@ -112,7 +112,7 @@ final class JsonObjects {
             case 16 -> draft.cell = in.number();
             case 17 -> draft.columns = (int) in.whole(1, MAX_CELLS);
             case 18 -> draft.rows = (int) in.whole(1, MAX_CELLS);
-            default -> draft.occupied = in.bytes();
+            default -> draft.occupied = in.base64(1, MessageLimits.MAX_ARRAY_LENGTH);
         }
     }
 

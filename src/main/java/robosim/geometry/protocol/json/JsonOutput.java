@@ -17,6 +17,8 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -55,9 +57,14 @@ final class JsonOutput {
             begin("sonars");
             requests(sonars.requests());
             out.writeEndObject();
+        } else if (request instanceof BatchRequestBundle batch) {
+            begin("batch");
+            new JsonBatchOutput(out).requests(batch.requests());
+            out.writeEndObject();
         } else {
-            throw new IllegalArgumentException("a request must be an InitBundle, a MoveBundle or a SonarRequestBundle"
-                    + " (got: " + request.getClass().getSimpleName() + ")");
+            throw new IllegalArgumentException(
+                    "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a"
+                            + " BatchRequestBundle (got: " + request.getClass().getSimpleName() + ")");
         }
     }
 
@@ -74,6 +81,9 @@ final class JsonOutput {
                 out.writeEndObject();
             }
             out.writeEndArray();
+        } else if (reply.bundle() instanceof BatchAnswerBundle batch) {
+            begin("answers");
+            new JsonBatchOutput(out).answers(batch.answers(), reply.problems());
         } else {
             begin("distances");
             distances(((DistanceBundle) reply.bundle()).distances(), reply.problems());

@@ -16,6 +16,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -65,6 +66,15 @@ public final class Replayer {
         try {
             if (step.request() instanceof InitBundle init) {
                 return open(step, init);
+            }
+            if (step.request() instanceof BatchRequestBundle batch) {
+                return frame(
+                        step,
+                        null,
+                        Map.of(),
+                        List.of(),
+                        Map.of(),
+                        "a batch of " + NumberText.count(batch.size(), "item"));
             }
             return step.request() instanceof MoveBundle moves
                     ? move(step, moves.moves())

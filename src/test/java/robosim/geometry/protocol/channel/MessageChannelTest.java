@@ -20,7 +20,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
@@ -33,6 +32,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
 
 class MessageChannelTest {
@@ -347,7 +347,7 @@ class MessageChannelTest {
         Class<?> channel = loader.loadClass(home + "channel.MessageChannel");
         Class<?> translator = loader.loadClass(home + "MessageTranslator");
         Class<?> pace = loader.loadClass(home + "MessagePace");
-        Class<?> gate = loader.loadClass(home + "Gate");
+        Class<?> gate = loader.loadClass(home + "json.Gate");
         Object made = channel.getConstructor(InputStream.class, OutputStream.class, translator, pace, gate)
                 .newInstance(
                         new ByteArrayInputStream(bytes),

@@ -130,7 +130,7 @@ class JsonLinesTest {
     @Test
     void anUnknownKindIsRefusedWithAllThatAreKnown() {
         String line = "{\"type\":\"init\",\"objects\":[{\"kind\":\"cone\"}]}";
-        String all = "box, cylinder, sphere, capsule, mesh or group";
+        String all = "box, cylinder, sphere, capsule, mesh, group or grid";
         assertThat(all.split(", | or ")).hasSameSizeAs(GeometryObject.Kind.values());
         assertThatThrownBy(() -> JsonLines.readRequest(line))
                 .hasMessage("at /objects/0/kind: must be " + all + " (got: \"cone\")");
@@ -149,7 +149,7 @@ class JsonLinesTest {
                 Arguments.of("[]", "the message: must be an object, {...} (got: a list)"),
                 Arguments.of("{}", "must have the field \"type\""),
                 Arguments.of("{\"type\":7}", "at /type: must be a string (got: a number)"),
-                Arguments.of("{\"type\":\"x\"}", "a request's type must be init, moves or sonars (got: \"x\")"),
+                Arguments.of("{\"type\":\"x\"}", "a request's type must be init, moves, sonars or batch (got: \"x\")"),
                 Arguments.of("{\"type\":\"moves\"}", "the message: must have the field \"moves\""),
                 Arguments.of(
                         "{\"type\":\"moves\",\"moves\":[],\"more\":1}", "at /more: a field must be one of type, moves"),

@@ -20,9 +20,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.BatchRequestBundle;
+import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MoveBundle;
@@ -51,7 +52,17 @@ class JsonSchemaTest {
             "enclose",
             "occupied must have",
             "a grid stands upright",
-            "must be bytes in base64");
+            "must be base64",
+            "width must be 0 for normals",
+            "direction ",
+            "directions[",
+            "poses[",
+            "edges[",
+            "distances[",
+            "normals[",
+            "normals must have three numbers for each",
+            "free must have",
+            "beams together");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -82,6 +93,8 @@ class JsonSchemaTest {
                 lines.add(JsonLines.write(bundle));
             }
         }
+        lines.add(JsonLines.write(BatchSamples.requests()));
+        lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
         return lines;
     }
 
@@ -92,7 +105,8 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
                         new DistanceBundle(List.of(0.0, 1.5, Double.POSITIVE_INFINITY, Double.NaN)),
-                        List.of(Problem.of(3, "why")))));
+                        List.of(Problem.of(3, "why")))),
+                JsonLines.write(new Reply(BatchSamples.answers(), List.of(Problem.of(5, "why")))));
     }
 
     /** What the channel says to a peer that sends this message, as its hello or after one; null where it is accepted. */
@@ -242,6 +256,9 @@ class JsonSchemaTest {
             "secret",
             "id",
             "settings",
+            "pattern",
+            "mount",
+            "normals",
             "beam",
             "unknown",
             "boundingVolume",

@@ -1,0 +1,114 @@
+package robosim.geometry.net.session;
+
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.FreeEdgesRequest;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/** Carries out requests with packed numbers, a part at a time, so that one message cannot keep others waiting. */
+public final class Batches {
+    /** Beams, poses or edges between two breaths: a word of bits, and a tile of a pattern, whose beams share work. */
+    private static final int PART = 64;
+
+    private final RayPatterns patterns = new RayPatterns();
+    private final SenseBuffer distances = new SenseBuffer();
+    private final SenseBuffer normals = new SenseBuffer(SenseBuffer.Extra.NORMALS);
+    private final long[] word = new long[1];
+
+    /**
+     * Answers a request that names a moveable object.
+     *
+     * @param breath runs before each part of the work
+     * @throws IllegalArgumentException if the world refuses the request
+     */
+    public BatchAnswer answer(World world, BatchRequest request, Runnable breath) {
+        if (request instanceof SenseRequest sense) {
+            return sense(world, sense, breath);
+        }
+        boolean isPoses = request instanceof FreePosesRequest;
+        Numbers places = isPoses ? ((FreePosesRequest) request).poses() : ((FreeEdgesRequest) request).edges();
+        return free(world, request, places, isPoses, breath);
+    }
+
+    /** Forgets what only the last bundle needed. */
+    public void rest() {
+        patterns.trim();
+    }
+
+    private SenseAnswer sense(World world, SenseRequest request, Runnable breath) {
+        breath.run();
+        RayPattern pattern = patterns.of(request.pattern());
+        Pose mount = request.mount().pose();
+        SenseOptions options = SenseOptions.range(request.min(), request.max())
+                .withWidth(Degrees.toDegrees(request.width()))
+                .withCarrier(request.seesCarrier() ? SenseOptions.Carrier.SEEN : SenseOptions.Carrier.IGNORED);
+        SenseBuffer buffer = request.normals() ? normals : distances;
+        int size = pattern.size();
+        double[] measured = new double[size];
+        double[] faces = new double[request.normals() ? 3 * size : 0];
+        for (int first = 0; first < size; first += PART) {
+            breath.run();
+            int count = Math.min(PART, size - first);
+            sense(world, request.objectName(), mount, pattern, first, count, options, buffer);
+            System.arraycopy(buffer.distances(), 0, measured, first, count);
+            if (request.normals()) {
+                System.arraycopy(buffer.normals(), 0, faces, 3 * first, 3 * count);
+            }
+        }
+        return new SenseAnswer(new Numbers(measured), new Numbers(faces));
+    }
+
+    private static void sense(
+            World world,
+            String name,
+            Pose mount,
+            RayPattern pattern,
+            int first,
+            int count,
+            SenseOptions options,
+            SenseBuffer out) {
+        RayPattern part = pattern;
+        if (count < pattern.size()) {
+            double[] directions = new double[3 * count];
+            pattern.directions(first, count, directions, 0);
+            part = RayPattern.of(directions);
+        }
+        try {
+            world.sense(name, mount, part, options, out);
+        } catch (IllegalArgumentException e) {
+            throw first == 0 ? e : new IllegalArgumentException("from beam " + first + " on, " + e.getMessage(), e);
+        }
+    }
+
+    private FreeAnswer free(World world, BatchRequest request, Numbers places, boolean isPoses, Runnable breath) {
+        int stride = isPoses ? FreePosesRequest.STRIDE : FreeEdgesRequest.STRIDE;
+        int size = request.size();
+        long[] free = new long[(size + PART - 1) / PART];
+        double[] part = new double[0];
+        for (int first = 0; first < size; first += PART) {
+            breath.run();
+            int numbers = stride * Math.min(PART, size - first);
+            part = part.length == numbers ? part : new double[numbers];
+            places.copy(stride * first, numbers, part);
+            for (int k = FreePosesRequest.STRIDE - 1; k < numbers; k += FreePosesRequest.STRIDE) {
+                part[k] = Degrees.toDegrees(part[k]);
+            }
+            if (isPoses) {
+                world.freePoses(request.objectName(), part, word);
+            } else {
+                world.freeEdges(request.objectName(), part, word);
+            }
+            free[first / PART] = word[0];
+        }
+        return FreeAnswer.of(size, free);
+    }
+}

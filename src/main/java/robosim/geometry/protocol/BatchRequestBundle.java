@@ -1,0 +1,67 @@
+package robosim.geometry.protocol;
+
+import java.io.Serial;
+import java.util.List;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/**
+ * Requests with packed numbers: all beams of sensors, many poses and edges of planners; answered by a
+ * {@link BatchAnswerBundle} with one answer for each request, in order.
+ *
+ * @param requests what to find out
+ */
+public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /**
+     * Refuses a list or a request that is null, and more than {@link Limits#MAX_BEAMS} beams or {@link Limits#MAX_POSES}
+     * poses and edges, counted in every request that refers to them.
+     */
+    public BatchRequestBundle {
+        requests = Checks.copy("requests", requests, BatchRequest.class);
+        check("beams", beams(requests), MessageLimits.MAX_BEAMS);
+        check("poses and edges", size(requests) - beams(requests), MessageLimits.MAX_POSES);
+    }
+
+    private static void check(String what, long count, int most) {
+        if (count > most) {
+            throw new IllegalArgumentException(
+                    "requests must have at most " + most + " " + what + " together (got: " + count + ")");
+        }
+    }
+
+    private static long beams(List<BatchRequest> requests) {
+        long beams = 0;
+        for (BatchRequest request : requests) {
+            beams += request instanceof SenseRequest ? request.size() : 0;
+        }
+        return beams;
+    }
+
+    private static long size(List<BatchRequest> requests) {
+        long size = 0;
+        for (BatchRequest request : requests) {
+            size += request.size();
+        }
+        return size;
+    }
+
+    /** How many beams, poses and edges there are in all. */
+    public int size() {
+        return (int) size(requests);
+    }
+
+    /** About how many bytes of memory it takes to answer this: far more than the message has, where that describes a pattern. */
+    public long workBytes() {
+        long bytes = 0;
+        for (BatchRequest request : requests) {
+            // A beam's direction, distance and normal: while they are found, as an answer, and as bytes.
+            boolean isSense = request instanceof SenseRequest;
+            bytes += (isSense ? ((SenseRequest) request).normals() ? 144L : 64L : 1L) * request.size();
+        }
+        return bytes;
+    }
+}

@@ -1,0 +1,76 @@
+package robosim.geometry.protocol.json;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.MessageLimits;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.NoAnswer;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseAnswer;
+
+/** Reads answers with packed numbers from JSON. */
+final class JsonAnswers {
+    private static final Fields ANSWERS = Fields.of("type answers", "");
+    private static final Fields ANSWER = Fields.of("", "distances normals count free error");
+    private static final int DISTANCES = 1;
+    private static final int NORMALS = 2;
+    private static final int COUNT = 4;
+    private static final int FREE = 8;
+    private static final int ERROR = 16;
+
+    private final JsonInput in;
+
+    JsonAnswers(JsonInput in) {
+        this.in = in;
+    }
+
+    Reply answers() throws IOException {
+        List<BatchAnswer> answers = new ArrayList<>();
+        List<Problem> problems = new ArrayList<>();
+        var message = in.message(ANSWERS);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            if (field == 0) {
+                in.text();
+                continue;
+            }
+            in.list();
+            while (in.more(answers.size(), MessageLimits.MAX_LIST_LENGTH)) {
+                answers.add(answer(answers.size(), problems));
+            }
+        }
+        in.end();
+        return in.make(() -> new Reply(new BatchAnswerBundle(answers), problems));
+    }
+
+    private BatchAnswer answer(int index, List<Problem> problems) throws IOException {
+        Numbers[] numbers = {Numbers.NONE, Numbers.NONE};
+        int[] count = new int[1];
+        byte[][] free = {new byte[0]};
+        int seen = 0;
+        var members = in.object(ANSWER);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            seen |= 1 << field;
+            switch (field) {
+                case 0 -> numbers[0] = PackedNumbers.numbers(in.base64(Double.BYTES, MessageLimits.MAX_BEAMS));
+                case 1 -> numbers[1] = PackedNumbers.numbers(in.base64(3 * Double.BYTES, MessageLimits.MAX_BEAMS));
+                case 2 -> count[0] = (int) in.whole(0, MessageLimits.MAX_POSES);
+                case 3 -> free[0] = in.base64(1, MessageLimits.MAX_POSES / 8);
+                default -> problems.add(Problem.of(index, in.text()));
+            }
+        }
+        return switch (seen) {
+            case DISTANCES, DISTANCES + NORMALS -> in.make(() -> new SenseAnswer(numbers[0], numbers[1]));
+            case COUNT + FREE -> in.make(() -> new FreeAnswer(count[0], free[0]));
+            case ERROR -> new NoAnswer();
+            default ->
+                throw in.refused(
+                        "an answer must have distances, or distances and normals, or count and free, or an error"
+                                + " (got: other fields)");
+        };
+    }
+}

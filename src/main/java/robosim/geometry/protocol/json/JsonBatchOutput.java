@@ -1,0 +1,135 @@
+package robosim.geometry.protocol.json;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.List;
+import robosim.geometry.model.Point;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.FreeEdgesRequest;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/** Writes requests with packed numbers, and their answers, as JSON. */
+final class JsonBatchOutput {
+    private final JsonGenerator out;
+
+    JsonBatchOutput(JsonGenerator out) {
+        this.out = out;
+    }
+
+    void requests(List<BatchRequest> requests) throws IOException {
+        out.writeArrayFieldStart("requests");
+        for (BatchRequest request : requests) {
+            out.writeStartObject();
+            if (request instanceof SenseRequest sense) {
+                out.writeStringField("kind", "sense");
+                out.writeStringField("objectName", sense.objectName());
+                sense(sense);
+            } else if (request instanceof FreePosesRequest poses) {
+                out.writeStringField("kind", "poses");
+                out.writeStringField("objectName", poses.objectName());
+                packed("poses", poses.poses());
+            } else {
+                FreeEdgesRequest edges = (FreeEdgesRequest) request;
+                out.writeStringField("kind", "edges");
+                out.writeStringField("objectName", edges.objectName());
+                packed("edges", edges.edges());
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private void sense(SenseRequest sense) throws IOException {
+        if (!sense.mount().equals(Mount.CENTER)) {
+            out.writeObjectFieldStart("mount");
+            Point place = sense.mount().place();
+            numbers("place", Numbers.of(place.x(), place.y(), place.z()));
+            if (!sense.mount().rotation().equals(Mount.CENTER.rotation())) {
+                numbers("rotation", sense.mount().rotation());
+            }
+            out.writeEndObject();
+        }
+        out.writeObjectFieldStart("pattern");
+        pattern(sense.pattern());
+        out.writeEndObject();
+        out.writeNumberField("min", sense.min());
+        if (sense.max() < Double.POSITIVE_INFINITY) {
+            out.writeNumberField("max", sense.max());
+        } else {
+            out.writeNullField("max");
+        }
+        out.writeNumberField("width", sense.width());
+        if (sense.seesCarrier()) {
+            out.writeBooleanField("seesCarrier", true);
+        }
+        if (sense.normals()) {
+            out.writeBooleanField("normals", true);
+        }
+    }
+
+    private void pattern(BeamPattern pattern) throws IOException {
+        if (pattern instanceof BeamPattern.Fan fan) {
+            out.writeStringField("kind", "fan");
+            out.writeNumberField("first", fan.first());
+            out.writeNumberField("step", fan.step());
+            out.writeNumberField("count", fan.count());
+        } else if (pattern instanceof BeamPattern.Layers layers) {
+            out.writeStringField("kind", "layers");
+            numbers("elevations", layers.elevations());
+            out.writeNumberField("first", layers.first());
+            out.writeNumberField("step", layers.step());
+            out.writeNumberField("count", layers.count());
+        } else if (pattern instanceof BeamPattern.Pinhole camera) {
+            out.writeStringField("kind", "pinhole");
+            out.writeNumberField("width", camera.width());
+            out.writeNumberField("height", camera.height());
+            out.writeNumberField("fieldOfView", camera.fieldOfView());
+        } else {
+            out.writeStringField("kind", "directions");
+            packed("directions", ((BeamPattern.Directions) pattern).directions());
+        }
+    }
+
+    void answers(List<BatchAnswer> answers, List<Problem> problems) throws IOException {
+        out.writeArrayFieldStart("answers");
+        int problem = 0;
+        for (int k = 0; k < answers.size(); k++) {
+            while (problem < problems.size() && problems.get(problem).index() < k) {
+                problem++;
+            }
+            out.writeStartObject();
+            if (answers.get(k) instanceof SenseAnswer sense) {
+                packed("distances", sense.distances());
+                if (sense.normals().size() > 0) {
+                    packed("normals", sense.normals());
+                }
+            } else if (answers.get(k) instanceof FreeAnswer free) {
+                out.writeNumberField("count", free.count());
+                out.writeBinaryField("free", free.free());
+            } else {
+                boolean known =
+                        problem < problems.size() && problems.get(problem).index() == k;
+                out.writeStringField("error", known ? problems.get(problem).reason() : "no answer");
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private void packed(String field, Numbers numbers) throws IOException {
+        out.writeBinaryField(field, PackedNumbers.bytes(numbers));
+    }
+
+    private void numbers(String field, Numbers numbers) throws IOException {
+        out.writeFieldName(field);
+        out.writeArray(numbers.values(), 0, numbers.size());
+    }
+}

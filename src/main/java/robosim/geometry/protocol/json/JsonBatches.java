@@ -1,0 +1,156 @@
+package robosim.geometry.protocol.json;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.protocol.BatchRequestBundle;
+import robosim.geometry.protocol.MessageLimits;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.FreeEdgesRequest;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/** Reads requests with packed numbers from JSON. */
+final class JsonBatches {
+    private static final Fields BATCH = Fields.of("type requests", "");
+    private static final Fields REQUEST =
+            Fields.of("kind objectName", "mount pattern min max width seesCarrier normals poses edges");
+    private static final JsonKinds REQUESTS = new JsonKinds(
+            REQUEST,
+            new String[] {"sense", "pattern", "mount min max width seesCarrier normals"},
+            new String[] {"poses", "poses", ""},
+            new String[] {"edges", "edges", ""});
+    private static final Fields MOUNT = Fields.of("place", "rotation");
+    private static final Fields PATTERN =
+            Fields.of("kind", "first step count elevations width height fieldOfView directions");
+    private static final JsonKinds PATTERNS = new JsonKinds(
+            PATTERN,
+            new String[] {"fan", "first step count", ""},
+            new String[] {"layers", "elevations first step count", ""},
+            new String[] {"pinhole", "width height fieldOfView", ""},
+            new String[] {"directions", "directions", ""});
+
+    private final JsonInput in;
+
+    JsonBatches(JsonInput in) {
+        this.in = in;
+    }
+
+    BatchRequestBundle batch() throws IOException {
+        List<BatchRequest> requests = new ArrayList<>();
+        var message = in.message(BATCH);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            if (field == 0) {
+                in.text();
+                continue;
+            }
+            in.list();
+            while (in.more(requests.size(), MessageLimits.MAX_LIST_LENGTH)) {
+                requests.add(request());
+            }
+        }
+        in.end();
+        return in.make(() -> new BatchRequestBundle(requests));
+    }
+
+    /** The fields of a request, as far as they are read. */
+    private static final class Draft {
+        private int kind;
+        private String name = "";
+        private Mount mount = Mount.CENTER;
+        private BeamPattern pattern = new BeamPattern.Fan(0, 0, 1);
+        private double min;
+        private double max = Double.POSITIVE_INFINITY;
+        private double width;
+        private boolean seesCarrier;
+        private boolean normals;
+        private Numbers places = Numbers.NONE;
+
+        private BatchRequest make() {
+            return switch (kind) {
+                case 0 -> new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals);
+                case 1 -> new FreePosesRequest(name, places);
+                default -> new FreeEdgesRequest(name, places);
+            };
+        }
+    }
+
+    private BatchRequest request() throws IOException {
+        Draft draft = new Draft();
+        var members = in.object(REQUEST);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0 -> draft.kind = REQUESTS.read(in);
+                case 1 -> draft.name = in.text();
+                case 2 -> draft.mount = mount();
+                case 3 -> draft.pattern = pattern();
+                case 4 -> draft.min = in.number();
+                case 5 -> draft.max = in.isNull() ? Double.POSITIVE_INFINITY : in.number();
+                case 6 -> draft.width = in.number();
+                case 7 -> draft.seesCarrier = in.flag();
+                case 8 -> draft.normals = in.flag();
+                case 9 -> draft.places = packed(FreePosesRequest.STRIDE, MessageLimits.MAX_POSES);
+                default -> draft.places = packed(FreeEdgesRequest.STRIDE, MessageLimits.MAX_POSES);
+            }
+        }
+        REQUESTS.check(in, draft.kind, members::has);
+        return in.make(draft::make);
+    }
+
+    private Numbers packed(int stride, int most) throws IOException {
+        return PackedNumbers.numbers(in.base64(stride * Double.BYTES, most));
+    }
+
+    private Mount mount() throws IOException {
+        double[] place = new double[3];
+        Numbers[] rotation = {Mount.CENTER.rotation()};
+        var members = in.object(MOUNT);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            if (field == 0) {
+                place = in.numbers(3);
+            } else {
+                rotation[0] = new Numbers(in.numbers(9));
+            }
+        }
+        double[] at = place;
+        return in.make(() -> new Mount(new Point(at[0], at[1], at[2]), rotation[0]));
+    }
+
+    private BeamPattern pattern() throws IOException {
+        int kind = 0;
+        double[] numbers = new double[PATTERN.count()];
+        Numbers[] many = {Numbers.NONE};
+        var members = in.object(PATTERN);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0 -> kind = PATTERNS.read(in);
+                case 4 -> many[0] = elevations();
+                case 8 -> many[0] = packed(3, MessageLimits.MAX_BEAMS);
+                case 1, 2, 7 -> numbers[field] = in.number();
+                default -> numbers[field] = in.whole(1, RayPattern.MAX_SIZE);
+            }
+        }
+        PATTERNS.check(in, kind, members::has);
+        int made = kind;
+        return in.make(() -> switch (made) {
+            case 0 -> new BeamPattern.Fan(numbers[1], numbers[2], (int) numbers[3]);
+            case 1 -> new BeamPattern.Layers(many[0], numbers[1], numbers[2], (int) numbers[3]);
+            case 2 -> new BeamPattern.Pinhole((int) numbers[5], (int) numbers[6], numbers[7]);
+            default -> new BeamPattern.Directions(many[0]);
+        });
+    }
+
+    private Numbers elevations() throws IOException {
+        List<Double> elevations = new ArrayList<>();
+        in.list();
+        while (in.more(elevations.size(), MessageLimits.MAX_BEAMS)) {
+            elevations.add(in.number());
+        }
+        return new Numbers(elevations.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+}

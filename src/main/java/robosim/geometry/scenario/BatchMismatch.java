@@ -1,0 +1,107 @@
+package robosim.geometry.scenario;
+
+import java.util.List;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/** Says where the answers to a batch differ. */
+final class BatchMismatch {
+    private BatchMismatch() {}
+
+    /** The mismatch of two bundles of answers that are not equal. */
+    static Mismatch of(long number, Step step, List<BatchRequest> asked, Reply expected, Reply got) {
+        List<BatchAnswer> wanted = ((BatchAnswerBundle) expected.bundle()).answers();
+        List<BatchAnswer> answered = ((BatchAnswerBundle) got.bundle()).answers();
+        int first = -1;
+        int others = -1;
+        for (int k = 0; k < asked.size(); k++) {
+            if (!wanted.get(k).equals(answered.get(k))) {
+                first = first < 0 ? k : first;
+                others++;
+            }
+        }
+        BatchAnswer before = wanted.get(first);
+        BatchAnswer now = answered.get(first);
+        int item = item(before, now);
+        String reason = Mismatch.reason(got, first);
+        return new Mismatch(
+                number,
+                step.line(),
+                first,
+                words(asked.get(first)),
+                words(before, item),
+                words(now, item) + (reason.isEmpty() ? off(before, now, item) : ", " + reason),
+                others);
+    }
+
+    /** The first beam, pose or edge whose answers differ; -1 if one of the two has none. */
+    private static int item(BatchAnswer before, BatchAnswer now) {
+        if (before instanceof SenseAnswer one && now instanceof SenseAnswer two) {
+            int beam = 0;
+            while (isSame(one, two, beam)) {
+                beam++;
+            }
+            return beam;
+        }
+        if (before instanceof FreeAnswer one && now instanceof FreeAnswer two) {
+            int place = 0;
+            while (one.isFree(place) == two.isFree(place)) {
+                place++;
+            }
+            return place;
+        }
+        return -1;
+    }
+
+    private static boolean isSame(SenseAnswer one, SenseAnswer two, int beam) {
+        if (Double.compare(one.distances().get(beam), two.distances().get(beam)) != 0) {
+            return false;
+        }
+        for (int k = 3 * beam; k < 3 * beam + 3 && k < one.normals().size(); k++) {
+            if (Double.compare(one.normals().get(k), two.normals().get(k)) != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static String words(BatchRequest request) {
+        String what =
+                request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
+        return "batch of " + request.size() + " " + what + " of " + Text.quoted(request.objectName());
+    }
+
+    private static String words(BatchAnswer answer, int item) {
+        if (answer instanceof SenseAnswer sense) {
+            return item < 0
+                    ? "distances"
+                    : "for beam " + item + " "
+                            + Mismatch.distance(sense.distances().get(item)) + normal(sense, item);
+        }
+        if (answer instanceof FreeAnswer free) {
+            return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
+        }
+        return "no answer";
+    }
+
+    private static String normal(SenseAnswer answer, int beam) {
+        return answer.normals().size() == 0
+                ? ""
+                : " off (" + answer.normals().get(3 * beam) + ", "
+                        + answer.normals().get(3 * beam + 1) + ", "
+                        + answer.normals().get(3 * beam + 2) + ")";
+    }
+
+    private static String off(BatchAnswer before, BatchAnswer now, int item) {
+        return before instanceof SenseAnswer one && now instanceof SenseAnswer two
+                ? Mismatch.off(one.distances().get(item), two.distances().get(item))
+                : "";
+    }
+}

@@ -1,0 +1,285 @@
+package robosim.geometry.net;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
+import robosim.geometry.protocol.BatchSamples;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.FreeEdgesRequest;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.NoAnswer;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/** A session's answers to batches have the bits of the single calls. */
+class BatchSessionTest {
+    private static final double INFINITY = Double.POSITIVE_INFINITY;
+    private static final Mount MAST = new Mount(
+            new Point(0.1, 0.7, -0.05),
+            new Numbers(
+                    new BoxObject(new Point(), 1, 1, 1).turned(10, 35).pose().rotation()));
+
+    private final Session session = new Session();
+
+    private static List<GeometryObject> scene(SplittableRandom random) {
+        List<GeometryObject> objects = new ArrayList<>();
+        for (int k = 0; k < 60; k++) {
+            Point at =
+                    new Point(20 * random.nextDouble() - 10, random.nextDouble() - 0.5, 20 * random.nextDouble() - 10);
+            double size = 0.2 + random.nextDouble();
+            objects.add(
+                    switch (k % 3) {
+                        case 0 -> new BoxObject(at, size, 2, 0.5).turned(0, 360 * random.nextDouble());
+                        case 1 -> new CylinderObject(at, size / 2, 2);
+                        default -> new SphereObject(at, size / 2);
+                    });
+        }
+        objects.add(new CylinderObject(new Point(0.5, 0, 0.25), 0.2, 1)
+                .turned(0, 33)
+                .moveable("robot"));
+        objects.add(new BoxObject(new Point(-3, 0, 2), 0.5, 1, 0.3).moveable("cart"));
+        objects.add(new BoxObject(new Point(9, 0, 9), 1, 1, 1).named("wall"));
+        return objects;
+    }
+
+    private Geometry init(Dimension dimension) {
+        WorldSettings settings = new WorldSettings(40, 20, 40, dimension, Accuracy.EXACT);
+        session.reply(new InitBundle(scene(new SplittableRandom(7)), settings));
+        return Objects.requireNonNull(session.world());
+    }
+
+    private List<BatchAnswer> ask(BatchRequest... requests) {
+        Reply reply = Objects.requireNonNull(session.reply(new BatchRequestBundle(List.of(requests))));
+        return ((BatchAnswerBundle) reply.bundle()).answers();
+    }
+
+    private static SenseRequest sense(Mount mount, BeamPattern pattern, double width, boolean seen, boolean normals) {
+        return new SenseRequest("robot", mount, pattern, 0.3, 12, width, seen, normals);
+    }
+
+    private static void same(SenseAnswer answer, Geometry world, SenseRequest request, RayPattern pattern) {
+        SenseBuffer seen = request.normals() ? new SenseBuffer(SenseBuffer.Extra.NORMALS) : new SenseBuffer();
+        SenseOptions options = SenseOptions.range(request.min(), request.max())
+                .withWidth(Degrees.toDegrees(request.width()))
+                .withCarrier(request.seesCarrier() ? SenseOptions.Carrier.SEEN : SenseOptions.Carrier.IGNORED);
+        world.sense(request.objectName(), request.mount().pose(), pattern, options, seen);
+        assertThat(answer.distances().size()).isEqualTo(pattern.size());
+        assertThat(answer.normals().size()).isEqualTo(request.normals() ? 3 * pattern.size() : 0);
+        int echoes = 0;
+        for (int k = 0; k < pattern.size(); k++) {
+            assertThat(answer.distances().get(k)).as(request + " beam " + k).isEqualTo(seen.distance(k));
+            echoes += answer.distances().get(k) < INFINITY ? 1 : 0;
+            if (request.normals()) {
+                assertThat(answer.normals().get(3 * k)).isEqualTo(seen.normalX(k));
+                assertThat(answer.normals().get(3 * k + 1)).isEqualTo(seen.normalY(k));
+                assertThat(answer.normals().get(3 * k + 2)).isEqualTo(seen.normalZ(k));
+            }
+        }
+        if (!request.seesCarrier()) { // a sensor within its carrier sees nothing else
+            assertThat(echoes).isBetween(pattern.size() / 8, pattern.size() * 99 / 100);
+        }
+    }
+
+    @Test
+    void patternsHaveTheBitsOfGeometry() {
+        Geometry world = init(Dimension.SPATIAL);
+        double quarter = Math.toRadians(0.25);
+        BeamPattern fan = new BeamPattern.Fan(-3 * Math.PI / 4, quarter, 1081);
+        RayPattern fanned = RayPattern.fan(-135, Degrees.toDegrees(quarter), 1081);
+        BeamPattern layers = new BeamPattern.Layers(Numbers.of(-0.2, 0, 0.1), Math.PI, -0.05, 126);
+        double down = Degrees.toDegrees(-0.2);
+        double up = Degrees.toDegrees(0.1);
+        RayPattern layered = RayPattern.layers(new double[] {down, 0, up}, 180, Degrees.toDegrees(-0.05), 126);
+        BeamPattern camera = new BeamPattern.Pinhole(33, 21, Math.PI / 2);
+        RayPattern image = RayPattern.pinhole(33, 21, 90);
+        double[] directions = new SplittableRandom(5).doubles(300, -1, 1).toArray();
+        BeamPattern any = new BeamPattern.Directions(new Numbers(directions));
+        RayPattern anyway = RayPattern.of(directions);
+        Object[][] patterns = {{fan, fanned}, {layers, layered}, {camera, image}, {any, anyway}};
+        for (Object[] pair : patterns) {
+            BeamPattern pattern = (BeamPattern) pair[0];
+            RayPattern rays = (RayPattern) pair[1];
+            for (SenseRequest request : List.of(
+                    sense(Mount.CENTER, pattern, 0, false, false),
+                    sense(MAST, pattern, 0, false, true),
+                    sense(MAST, pattern, 0.1, false, false),
+                    sense(new Mount(new Point(0.3, 0, 0)), pattern, 0, true, false))) {
+                same((SenseAnswer) ask(request).get(0), world, request, rays);
+            }
+        }
+    }
+
+    @Test
+    void aPatternsBeamsAreSonars() {
+        for (Dimension dimension : Dimension.values()) {
+            init(dimension);
+            RayPattern fan = RayPattern.fan(-180, 2.25, 160);
+            for (double width : new double[] {0, Math.toRadians(15)}) {
+                List<SonarRequest> sonars = new ArrayList<>();
+                for (int k = 0; k < fan.size(); k++) {
+                    sonars.add(new SonarRequest("cart", fan.x(k), fan.z(k), new Beam(0.1, 9, width)));
+                }
+                Reply told = Objects.requireNonNull(session.reply(new SonarRequestBundle(sonars)));
+                double[] singles = ((DistanceBundle) told.bundle())
+                        .distances().stream().mapToDouble(Double::doubleValue).toArray();
+                // The nearest double to each angle in radians becomes the double of degrees again.
+                BeamPattern pattern = new BeamPattern.Fan(-Math.PI, Degrees.toRadians(2.25), 160);
+                assertThat(Degrees.toDegrees(Degrees.toRadians(2.25))).isEqualTo(2.25);
+                SenseAnswer all =
+                        (SenseAnswer) ask(new SenseRequest("cart", Mount.CENTER, pattern, 0.1, 9, width, false, false))
+                                .get(0);
+                assertThat(all.distances()).isEqualTo(new Numbers(singles));
+                assertThat(singles).contains(INFINITY);
+                assertThat(Arrays.stream(singles)
+                                .filter(distance -> distance < 9)
+                                .count())
+                        .isGreaterThan(30);
+            }
+        }
+    }
+
+    @Test
+    void posesAndEdgesHaveTheBitsOfGeometry() {
+        for (Dimension dimension : Dimension.values()) {
+            Geometry world = init(dimension);
+            SplittableRandom random = new SplittableRandom(11);
+            for (int count : new int[] {0, 1, 63, 64, 65, 500}) {
+                double[] poses = new double[4 * count];
+                double[] edges = new double[8 * count];
+                place(random, poses, 1);
+                place(random, edges, 1);
+                for (int k = 0; k < count; k++) { // short ways, level, and a quarter turn
+                    edges[8 * k + 4] = edges[8 * k] + random.nextDouble() - 0.5;
+                    edges[8 * k + 5] = edges[8 * k + 1];
+                    edges[8 * k + 6] = edges[8 * k + 2];
+                    edges[8 * k + 7] = edges[8 * k + 3] + (k % 2 == 0 ? 0 : Math.PI / 2);
+                }
+                FreePosesRequest asked = new FreePosesRequest("cart", new Numbers(poses));
+                FreeEdgesRequest moved = new FreeEdgesRequest("cart", new Numbers(edges));
+                List<BatchAnswer> answers = ask(asked, moved);
+                degrees(poses);
+                degrees(edges);
+                long[] free = new long[(count + 63) / 64];
+                int standing = world.freePoses("cart", poses, free);
+                assertThat(answers.get(0)).isEqualTo(FreeAnswer.of(count, free));
+                int going = world.freeEdges("cart", edges, free);
+                assertThat(answers.get(1)).isEqualTo(FreeAnswer.of(count, free));
+                if (count == 500) {
+                    assertThat(standing).isBetween(100, 480);
+                    assertThat(going).isBetween(50, 450);
+                }
+            }
+        }
+    }
+
+    private static void place(SplittableRandom random, double[] poses, double height) {
+        for (int k = 0; k < poses.length; k += 4) {
+            poses[k] = 20 * random.nextDouble() - 10;
+            poses[k + 1] = height * (random.nextDouble() - 0.5);
+            poses[k + 2] = 20 * random.nextDouble() - 10;
+            poses[k + 3] = random.nextInt(3) == 0 ? Math.PI / 2 : 6 * random.nextDouble() - 3;
+        }
+    }
+
+    private static void degrees(double[] poses) {
+        for (int k = 3; k < poses.length; k += 4) {
+            poses[k] = Degrees.toDegrees(poses[k]);
+        }
+    }
+
+    @Test
+    void unknownAndStaticNamesAndWhatTheWorldRefusesHaveNoAnswerAndAReason() {
+        SenseRequest early = new SenseRequest("robot", new BeamPattern.Fan(0, 1, 4));
+        assertThat(ask(early)).containsExactly(new NoAnswer());
+        init(Dimension.PLANAR);
+        double[] up = new double[3 * 70];
+        for (int k = 0; k < 70; k++) {
+            up[3 * k] = k < 66 ? 1 : 0;
+            up[3 * k + 1] = 1;
+        }
+        SenseRequest steep = new SenseRequest("robot", new BeamPattern.Directions(new Numbers(up)));
+        Reply reply = Objects.requireNonNull(session.reply(new BatchRequestBundle(List.of(
+                new SenseRequest("rover", new BeamPattern.Fan(0, 1, 4)),
+                early,
+                new FreePosesRequest("wall", Numbers.of(0, 0, 0, 0)),
+                steep,
+                early))));
+        List<BatchAnswer> answers = ((BatchAnswerBundle) reply.bundle()).answers();
+        assertThat(answers.get(0)).isEqualTo(new NoAnswer());
+        assertThat(answers.get(1)).isInstanceOf(SenseAnswer.class).isEqualTo(answers.get(4));
+        assertThat(answers.get(2)).isEqualTo(new NoAnswer());
+        assertThat(answers.get(3)).isEqualTo(new NoAnswer());
+        assertThat(reply.problems()).extracting(problem -> problem.index()).containsExactly(0, 2, 3);
+        assertThat(reply.problems().get(0).reason()).isEqualTo("no moveable object \"rover\"");
+        assertThat(reply.problems().get(1).reason()).isEqualTo("no moveable object \"wall\"");
+        assertThat(reply.problems().get(2).reason()).startsWith("from beam 64 on, direction 2 ");
+    }
+
+    @Test
+    void answersAreNoRequest() {
+        assertThatThrownBy(() -> session.reply(BatchSamples.answers()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("(got: BatchAnswerBundle)");
+    }
+
+    /** However much a message asks for, others wait for no more than a part of it. */
+    @Test
+    void workIsDoneInParts() {
+        init(Dimension.PLANAR);
+        int[] breaths = new int[1];
+        session.pausing(() -> breaths[0]++, new robosim.geometry.net.session.LogBudget(System::nanoTime));
+        ask(new SenseRequest("robot", new BeamPattern.Fan(0, 0.001, 6400)));
+        assertThat(breaths[0]).isBetween(100, 110);
+        breaths[0] = 0;
+        ask(new FreePosesRequest("robot", new Numbers(new double[4 * 6400])));
+        assertThat(breaths[0]).isBetween(100, 110);
+        breaths[0] = 0;
+        ask(new FreeEdgesRequest("robot", new Numbers(new double[8 * 6400])));
+        assertThat(breaths[0]).isBetween(100, 110);
+    }
+
+    /** Patterns that are kept give the same answers as those that are made anew. */
+    @Test
+    void patternsComeAndGo() {
+        Geometry world = init(Dimension.PLANAR);
+        for (int round = 0; round < 3; round++) {
+            for (int size : new int[] {100, 20_000, 30_000, 100, 40_000}) {
+                SenseRequest request = sense(Mount.CENTER, new BeamPattern.Fan(0, 0.0003, size), 0, true, false);
+                RayPattern rays = RayPattern.fan(0, Degrees.toDegrees(0.0003), size);
+                same((SenseAnswer) ask(request).get(0), world, request, rays);
+            }
+        }
+    }
+}

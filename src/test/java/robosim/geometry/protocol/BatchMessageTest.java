@@ -1,0 +1,106 @@
+package robosim.geometry.protocol;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectOutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.FreeEdgesRequest;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/** Batches in Java serialization. */
+class BatchMessageTest {
+    private static final String STORED = "batches.ser";
+
+    @Test
+    void batchesComeBackAsTheyWere() throws IOException {
+        List<Bundle> bundles = BatchSamples.everyBundle();
+        byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
+        assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
+    }
+
+    @Test
+    void storedBatchesMeanWhatTheyMeant() throws IOException {
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(STORED))).isEqualTo(BatchSamples.everyBundle());
+    }
+
+    private static List<BatchRequest> times(int count, BatchRequest request) {
+        return Collections.nCopies(count, request);
+    }
+
+    @Test
+    void batchesHaveTheirLimits() {
+        SenseRequest beams = new SenseRequest("r", new BeamPattern.Fan(0, 0, MessageLimits.MAX_BEAMS / 4));
+        assertThat(new BatchRequestBundle(times(4, beams)).size()).isEqualTo(MessageLimits.MAX_BEAMS);
+        FreePosesRequest poses = new FreePosesRequest("r", new Numbers(new double[MessageLimits.MAX_POSES]));
+        assertThat(new BatchRequestBundle(times(4, poses)).size()).isEqualTo(MessageLimits.MAX_POSES);
+        FreeEdgesRequest edge = new FreeEdgesRequest("r", new Numbers(new double[8]));
+        List<BatchRequest> both = new ArrayList<>(times(4, beams));
+        both.addAll(times(4, poses));
+        assertThat(new BatchRequestBundle(both).size()).isEqualTo(MessageLimits.MAX_BEAMS + MessageLimits.MAX_POSES);
+        both.add(edge);
+        assertThatThrownBy(() -> new BatchRequestBundle(both))
+                .hasMessage("requests must have at most 262144 poses and edges together (got: 262145)");
+        assertThatThrownBy(() -> new BatchRequestBundle(times(5, beams)))
+                .hasMessage("requests must have at most 1048576 beams together (got: 1310720)");
+        assertThatThrownBy(() -> new BatchRequestBundle(
+                        times(1_000_000, new SenseRequest("r", new BeamPattern.Pinhole(4096, 4096, 1)))))
+                .hasMessageContaining("at most 1048576 beams together (got: 16777216000000)");
+        assertThatThrownBy(() -> new BatchRequestBundle(null)).hasMessageContaining("requests");
+        assertThatThrownBy(() -> new BatchRequestBundle(Arrays.asList(edge, null)))
+                .hasMessageContaining("requests[1] must be given");
+        assertThatThrownBy(() -> new BatchAnswerBundle(null)).hasMessageContaining("answers");
+    }
+
+    /** References to one request in a list cost five bytes each. */
+    @Test
+    void aFewBytesThatAskForMillionsAreRefused() throws IOException {
+        byte[] bytes = MessageTest.write(
+                new BatchRequestBundle(times(1000, new SenseRequest("r", new BeamPattern.Fan(0, 0, 1000)))));
+        assertThat(bytes.length).isLessThan(7000);
+        byte[] more = bytes.clone();
+        for (int k = more.length - 1; k > 0; k--) {
+            if (more[k - 1] == 3 && more[k] == (byte) 0xe8) {
+                more[k - 1] = 127; // of beams alone, which come after the list's length
+                break;
+            }
+        }
+        assertThatThrownBy(() -> MessageTest.readAll(more))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("requests must have at most 1048576 beams together (got: 32744000)");
+    }
+
+    /** Nobody's class is loaded by its name, wherever it is. */
+    @Test
+    void onlyKnownPatternsAreRead() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(new float[3]);
+        }
+        assertThatThrownBy(() -> MessageTest.readAll(bytes.toByteArray()))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("is not on the list");
+    }
+
+    /** Wrote the stored bytes; whoever changes what is written adds a file and leaves this one alone. */
+    static final class Write {
+        private Write() {}
+
+        public static void main(String[] args) throws IOException {
+            byte[] bytes = MessageTest.write(BatchSamples.everyBundle().toArray(Bundle[]::new));
+            Files.write(Path.of(args[0], STORED), bytes);
+        }
+    }
+}

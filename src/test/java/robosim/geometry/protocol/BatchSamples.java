@@ -1,0 +1,65 @@
+package robosim.geometry.protocol;
+
+import java.util.List;
+import robosim.geometry.model.Point;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.FreeEdgesRequest;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.NoAnswer;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
+
+/** Requests with packed numbers, and answers. The stored bytes hold these: do not change them, add. */
+public final class BatchSamples {
+    private static final double INFINITY = Double.POSITIVE_INFINITY;
+
+    private BatchSamples() {}
+
+    /** One request of each kind, with each kind of pattern, with every optional part given and left out. */
+    public static BatchRequestBundle requests() {
+        Mount mount = new Mount(new Point(0.1, 0.5, -0.0), Numbers.of(0, 0, 1, 0, 1, 0, -1, 0, 0));
+        return new BatchRequestBundle(List.of(
+                new SenseRequest("robot", new BeamPattern.Fan(-2.356194490192345, 0.004363323129985824, 1081)),
+                new SenseRequest(
+                        "robot",
+                        mount,
+                        new BeamPattern.Layers(Numbers.of(-Math.PI / 2, 0.1, Math.PI / 2), Math.PI, -0.1, 7),
+                        0.5,
+                        30,
+                        0,
+                        true,
+                        true),
+                new SenseRequest(
+                        "\u00e9\ud83e\udd16",
+                        new Mount(new Point(0, 1, 0)),
+                        new BeamPattern.Pinhole(4, 3, 1.5),
+                        0,
+                        INFINITY,
+                        Math.nextDown(Math.PI),
+                        false,
+                        false),
+                new SenseRequest("", new BeamPattern.Directions(Numbers.of(1, -0.0, 0, 0x1p100, 1e-300, -2))),
+                new FreePosesRequest("robot", Numbers.of(1, 2, 3, Math.PI / 2, -0.0, 0, 1e-320, -7)),
+                new FreePosesRequest("robot", Numbers.NONE),
+                new FreeEdgesRequest("robot", Numbers.of(1, 2, 3, 0, 1, 2, 4, Math.PI))));
+    }
+
+    /** One answer of each kind. */
+    public static BatchAnswerBundle answers() {
+        return new BatchAnswerBundle(List.of(
+                new SenseAnswer(Numbers.of(0, 0x1.23456789abcdep-3, INFINITY), Numbers.NONE),
+                new SenseAnswer(Numbers.of(2, INFINITY), Numbers.of(-1, 0, -0.0, 0, 0, 0)),
+                new SenseAnswer(Numbers.NONE, Numbers.NONE),
+                new FreeAnswer(11, new byte[] {(byte) 0x81, 0x05}),
+                new FreeAnswer(0, new byte[0]),
+                new NoAnswer()));
+    }
+
+    /** The bundles. */
+    public static List<Bundle> everyBundle() {
+        return List.of(new BatchRequestBundle(List.of()), requests(), new BatchAnswerBundle(List.of()), answers());
+    }
+}

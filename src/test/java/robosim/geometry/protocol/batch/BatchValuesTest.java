@@ -1,0 +1,143 @@
+package robosim.geometry.protocol.batch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.BitSet;
+import java.util.SplittableRandom;
+import java.util.function.DoubleFunction;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.RayPattern;
+
+/** What requests with packed numbers, and their answers, may hold. */
+class BatchValuesTest {
+    private static final BeamPattern FAN = new BeamPattern.Fan(0, 1, 4);
+    private static final double[] NO_ANGLES = {Double.NaN, Double.POSITIVE_INFINITY, -Math.nextUp(0x1p100)};
+
+    private static void refuses(String argument, ThrowingCallable made) {
+        assertThatThrownBy(made)
+                .as(argument)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(argument)
+                .hasMessageContaining("(got: ");
+    }
+
+    private static void refuses(String argument, DoubleFunction<?> make, double... values) {
+        for (double value : values) {
+            refuses(argument, () -> make.apply(value));
+        }
+    }
+
+    @Test
+    void patternsRefuseWhatNoPatternHas() {
+        refuses("first ", v -> new BeamPattern.Fan(v, 1, 4), NO_ANGLES);
+        refuses("step ", v -> new BeamPattern.Fan(0, v, 4), NO_ANGLES);
+        refuses("count ", v -> new BeamPattern.Fan(0, 1, (int) v), 0, -1, RayPattern.MAX_SIZE + 1, Integer.MIN_VALUE);
+        refuses("first ", v -> new BeamPattern.Layers(Numbers.of(0), v, 1, 4), NO_ANGLES);
+        refuses("step ", v -> new BeamPattern.Layers(Numbers.of(0), 0, v, 4), NO_ANGLES);
+        double steep = Math.nextUp(Math.PI / 2);
+        refuses("elevations[1] ", v -> new BeamPattern.Layers(Numbers.of(0, v), 0, 1, 4), Double.NaN, steep, -steep, 9);
+        refuses("number of elevations", () -> new BeamPattern.Layers(Numbers.NONE, 0, 1, 4));
+        refuses(
+                "count ",
+                v -> new BeamPattern.Layers(Numbers.of(0, 0.1, 0.2), 0, 1, (int) v),
+                0,
+                RayPattern.MAX_SIZE / 3 + 1,
+                Integer.MAX_VALUE);
+        refuses("width ", v -> new BeamPattern.Pinhole((int) v, 1, 1), 0, -1, RayPattern.MAX_SIZE + 1);
+        refuses("height ", v -> new BeamPattern.Pinhole(1 << 16, (int) v, 1), 0, -1, 257, Integer.MAX_VALUE);
+        refuses("fieldOfView ", v -> new BeamPattern.Pinhole(2, 2, v), 0, -1, Math.PI, Double.NaN);
+        refuses("directions ", () -> new BeamPattern.Directions(Numbers.NONE));
+        refuses("directions ", () -> new BeamPattern.Directions(Numbers.of(1, 2, 3, 4)));
+        refuses("direction 1 ", () -> new BeamPattern.Directions(Numbers.of(1, 2, 3, 0, -0.0, 0)));
+        refuses("directions[2] ", v -> new BeamPattern.Directions(Numbers.of(1, 2, v)), NO_ANGLES);
+        refuses("elevations ", () -> new BeamPattern.Layers(null, 0, 1, 4));
+        assertThat(new BeamPattern.Layers(Numbers.of(-Math.PI / 2, Math.PI / 2), -0x1p100, 0x1p100, 4).size())
+                .isEqualTo(8);
+        assertThat(new BeamPattern.Pinhole(4096, 4096, 1).size()).isEqualTo(RayPattern.MAX_SIZE);
+    }
+
+    @Test
+    void requestsRefuseWhatNoSensorHas() {
+        refuses("objectName", () -> new SenseRequest(null, FAN));
+        refuses("pattern", () -> new SenseRequest("a", null));
+        refuses("mount", () -> new SenseRequest("a", null, FAN, 0, 1, 0, false, false));
+        refuses("min ", v -> new SenseRequest("a", Mount.CENTER, FAN, v, 9, 0, false, false), Double.NaN, -1);
+        refuses("max ", v -> new SenseRequest("a", Mount.CENTER, FAN, 2, v, 0, false, false), Double.NaN, 1.9);
+        refuses(
+                "width ",
+                v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, false),
+                Double.NaN,
+                -1,
+                Math.PI);
+        refuses("width ", v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, true), 0.1);
+        refuses("place", () -> new Mount(null));
+        refuses("rotation", () -> new Mount(new Point(), Numbers.of(1, 0, 0)));
+        refuses("rotation", v -> new Mount(new Point(), Numbers.of(v, 0, 0, 0, 1, 0, 0, 0, 1)), -1, 2, Double.NaN);
+        refuses("poses ", () -> new FreePosesRequest("a", Numbers.of(1, 2, 3)));
+        refuses("poses[2] ", v -> new FreePosesRequest("a", Numbers.of(1, 2, v, 4)), NO_ANGLES);
+        refuses("poses[3] must be an angle", v -> new FreePosesRequest("a", Numbers.of(1, 2, 3, v)), NO_ANGLES);
+        refuses("edges ", () -> new FreeEdgesRequest("a", Numbers.of(1, 2, 3, 4)));
+        refuses("edges[4] ", v -> new FreeEdgesRequest("a", Numbers.of(0, 0, 0, 0, v, 0, 0, 0)), NO_ANGLES);
+        refuses(
+                "edges[7] must be an angle",
+                v -> new FreeEdgesRequest("a", Numbers.of(0, 0, 0, 0, 0, 0, 0, v)),
+                NO_ANGLES);
+    }
+
+    @Test
+    void answersRefuseWhatNoAnswerHas() {
+        refuses(
+                "distances[1] ",
+                v -> new SenseAnswer(Numbers.of(0, v), Numbers.NONE),
+                Double.NaN,
+                -1,
+                -Double.MIN_VALUE);
+        refuses("normals ", () -> new SenseAnswer(Numbers.of(0, 1), Numbers.of(1, 0, 0)));
+        refuses("normals[2] ", v -> new SenseAnswer(Numbers.of(1), Numbers.of(0, 0, v)), Double.NaN, 1.1, -2);
+        refuses("count ", () -> new FreeAnswer(-1, new byte[0]));
+        refuses("free ", () -> new FreeAnswer(9, new byte[1]));
+        refuses("free ", () -> new FreeAnswer(8, new byte[2]));
+        refuses("free ", () -> new FreeAnswer(3, new byte[] {8}));
+        refuses("free ", () -> new FreeAnswer(15, new byte[] {0, (byte) 0x80}));
+        refuses("index ", v -> new FreeAnswer(3, new byte[] {7}).isFree((int) v), -1, 3);
+    }
+
+    @Test
+    void arraysAreOfTheirOwnAndComparedByTheirBits() {
+        double[] given = {1, 2};
+        Numbers numbers = new Numbers(given);
+        given[0] = 3;
+        numbers.values()[1] = 3;
+        assertThat(numbers).isEqualTo(Numbers.of(1, 2)).hasSameHashCodeAs(Numbers.of(1, 2));
+        assertThat(Numbers.of(0.0)).isNotEqualTo(Numbers.of(-0.0));
+        assertThat(Numbers.of(Double.NaN)).isEqualTo(Numbers.of(Double.NaN));
+        byte[] bits = {5};
+        FreeAnswer answer = new FreeAnswer(3, bits);
+        bits[0] = 0;
+        answer.free()[0] = 0;
+        assertThat(answer).isEqualTo(new FreeAnswer(3, new byte[] {5})).isNotEqualTo(new FreeAnswer(4, new byte[] {5}));
+        assertThat(new Numbers(new double[1000]))
+                .hasToString("[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ... 1000 numbers]");
+    }
+
+    @Test
+    void bitsAreThoseOfABitSet() {
+        SplittableRandom random = new SplittableRandom(19);
+        for (int count = 0; count < 200; count++) {
+            BitSet set = new BitSet();
+            for (int k = 0; k < count; k++) {
+                set.set(k, random.nextBoolean());
+            }
+            long[] words = new long[(count + 63) / 64];
+            System.arraycopy(set.toLongArray(), 0, words, 0, set.toLongArray().length);
+            FreeAnswer answer = FreeAnswer.of(count, words);
+            assertThat(BitSet.valueOf(answer.free())).isEqualTo(set);
+            for (int k = 0; k < count; k++) {
+                assertThat(answer.isFree(k)).isEqualTo(set.get(k));
+            }
+        }
+    }
+}
