@@ -347,7 +347,7 @@ class MessageChannelTest {
         Class<?> channel = loader.loadClass(home + "channel.MessageChannel");
         Class<?> translator = loader.loadClass(home + "MessageTranslator");
         Class<?> pace = loader.loadClass(home + "MessagePace");
-        Class<?> gate = loader.loadClass(home + "Gate");
+        Class<?> gate = loader.loadClass(home + "json.Gate");
         Object made = channel.getConstructor(InputStream.class, OutputStream.class, translator, pace, gate)
                 .newInstance(
                         new ByteArrayInputStream(bytes),
