@@ -56,7 +56,7 @@ public record Step(
         }
         if (request instanceof MoveBundle moves) {
             if (!(answer instanceof MoveBundle made)) {
-                throw new IllegalArgumentException("moves must be answered by moves (got: another answer)");
+                throw new IllegalArgumentException("moves must be answered by moves (got: " + words(answer) + ")");
             }
             if (made.moves().size() > moves.moves().size()) {
                 throw new IllegalArgumentException("there must be at most as many moves made as asked for, "
@@ -65,7 +65,7 @@ public record Step(
         }
         if (request instanceof SonarRequestBundle sonars) {
             if (!(answer instanceof DistanceBundle distances)) {
-                throw new IllegalArgumentException("sonars must be answered by distances (got: another answer)");
+                throw new IllegalArgumentException("sonars must be answered by distances (got: " + words(answer) + ")");
             }
             if (distances.distances().size() != sonars.requests().size()) {
                 throw new IllegalArgumentException("there must be one distance for each request, "
@@ -75,10 +75,14 @@ public record Step(
         }
         if (request instanceof BatchRequestBundle batch) {
             if (!(answer instanceof BatchAnswerBundle answers)) {
-                throw new IllegalArgumentException("a batch must be answered by answers (got: another answer)");
+                throw new IllegalArgumentException("a batch must be answered by answers (got: " + words(answer) + ")");
             }
             checkAnswers(batch.requests(), answers.answers());
         }
+    }
+
+    private static String words(Bundle answer) {
+        return answer instanceof MoveBundle ? "moves" : answer instanceof DistanceBundle ? "distances" : "answers";
     }
 
     private static void checkAnswers(List<BatchRequest> requests, List<BatchAnswer> answers) {
