@@ -17,7 +17,7 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
     private static final long serialVersionUID = 1;
 
     /**
-     * Refuses a list or a request that is null, and more than {@link Limits#MAX_BEAMS} beams or {@link Limits#MAX_POSES}
+     * Refuses a list or a request that is null, and more than {@link MessageLimits#MAX_BEAMS} beams or {@link MessageLimits#MAX_POSES}
      * poses and edges, counted in every request that refers to them.
      */
     public BatchRequestBundle {

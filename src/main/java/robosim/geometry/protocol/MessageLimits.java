@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GridObject;
 
 /** Limits on what a peer may send: each with its reason and the size of realistic data. */
@@ -48,7 +49,7 @@ public final class MessageLimits {
 
     /** The parts of a grid: a world looks at its occupied cells, and passes over the free ones many times as fast. */
     public static long parts(GridObject grid) {
-        return grid.cells().occupied() + (long) grid.columns() * grid.rows() / Byte.SIZE;
+        return Checks.present("grid", grid).cells().occupied() + (long) grid.columns() * grid.rows() / Byte.SIZE;
     }
 
     /**

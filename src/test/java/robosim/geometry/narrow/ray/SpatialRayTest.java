@@ -162,7 +162,7 @@ public class SpatialRayTest {
     /** Shooting again from the hit answers next to nothing. */
     @ParameterizedTest
     @EnumSource(
-            names = {"TRIANGLE", "MESH", "SOLID_MESH"},
+            names = {"TRIANGLE", "MESH", "SOLID_MESH", "GRID"},
             mode = EnumSource.Mode.EXCLUDE)
     void startsInsideSolidsAnswerZero(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(600 + kind.ordinal());
