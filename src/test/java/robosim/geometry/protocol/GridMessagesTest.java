@@ -104,7 +104,7 @@ class GridMessagesTest {
                 "\"BQI=\" | \"B QI=\" | must be base64",
                 "\"BQI=\" | \"*()!\" | must be base64",
                 "\"BQI=\" | \"\" | 2 bytes (got: 0 bytes)",
-                "\"BQI=\" | [5,2] | /occupied: must be a string (got: a list)",
+                "\"BQI=\" | [5,2] | /occupied: must be a string of base64 (got: a list)",
                 "\"cell\":0.123 | \"cell\":0 | cell must be a number from 2^-500",
                 "\"cell\":0.123 | \"cell\":-1 | cell must be a number from 2^-500",
                 "\"center\":[1,2,3] | \"center\":[1e9,2,3] | a grid must lie within 2^30 of its cells",
