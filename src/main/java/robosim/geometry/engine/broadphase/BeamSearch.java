@@ -135,7 +135,7 @@ public abstract class BeamSearch {
     private double searchTable(LeafTable table, double limit, int ignored) {
         double reach = limit;
         for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
-            if (table.grid(k) != ignored) {
+            if (table.grid(k) != ignored && !table.meets(table.grid(k), done)) {
                 reach = meet(table, table.grid(k), reach);
             }
         }

@@ -4,7 +4,7 @@ package robosim.geometry.index.cells;
  * The cells of a grid where it stands in the XZ plane: their squares in the plane, and points of the plane in the cells' own
  * coordinates, in which cell (i, j) reaches from i to i + 1 and from j to j + 1. Immutable.
  *
- * <p>Lines between cells lie along the grid's own axes at multiples of a power of two, {@link #quantum}, as seen from the
+ * <p>Lines between cells lie along the grid's own axes at multiples of a power of two, the quantum, as seen from the
  * world's origin. Neighbours share the line, and a cell's middle and half size are exact. So the squares have no seams where
  * the own axes are those of the world; else the middle of each is turned and rounded.
  */
@@ -62,11 +62,6 @@ public final class PlacedCells {
     /** Whether columns go along the world's X, either way, of a grid that {@link #isAlongAxes}. */
     public boolean isAlongX() {
         return sin == 0;
-    }
-
-    /** Lines are multiples of this. */
-    public double quantum() {
-        return Math.ulp(rounder);
     }
 
     private double lineU(int i) {
