@@ -183,9 +183,9 @@ final class JsonObjects {
         int[] corners = new int[4];
         int count = 0;
         in.list();
-        while (in.more(count, 4 * MessageLimits.MAX_LIST_LENGTH)) {
+        while (in.more(count, MessageLimits.MAX_ARRAY_LENGTH)) {
             corners = count < corners.length ? corners : Arrays.copyOf(corners, 2 * count);
-            corners[count++] = (int) in.whole(TextureCoordinates.NONE, MAX_VERTICES - 1L);
+            corners[count++] = (int) in.whole(TextureCoordinates.NONE, MessageLimits.MAX_ARRAY_LENGTH / 2 - 1L);
         }
         return Arrays.copyOf(corners, count);
     }

@@ -98,7 +98,7 @@ public final class TextureFiles {
 
     /** Counts the pixels that a picture claims, before any room is made for them. */
     private void count(byte[] bytes) {
-        if (bytes.length < SIZE_AT + 8) {
+        if (bytes.length < SIZE_AT + 8 || bytes[0] != (byte) 0x89 || bytes[1] != 'P') {
             return; // refused by its reader
         }
         ByteBuffer size = ByteBuffer.wrap(bytes, SIZE_AT, 8);
