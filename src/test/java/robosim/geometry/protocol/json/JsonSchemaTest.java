@@ -56,6 +56,7 @@ class JsonSchemaTest {
             "corners[",
             "bytes must have 3 for each",
             "a grid stands upright",
+            "a grid must lie within",
             "must be base64",
             "width must be 0 for normals",
             "direction ",
