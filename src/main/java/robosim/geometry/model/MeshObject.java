@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /**
  * A surface of triangles and quads; a quad is always the two triangles on its diagonal 0-2, even if its corners are not
@@ -136,13 +137,23 @@ public final class MeshObject implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public MeshObject named(String name) {
         return with(tag.named(name), pose);
     }
 
     @Override
     public MeshObject moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public MeshObject withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -225,8 +236,8 @@ public final class MeshObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Mesh(
-                SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid);
+        return SerialForms.of(this, new SerialForms.Mesh(
+                SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid));
     }
 
     @Serial

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /**
  * The serialized forms of objects: records from which the object is created through its constructor, so that no object
@@ -31,7 +32,14 @@ public final class SerialForms {
                 Capsule.class,
                 Mesh.class,
                 Group.class,
-                Grid.class);
+                Grid.class,
+                Surfaced.class);
+    }
+
+    /** What stands for an object in a stream: its form, and around it its material unless that is the default. */
+    static Object of(GeometryObject object, Serializable form) {
+        Material material = object.material();
+        return material.isDefault() ? form : new Surfaced(object.withMaterial(Material.DEFAULT), material);
     }
 
     static InvalidObjectException formRequired() {
@@ -145,6 +153,17 @@ public final class SerialForms {
         @Serial
         private Object readResolve() {
             return GridObject.of(place.tag(), place.pose(), cell, height, columns, rows, occupied);
+        }
+    }
+
+    /** An object that was given a material. */
+    record Surfaced(GeometryObject object, Material material) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return Checks.present("object", object).withMaterial(material);
         }
     }
 }

@@ -127,7 +127,7 @@ final class BundleInputStream extends ObjectInputStream {
     protected Object resolveObject(Object made) throws IOException {
         if (made instanceof List<?> items && !items.isEmpty() && items.get(0) instanceof GeometryObject) {
             add(sum(items));
-        } else if (made instanceof MeshObject mesh) {
+        } else if (made instanceof MeshObject mesh && mesh.material().isDefault()) { // with a material it comes a second time
             add(partsOf(mesh));
         } else if (made instanceof ObjectGroup group) {
             groups.put(group, sum(group.members()));
