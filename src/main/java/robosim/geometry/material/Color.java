@@ -2,6 +2,7 @@ package robosim.geometry.material;
 
 import java.io.Serial;
 import java.io.Serializable;
+import java.util.HexFormat;
 import robosim.geometry.exact.Checks;
 
 /**
@@ -132,6 +133,11 @@ public record Color(double red, double green, double blue) implements Serializab
     /** {@code #rrggbb}: the components rounded to 8 bits. */
     @Override
     public String toString() {
-        return String.format("#%06x", packed());
+        return "#" + text(packed());
+    }
+
+    /** A packed pixel as six hexadecimal digits, {@code rrggbb}. */
+    public static String text(int pixel) {
+        return HexFormat.of().toHexDigits(pixel, 6);
     }
 }

@@ -121,6 +121,21 @@ public final class MeshObject implements GeometryObject {
         return new MeshObject(tag, pose, triangles, true, boundingVolume);
     }
 
+    /**
+     * This mesh with places of its faces' corners in a picture, or without if null. It shares its corners and faces with this
+     * one, but not the trees over them.
+     *
+     * @throws IllegalArgumentException if they are not of as many corners as this mesh's faces have
+     */
+    public MeshObject withTextureCoordinates(@Nullable TextureCoordinates coordinates) {
+        return new MeshObject(tag, pose, triangles.with(coordinates), solid, boundingVolume);
+    }
+
+    /** Where the faces' corners lie in a picture; null if that was not given. */
+    public @Nullable TextureCoordinates textureCoordinates() {
+        return triangles.texture();
+    }
+
     @Override
     public @Nullable String name() {
         return tag.name();
@@ -236,8 +251,10 @@ public final class MeshObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return SerialForms.of(this, new SerialForms.Mesh(
-                SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid));
+        return SerialForms.of(
+                this,
+                new SerialForms.Mesh(
+                        SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid));
     }
 
     @Serial
