@@ -6,7 +6,9 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -22,6 +24,9 @@ public final class BeamQuery extends BeamSearch {
     private double best;
     private int hit;
     private int hitLeaf;
+
+    /** A distance at which the search may end, as nothing nearer is wanted; below 0 if the nearest is. */
+    private double enough = Double.NEGATIVE_INFINITY;
 
     private double lastWidth;
     private double halfCos = 1;
@@ -85,6 +90,26 @@ public final class BeamQuery extends BeamSearch {
         return nearest(limit);
     }
 
+    /**
+     * Whether anything echoes within a limit: {@link #nearest(AccuracyView, double, int)} is finite. The search ends with the
+     * first echo found; {@link #hit()} tells whose it is.
+     *
+     * @param likely an object that is looked at first, as it blocked a similar beam; -1 for none
+     */
+    boolean meets(AccuracyView view, double limit, int ignored, int likely) {
+        hit = -1;
+        best = Double.POSITIVE_INFINITY;
+        enough = limit;
+        try {
+            if (likely < 0 || likely == ignored || meet(view.table(likely), likely, limit) >= 0) {
+                search(view, limit, ignored);
+            }
+        } finally {
+            enough = Double.NEGATIVE_INFINITY;
+        }
+        return hit >= 0 && best <= limit;
+    }
+
     private double nearest(double limit) {
         if (best <= limit) {
             return best;
@@ -101,11 +126,23 @@ public final class BeamQuery extends BeamSearch {
         } else {
             int first = table.first(id);
             int last = first + table.count(id);
-            for (int leaf = first; leaf < last; leaf++) {
+            for (int leaf = first; leaf < last && !isEnough(); leaf++) {
                 meetLeaf(leaves, id, leaf, reach);
             }
         }
+        return left(reach);
+    }
+
+    /** How far to look from now on; nowhere if what was found is enough. */
+    private double left(double reach) {
+        if (isEnough()) {
+            return Double.NEGATIVE_INFINITY;
+        }
         return best < reach ? best : reach;
+    }
+
+    private boolean isEnough() {
+        return best <= enough && hit >= 0; // both may be infinite
     }
 
     private void meetLeaf(LeafColumn leaves, int id, int leaf, double reach) {
@@ -119,7 +156,7 @@ public final class BeamQuery extends BeamSearch {
             return found;
         }
         take(found, id, local | LeafColumn.UPRIGHT);
-        return best < reach ? best : reach;
+        return left(reach);
     }
 
     @Override
@@ -148,6 +185,15 @@ public final class BeamQuery extends BeamSearch {
     /** The triangle or cell of it that the line met; -1 if it has none. */
     int face(AccuracyView view) {
         return cast.face(view.table(hit).leaves(), hitLeaf);
+    }
+
+    /** Which part of an object a leaf is; -1 for a group where one enclosure stands for all of them. */
+    int part(AccuracyView view, int id, int leaf) {
+        LeafTable table = view.table(id);
+        if (table.count(id) > 1) {
+            return leaf - table.first(id);
+        }
+        return view.accuracy != Accuracy.EXACT && objects.value(id) instanceof ObjectGroup ? -1 : 0;
     }
 
     /** A coordinate (0 to 2) of the point on the line at a distance. */
