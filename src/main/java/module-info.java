@@ -18,6 +18,8 @@ module robosim.geometry {
     exports robosim.geometry.protocol.batch;
     exports robosim.geometry.protocol.json;
     exports robosim.geometry.scenario;
+    exports robosim.geometry.sensor;
+    exports robosim.geometry.sensor.file;
     exports robosim.geometry.sweep;
     exports robosim.geometry.world;
     exports robosim.geometry.world.check;

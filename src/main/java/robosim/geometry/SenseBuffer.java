@@ -84,6 +84,14 @@ public final class SenseBuffer {
     }
 
     /**
+     * Where the sensor was in the world when it sensed: X, Y and Z, then the nine numbers of its rotation, row by row,
+     * whose columns are its own axes. The buffer's own array, as with {@link #distances}.
+     */
+    public double[] place() {
+        return echoes.place();
+    }
+
+    /**
      * All distances: the buffer's own array, no copy. Elements from {@link #size} on mean nothing. A later call writes
      * to the same array unless its pattern is larger.
      */

@@ -10,12 +10,18 @@ import robosim.geometry.model.GeometryObject;
  * normals where they are wanted. Threads may write different beams at once.
  */
 public final class Echoes {
+    /** Numbers in the place of a sensor. */
+    public static final int PLACE = 12;
+
     private final boolean hasObjects;
     private final boolean hasNormals;
     private double[] distances = new double[0];
     private @Nullable GeometryObject[] objects = new GeometryObject[0];
     private double[] normals = new double[0];
     private int size;
+
+    /** Where the sensor was: X, Y and Z, then its rotation, row by row. */
+    private final double[] place = new double[PLACE];
 
     public Echoes(boolean hasObjects, boolean hasNormals) {
         this.hasObjects = hasObjects;
@@ -65,6 +71,11 @@ public final class Echoes {
     /** Three numbers for each beam, zeros where nothing echoes. Empty where they are not wanted. */
     public double[] normals() {
         return normals;
+    }
+
+    /** Where the sensor was in the world: X, Y and Z, then the nine numbers of its rotation, row by row. */
+    public double[] place() {
+        return place;
     }
 
     /** Notes whose echo a beam hears; an id, or -1. */

@@ -117,6 +117,25 @@ public final class PatternSensor {
             checkLevel(pattern);
         }
         out.clear(pattern.size());
+        tellPlace(out.place());
+    }
+
+    /** Writes where the sensor is: its origin, and its axes as the columns of a rotation. */
+    private void tellPlace(double[] place) {
+        place[0] = ox;
+        place[1] = oy;
+        place[2] = oz;
+        for (int axis = 0; axis < 3; axis++) {
+            vector[0] = mount[axis];
+            vector[1] = mount[3 + axis];
+            vector[2] = mount[6 + axis];
+            if (carrier >= 0) {
+                objects.toWorld(carrier, vector[0], vector[1], vector[2], vector);
+            }
+            for (int row = 0; row < 3; row++) {
+                place[3 + 3 * row + axis] = vector[row] + 0.0;
+            }
+        }
     }
 
     private void checkLevel(RayPattern pattern) {
