@@ -7,6 +7,7 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -147,9 +148,7 @@ public final class Bumper {
     private static double bearing(Pose pose, Point direction) {
         double forward = along(pose, 0, direction);
         double right = along(pose, 2, direction);
-        return forward == 0 && right == 0
-                ? Double.NaN
-                : StrictMath.toDegrees(StrictMath.atan2(0.0 - right, forward)) + 0.0;
+        return forward == 0 && right == 0 ? Double.NaN : Degrees.headingOf(forward, right);
     }
 
     private static Pose pose(GeometryObject object) {
