@@ -76,7 +76,7 @@ final class Crew {
         try {
             world.mountSensor(name, pose);
             Echoes echoes = world.prepareSensor(pattern, options, out);
-            int tiles = world.sensorTiles(pattern);
+            int tiles = world.sensorTiles(pattern, options);
             int parts = parts(tiles, TILES);
             if (Math.min(parts, options.threads()) == 1) {
                 world.senseSome(pattern, options, echoes, 0, tiles);

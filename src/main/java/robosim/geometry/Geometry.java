@@ -510,16 +510,16 @@ public final class Geometry {
 
     private void sense(RayPattern pattern, SenseOptions options, SenseBuffer out) {
         Echoes echoes = prepareSensor(pattern, options, out);
-        sensor.sense(view, pattern, options, echoes, 0, sensor.tiles(pattern));
+        sensor.sense(view, pattern, options, echoes, 0, sensor.tiles(pattern, options));
         PatternSensor.finish(pattern, echoes);
     }
 
     /** Puts the sensor on an object, or into the world where none is named. */
     void mountSensor(@Nullable String name, Pose pose) {
         if (name == null) {
-            sensor.at(pose);
+            sensor.frame().at(pose);
         } else {
-            sensor.mounted(registry.mover(name), pose);
+            sensor.frame().mounted(registry.mover(name), pose);
         }
     }
 
@@ -533,8 +533,8 @@ public final class Geometry {
     }
 
     /** The number of tiles in a pattern of the sensor. */
-    int sensorTiles(RayPattern pattern) {
-        return sensor.tiles(pattern);
+    int sensorTiles(RayPattern pattern, SenseOptions options) {
+        return sensor.tiles(pattern, options);
     }
 
     /** Answers some tiles of the sensor. */

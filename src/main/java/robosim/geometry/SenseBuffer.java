@@ -19,7 +19,9 @@ public final class SenseBuffer {
         /** The object that echoes: see {@link SenseBuffer#object}. */
         OBJECTS,
         /** The unit normal of the surface, for rays only. */
-        NORMALS
+        NORMALS,
+        /** Which part of the object, and which triangle or cell of it, for rays only: see {@link SenseBuffer#part}. */
+        PARTS
     }
 
     private final Echoes echoes;
@@ -33,11 +35,13 @@ public final class SenseBuffer {
     public SenseBuffer(Extra... extras) {
         boolean hasObjects = false;
         boolean hasNormals = false;
+        boolean hasParts = false;
         for (Extra extra : Checks.present("extras", extras)) {
             hasObjects |= Checks.present("extra", extra) == Extra.OBJECTS;
             hasNormals |= extra == Extra.NORMALS;
+            hasParts |= extra == Extra.PARTS;
         }
-        echoes = new Echoes(hasObjects, hasNormals);
+        echoes = new Echoes(hasObjects, hasNormals, hasParts);
     }
 
     Echoes echoes() {
@@ -61,6 +65,29 @@ public final class SenseBuffer {
     public @Nullable GeometryObject object(int beam) {
         checkHas(Extra.OBJECTS, echoes.hasObjects());
         return echoes.objects()[checked(beam)];
+    }
+
+    /**
+     * Which part of an object a ray met: 0 for an object that is no group. The parts of a group are its members that are no
+     * groups themselves, depth first, from 0 on: see {@link robosim.geometry.model.ObjectGroup#part}. Of parts that are
+     * met at the same distance, the first counts.
+     *
+     * @return -1 if nothing echoes, or where the world's accuracy has one enclosure for the whole group
+     */
+    public int part(int beam) {
+        checkHas(Extra.PARTS, echoes.hasParts());
+        return echoes.parts()[checked(beam)];
+    }
+
+    /**
+     * Which triangle of a mesh a ray met, by its place in the mesh (a face of four corners counts as two), or which cell of a grid, {@code j * columns + i}; of those
+     * at the same distance the first.
+     *
+     * @return -1 if nothing echoes, if the part is neither, or if the ray starts inside a solid mesh
+     */
+    public int face(int beam) {
+        checkHas(Extra.PARTS, echoes.hasParts());
+        return echoes.faces()[checked(beam)];
     }
 
     /** The X component of the unit normal of the surface that a ray met, as {@link Geometry#castRay} returns it; 0 if none. */

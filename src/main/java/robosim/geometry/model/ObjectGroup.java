@@ -3,6 +3,7 @@ package robosim.geometry.model;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
@@ -148,6 +149,27 @@ public final class ObjectGroup implements GeometryObject {
     /** The members, in the group's own frame. */
     public List<GeometryObject> members() {
         return members;
+    }
+
+    /**
+     * The members that are no groups themselves, depth first, each placed in this group's own frame; a fresh list. The
+     * index in it is what {@code SenseBuffer.part} tells.
+     */
+    public List<GeometryObject> parts() {
+        if (depth == 1) {
+            return members;
+        }
+        List<GeometryObject> parts = new ArrayList<>();
+        for (GeometryObject member : members) {
+            if (member instanceof ObjectGroup inner) {
+                for (GeometryObject part : inner.parts()) {
+                    parts.add(part.at(part.pose().within(member.pose())));
+                }
+            } else {
+                parts.add(member);
+            }
+        }
+        return List.copyOf(parts);
     }
 
     /** The bounding volume that was given, in the group's own frame; null if a default is used. */

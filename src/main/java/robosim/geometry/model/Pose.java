@@ -3,6 +3,7 @@ package robosim.geometry.model;
 import java.util.Arrays;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Rotations;
 
 /**
  * The position and attitude of an object: a centre and a rotation.
@@ -218,6 +219,22 @@ public final class Pose {
     /** The same attitude at another point. */
     public Pose movedTo(Point place) {
         return new Pose(Checks.present("center", place), attitude);
+    }
+
+    /** This pose, given in the own frame of another one, in the frame in which that one is given. */
+    public Pose within(Pose frame) {
+        double[] r = Checks.present("frame", frame).attitude;
+        double[] turned = Attitude.identity();
+        double[] product = new double[9];
+        Rotations.multiply(r, 0, attitude, 0, product, 0);
+        Attitude.orient(turned, 0, product);
+        Point f = frame.center;
+        double[] place = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            int row = 3 * axis;
+            place[axis] = r[row] * center.x() + r[row + 1] * center.y() + r[row + 2] * center.z();
+        }
+        return new Pose(new Point(f.x() + place[0], f.y() + place[1], f.z() + place[2]), turned);
     }
 
     /** This pose turned in place by {@code ry} degrees about its own Y, then by {@code rx} about its own X. */

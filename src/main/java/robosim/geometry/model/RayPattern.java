@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 
@@ -15,10 +16,11 @@ import robosim.geometry.exact.Degrees;
  * RayPattern camera = RayPattern.pinhole(320, 240, 87);                                    // a depth image
  * camera.size();                                                                           // 76800
  * camera.rows();                                                                           // 240
+ * lidar.withDuration(0.1).time(900);                                                       // 0.05, half a turn
  * laser.direction(540).x();                                                                // 1: straight ahead
  * }</pre>
  *
- * Patterns are immutable and equal where their directions, bit for bit, and their rows are. Making one computes all
+ * Patterns are immutable and equal where their directions, bit for bit, their rows and their times are. Making one computes all
  * directions; keep it and use it again.
  */
 public final class RayPattern {
@@ -31,14 +33,25 @@ public final class RayPattern {
     /** Three numbers for each beam. */
     private final double[] directions;
 
+    /** One for each beam, or one for each column; null where all beams are fired at once. */
+    private final double @Nullable [] times;
+
+    private final double farthestTime;
+
     private RayPattern(int rows, int columns) {
-        this(rows, columns, new double[3 * rows * columns]);
+        this(rows, columns, new double[3 * rows * columns], null);
     }
 
-    private RayPattern(int rows, int columns, double[] directions) {
+    private RayPattern(int rows, int columns, double[] directions, double @Nullable [] times) {
         this.rows = rows;
         this.columns = columns;
         this.directions = directions;
+        this.times = times;
+        double farthest = 0;
+        for (int k = 0; times != null && k < times.length; k++) {
+            farthest = Math.max(farthest, Math.abs(times[k]));
+        }
+        farthestTime = farthest;
     }
 
     /**
@@ -213,7 +226,7 @@ public final class RayPattern {
             throw new IllegalArgumentException("directions must have three numbers for each beam, of 1 to " + MAX_SIZE
                     + " beams (got: " + length + " numbers)");
         }
-        RayPattern pattern = new RayPattern(1, length / 3, directions.clone());
+        RayPattern pattern = new RayPattern(1, length / 3, directions.clone(), null);
         pattern.check();
         return pattern;
     }
@@ -237,6 +250,64 @@ public final class RayPattern {
             throw new IllegalArgumentException(
                     argument + " must be from 1 to " + MAX_SIZE / times + what + " (got: " + count + ")");
         }
+    }
+
+    /**
+     * The same beams, each fired at a time of its own. Times count only for a sensor that moves while it measures: see
+     * {@link SenseOptions#withMotion}.
+     *
+     * @param seconds for each beam, or for each column, when it is fired; 0 is when the sensor is where the call says, and
+     *     earlier times are negative; copied
+     */
+    public RayPattern withTimes(double[] seconds) {
+        int length = Checks.present("seconds", seconds).length;
+        if (length != size() && length != columns) {
+            throw new IllegalArgumentException("seconds must have " + size() + " numbers, one for each beam"
+                    + (rows > 1 ? ", or " + columns + ", one for each column" : "") + " (got: " + length + ")");
+        }
+        double[] times = seconds.clone();
+        for (int k = 0; k < length; k++) {
+            times[k] = Checks.coordinate("seconds[" + k + "]", times[k]);
+        }
+        return new RayPattern(rows, columns, directions, times);
+    }
+
+    /**
+     * The same beams, with the columns fired one after the other at equal intervals, the first one at 0: the scan of a laser
+     * or the turn of a lidar.
+     *
+     * @param seconds from the first column to the first one of the next scan
+     */
+    public RayPattern withDuration(double seconds) {
+        Checks.coordinate("seconds", seconds);
+        double[] times = new double[columns];
+        for (int k = 0; k < columns; k++) {
+            times[k] = seconds * k / columns;
+        }
+        return withTimes(times);
+    }
+
+    /** Whether the beams are fired at different times. */
+    public boolean hasTimes() {
+        return times != null;
+    }
+
+    /** Whether all beams of a column are fired at the same time. */
+    public boolean hasColumnTimes() {
+        double[] at = times;
+        return at == null || at.length == columns;
+    }
+
+    /** When a beam is fired, in seconds; 0 in a pattern without times. */
+    public double time(int beam) {
+        int checked = checked(beam);
+        double[] at = times;
+        return at == null ? 0 : at[at.length == columns ? checked % columns : checked];
+    }
+
+    /** The greatest of the times, without their signs; 0 in a pattern without times. */
+    public double farthestTime() {
+        return farthestTime;
     }
 
     /** The number of beams. */
@@ -304,12 +375,15 @@ public final class RayPattern {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof RayPattern that && rows == that.rows && Arrays.equals(directions, that.directions);
+        return other instanceof RayPattern that
+                && rows == that.rows
+                && Arrays.equals(directions, that.directions)
+                && Arrays.equals(times, that.times);
     }
 
     @Override
     public int hashCode() {
-        return 31 * rows + Arrays.hashCode(directions);
+        return 31 * (31 * rows + Arrays.hashCode(directions)) + Arrays.hashCode(times);
     }
 
     @Override

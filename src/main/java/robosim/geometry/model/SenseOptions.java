@@ -1,9 +1,12 @@
 package robosim.geometry.model;
 
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * How the beams of a {@link RayPattern} are asked: their ranges and width, what they ignore, and on how many threads.
+ * How the beams of a {@link RayPattern} are asked: their ranges and width, what they ignore, how the
+ * sensor moves meanwhile, and on how many threads.
  *
  * <pre>{@code
  * SenseOptions laser = SenseOptions.range(0.1, 30);
@@ -18,6 +21,7 @@ public final class SenseOptions {
     private final double width;
     private final Carrier carrier;
     private final int threads;
+    private final @Nullable Twist motion;
 
     /** Whether a sensor sees the object that carries it. */
     public enum Carrier {
@@ -27,12 +31,13 @@ public final class SenseOptions {
         SEEN
     }
 
-    private SenseOptions(double min, double max, double width, Carrier carrier, int threads) {
+    private SenseOptions(double min, double max, double width, Carrier carrier, int threads, @Nullable Twist motion) {
         this.min = min;
         this.max = max;
         this.width = width;
         this.carrier = carrier;
         this.threads = threads;
+        this.motion = motion;
     }
 
     /**
@@ -43,7 +48,7 @@ public final class SenseOptions {
      */
     public static SenseOptions range(double min, double max) {
         Checks.range(min, max);
-        return new SenseOptions(min + 0.0, max + 0.0, 0, Carrier.IGNORED, 1);
+        return new SenseOptions(min + 0.0, max + 0.0, 0, Carrier.IGNORED, 1, null);
     }
 
     /**
@@ -52,12 +57,12 @@ public final class SenseOptions {
      * @param degrees full opening angle of each beam, from 0 (a ray) up to, not including, 180
      */
     public SenseOptions withWidth(double degrees) {
-        return new SenseOptions(min, max, Checks.width(degrees) + 0.0, carrier, threads);
+        return new SenseOptions(min, max, Checks.width(degrees) + 0.0, carrier, threads, motion);
     }
 
     /** These options for a sensor that sees or does not see the object that carries it. */
     public SenseOptions withCarrier(Carrier seen) {
-        return new SenseOptions(min, max, width, Checks.present("carrier", seen), threads);
+        return new SenseOptions(min, max, width, Checks.present("carrier", seen), threads, motion);
     }
 
     /**
@@ -67,7 +72,19 @@ public final class SenseOptions {
      * @param count 1 to 1024
      */
     public SenseOptions withThreads(int count) {
-        return new SenseOptions(min, max, width, carrier, Checks.threads(count));
+        return new SenseOptions(min, max, width, carrier, Checks.threads(count), motion);
+    }
+
+    /**
+     * These options for a sensor that moves during the scan: a beam begins where the object that carries it, or a sensor
+     * that nothing carries, is {@linkplain Twist#after after} the {@linkplain RayPattern#time time} of the beam. All else
+     * stands still, and nothing is moved in the world. Each answer is, to the bit, that of a call with the carrier there.
+     * Without times in the pattern nothing moves.
+     *
+     * <p>The object that carries the sensor must be {@link Carrier#IGNORED}.
+     */
+    public SenseOptions withMotion(Twist velocity) {
+        return new SenseOptions(min, max, width, carrier, threads, Checks.present("velocity", velocity));
     }
 
     /** Blind range in world units. */
@@ -95,6 +112,11 @@ public final class SenseOptions {
         return threads;
     }
 
+    /** How the sensor moves during the scan; null if it stands still. */
+    public @Nullable Twist motion() {
+        return motion;
+    }
+
     @Override
     public boolean equals(Object other) {
         return other instanceof SenseOptions that
@@ -102,20 +124,18 @@ public final class SenseOptions {
                 && max == that.max
                 && width == that.width
                 && carrier == that.carrier
-                && threads == that.threads;
+                && threads == that.threads
+                && Objects.equals(motion, that.motion);
     }
 
     @Override
     public int hashCode() {
-        return 31
-                        * (31 * (31 * (31 * Double.hashCode(min) + Double.hashCode(max)) + Double.hashCode(width))
-                                + carrier.name().hashCode())
-                + threads;
+        return Objects.hash(min, max, width, carrier.name(), threads, motion);
     }
 
     @Override
     public String toString() {
         return "SenseOptions[min=" + min + ", max=" + max + ", width=" + width + ", carrier=" + carrier + ", threads="
-                + threads + "]";
+                + threads + (motion == null ? "]" : ", motion=" + motion + "]");
     }
 }

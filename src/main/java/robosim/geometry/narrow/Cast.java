@@ -279,6 +279,16 @@ public final class Cast {
         return triangle < 0 ? -1 : s.outer.triangle(triangle);
     }
 
+    /** The triangle or cell of a leaf that the line meets; -1 if it is no mesh or grid, or the line starts inside a solid mesh. */
+    public int face(LeafColumn column, int leaf) {
+        LeafKind kind = column.kind(leaf);
+        if (!kind.hasPieces()) {
+            return -1;
+        }
+        distance(column, leaf, Double.POSITIVE_INFINITY);
+        return kind.isGrid() ? triangle : triangle();
+    }
+
     /** Writes the unit normal, three numbers, of the leaf where the line hits it at a distance. */
     public void normal(LeafColumn column, int leaf, double distance, double[] out) {
         takeUnit();

@@ -26,6 +26,7 @@ import robosim.geometry.model.Ray;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
 
 /** What a robot asks in each step of a simulation leaves nothing for the garbage collector, on any JDK. */
 class AllocationTest {
@@ -101,6 +102,13 @@ class AllocationTest {
         assertAllocatesNothing("pattern in a snapshot", k -> {
             snapshot.sense(robot(k), top, fan, rays19, all);
             return bounded(all.distance(k % 19));
+        });
+        RayPattern turn = RayPattern.layers(new double[] {0, 5}, -90, 10, 19).withDuration(0.1);
+        SenseOptions moving = rays19.withMotion(Twist.drive(1, 40));
+        SenseBuffer parts = new SenseBuffer(SenseBuffer.Extra.PARTS);
+        assertAllocatesNothing("pattern from a moving sensor", k -> {
+            geometry.sense(robot(k), top, turn, moving, parts);
+            return bounded(parts.distance(k % 19));
         });
         double[][] places = new double[64][8 * 5];
         for (double[] few : places) {

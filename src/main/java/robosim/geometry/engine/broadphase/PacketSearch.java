@@ -241,6 +241,17 @@ public final class PacketSearch {
         return hit[ray];
     }
 
+    /** The leaf that gave it, if anything did. */
+    public int leaf(int ray) {
+        return hitLeaf[ray];
+    }
+
+    /** The triangle or cell of the leaf that a ray met; -1 if it has none. */
+    public int face(AccuracyView view, int ray) {
+        line(ray);
+        return cast.face(view.table(hit[ray]).leaves(), hitLeaf[ray]);
+    }
+
     /** Writes the unit normal where a ray met what it hit. */
     public void normal(AccuracyView view, int ray, double[] out) {
         line(ray);

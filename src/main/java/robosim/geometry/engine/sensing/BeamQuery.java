@@ -140,6 +140,16 @@ public final class BeamQuery extends BeamSearch {
         cast.normal(view.table(hit).leaves(), hitLeaf, at, out);
     }
 
+    /** The leaf that gave the last answer, if anything did. */
+    int leaf() {
+        return hitLeaf;
+    }
+
+    /** The triangle or cell of it that the line met; -1 if it has none. */
+    int face(AccuracyView view) {
+        return cast.face(view.table(hit).leaves(), hitLeaf);
+    }
+
     /** A coordinate (0 to 2) of the point on the line at a distance. */
     double point(int axis, double at) {
         return switch (axis) {

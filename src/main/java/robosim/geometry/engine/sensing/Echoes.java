@@ -6,8 +6,8 @@ import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.GeometryObject;
 
 /**
- * What the beams of a pattern hear, in flat arrays that grow only for a larger pattern: distances always, objects and
- * normals where they are wanted. Threads may write different beams at once.
+ * What the beams of a pattern hear, in flat arrays that grow only for a larger pattern: distances always, objects,
+ * normals and parts where they are wanted. Threads may write different beams at once.
  */
 public final class Echoes {
     /** Numbers in the place of a sensor. */
@@ -15,17 +15,21 @@ public final class Echoes {
 
     private final boolean hasObjects;
     private final boolean hasNormals;
+    private final boolean hasParts;
     private double[] distances = new double[0];
     private @Nullable GeometryObject[] objects = new GeometryObject[0];
     private double[] normals = new double[0];
+    private int[] parts = new int[0];
+    private int[] faces = new int[0];
     private int size;
 
     /** Where the sensor was: X, Y and Z, then its rotation, row by row. */
     private final double[] place = new double[PLACE];
 
-    public Echoes(boolean hasObjects, boolean hasNormals) {
+    public Echoes(boolean hasObjects, boolean hasNormals, boolean hasParts) {
         this.hasObjects = hasObjects;
         this.hasNormals = hasNormals;
+        this.hasParts = hasParts;
     }
 
     /** Forgets what was heard and makes room. */
@@ -34,6 +38,8 @@ public final class Echoes {
             distances = new double[beams];
             objects = hasObjects ? new GeometryObject[beams] : objects;
             normals = hasNormals ? new double[3 * beams] : normals;
+            parts = hasParts ? new int[beams] : parts;
+            faces = hasParts ? new int[beams] : faces;
         } else if (hasObjects && beams < size) {
             Arrays.fill(objects, beams, size, null); // else they could not be collected
         }
@@ -58,6 +64,10 @@ public final class Echoes {
         return hasNormals;
     }
 
+    public boolean hasParts() {
+        return hasParts;
+    }
+
     /** One for each beam. */
     public double[] distances() {
         return distances;
@@ -76,6 +86,22 @@ public final class Echoes {
     /** Where the sensor was in the world: X, Y and Z, then the nine numbers of its rotation, row by row. */
     public double[] place() {
         return place;
+    }
+
+    /** One for each beam; -1 where nothing echoes. Empty where they are not wanted. */
+    public int[] parts() {
+        return parts;
+    }
+
+    /** One for each beam; -1 where there is none. Empty where they are not wanted. */
+    public int[] faces() {
+        return faces;
+    }
+
+    /** Notes which part and which triangle or cell a beam met. */
+    void part(int beam, int part, int face) {
+        parts[beam] = part;
+        faces[beam] = face;
     }
 
     /** Notes whose echo a beam hears; an id, or -1. */

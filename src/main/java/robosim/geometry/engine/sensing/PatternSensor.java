@@ -2,20 +2,22 @@ package robosim.geometry.engine.sensing;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.PacketSearch;
 import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 import robosim.geometry.narrow.Scratch;
 
 /**
- * All beams of a pattern from one place. They are answered tile by tile, and what the beams of a tile share is found once:
- * rays in a world with heights are one {@link PacketSearch}.
+ * All beams of a pattern from one place, or from a sensor that moves meanwhile. They are answered tile by tile, and what the
+ * beams of a tile share is found once: rays in a world with heights are one {@link PacketSearch}.
  */
 public final class PatternSensor {
     private static final int TILE = Tiling.MOST;
@@ -31,6 +33,7 @@ public final class PatternSensor {
     private final BeamQuery ranging;
     private final Scratch scratch;
     private final Tiling tiling = new Tiling();
+    private final SensorFrame frame;
 
     /** Made for the first tile. */
     private @Nullable PacketSearch packets;
@@ -38,7 +41,6 @@ public final class PatternSensor {
     private @Nullable Surroundings surroundings;
 
     private final double[] vector = new double[3];
-    private final double[] mount = new double[9];
     private final ScanDirections scans = new ScanDirections();
 
     /** The directions of the tile in the world, three numbers each; made for the first one, as many worlds have no sensor. */
@@ -47,19 +49,13 @@ public final class PatternSensor {
     /** By beam of the tile, where its answer is to stand. */
     private int[] beams = new int[0];
 
+    /** When the beams of the tile are fired, if the sensor moves. */
+    private double[] times = NONE;
+
     private double[] distances = NONE;
 
     /** What takes more than distances; null if nothing does. */
     private @Nullable Echoes more;
-
-    /** Where all beams begin. */
-    private double ox;
-
-    private double oy;
-    private double oz;
-
-    /** The object that carries the sensor; -1 for none. */
-    private int carrier = -1;
 
     // What is asked of each beam.
     private double min;
@@ -74,33 +70,12 @@ public final class PatternSensor {
         this.objects = objects;
         this.ranging = ranging;
         this.scratch = scratch;
+        frame = new SensorFrame(objects);
     }
 
-    /** Takes a sensor that is mounted on a moveable object, in its own frame. */
-    public void mounted(int id, Pose on) {
-        carrier = id;
-        on.rotation(mount, 0);
-        stand(id, on.center());
-    }
-
-    /** Takes a point of an object's own frame for where all beams begin. */
-    private void stand(int id, Point at) {
-        double[] places = objects.places();
-        int place = objects.place(id);
-        objects.toWorld(id, at.x(), at.y(), at.z(), vector);
-        ox = places[place] + vector[0];
-        oy = places[place + 1] + vector[1];
-        oz = places[place + 2] + vector[2];
-    }
-
-    /** Takes a sensor in the world that nothing carries. */
-    public void at(Pose pose) {
-        carrier = -1;
-        pose.rotation(mount, 0);
-        Point at = pose.center();
-        ox = at.x();
-        oy = at.y();
-        oz = at.z();
+    /** Where the sensor is. */
+    public SensorFrame frame() {
+        return frame;
     }
 
     /**
@@ -109,41 +84,28 @@ public final class PatternSensor {
      * @throws IllegalArgumentException if a beam has no answer in this world, or the answers want what it has not
      */
     public void prepare(RayPattern pattern, SenseOptions options, Echoes out) {
-        if (out.hasNormals() && options.width() > 0) {
-            throw new IllegalArgumentException(
-                    "width must be 0 for a buffer with normals, which cones have not (got: " + options.width() + ")");
+        if ((out.hasNormals() || out.hasParts()) && options.width() > 0) {
+            throw new IllegalArgumentException("width must be 0 for a buffer with "
+                    + (out.hasNormals() ? "normals" : "parts") + ", which cones have not (got: " + options.width()
+                    + ")");
         }
+        reserve();
+        frame.start(pattern, options);
         if (dimension == Dimension.PLANAR) {
             checkLevel(pattern);
         }
         out.clear(pattern.size());
-        tellPlace(out.place());
-    }
-
-    /** Writes where the sensor is: its origin, and its axes as the columns of a rotation. */
-    private void tellPlace(double[] place) {
-        place[0] = ox;
-        place[1] = oy;
-        place[2] = oz;
-        for (int axis = 0; axis < 3; axis++) {
-            vector[0] = mount[axis];
-            vector[1] = mount[3 + axis];
-            vector[2] = mount[6 + axis];
-            if (carrier >= 0) {
-                objects.toWorld(carrier, vector[0], vector[1], vector[2], vector);
-            }
-            for (int row = 0; row < 3; row++) {
-                place[3 + 3 * row + axis] = vector[row] + 0.0;
-            }
-        }
+        frame.tell(out.place());
     }
 
     private void checkLevel(RayPattern pattern) {
         for (int first = 0; first < pattern.size(); first += TILE) {
             int count = Math.min(TILE, pattern.size() - first);
-            reserve();
             pattern.directions(first, count, directions, 0);
-            turn(count);
+            for (int k = 0; k < count; k++) {
+                beams[k] = first + k;
+            }
+            frame.turn(pattern, count, directions, beams, times);
             for (int at = 0; at < 3 * count; at += 3) {
                 if (directions[at] == 0 && directions[at + 2] == 0) {
                     throw Beams.vertical(
@@ -154,8 +116,8 @@ public final class PatternSensor {
     }
 
     /** The number of tiles in a pattern. */
-    public int tiles(RayPattern pattern) {
-        return tiling.cut(pattern);
+    public int tiles(RayPattern pattern, SenseOptions options) {
+        return tiling.cut(pattern, SensorFrame.moves(pattern, options));
     }
 
     /** Answers the tiles from one up to another, which is not among them. */
@@ -163,15 +125,33 @@ public final class PatternSensor {
         min = options.min();
         max = options.max();
         width = options.width();
-        ignored = options.carrier() == SenseOptions.Carrier.IGNORED ? carrier : -1;
-        more = out.hasObjects() || out.hasNormals() ? out : null;
+        ignored = options.carrier() == SenseOptions.Carrier.IGNORED ? frame.carrier() : -1;
+        more = out.hasObjects() || out.hasNormals() || out.hasParts() ? out : null;
         distances = out.distances();
         reserve();
-        tiling.cut(pattern);
+        frame.start(pattern, options);
+        tiling.cut(pattern, frame.isMoving());
         for (int tile = from; tile < to; tile++) {
             int count = tiling.take(pattern, tile, directions, beams);
-            turn(count);
-            answer(view, 0, count);
+            frame.turn(pattern, count, directions, beams, times);
+            if (frame.isMoving()) {
+                answerMoving(view, count);
+            } else {
+                answer(view, 0, count);
+            }
+        }
+    }
+
+    /** Answers the beams of the tile, together those that are fired at the same time. */
+    private void answerMoving(AccuracyView view, int count) {
+        int to;
+        for (int from = 0; from < count; from = to) {
+            to = from + 1;
+            while (to < count && times[to] == times[from]) {
+                to++;
+            }
+            frame.moveTo(times[from]);
+            answer(view, from, to);
         }
     }
 
@@ -192,7 +172,7 @@ public final class PatternSensor {
         Checks.angle("stepDegrees", stepDegrees);
         Checks.range(least, most);
         Checks.present("out", out);
-        stand(id, from);
+        frame.stand(id, from);
         min = least;
         max = most;
         width = 0;
@@ -217,30 +197,8 @@ public final class PatternSensor {
     private void reserve() {
         if (directions.length == 0) {
             directions = new double[3 * TILE];
+            times = new double[TILE];
             beams = new int[TILE];
-        }
-    }
-
-    /** Turns the directions of a tile to the world's axes. */
-    private void turn(int count) {
-        for (int at = 0; at < 3 * count; at += 3) {
-            double x = directions[at];
-            double y = directions[at + 1];
-            double z = directions[at + 2];
-            // As a point has them, which has no -0.0.
-            double ownX = mount[0] * x + mount[1] * y + mount[2] * z + 0.0;
-            double ownY = mount[3] * x + mount[4] * y + mount[5] * z + 0.0;
-            double ownZ = mount[6] * x + mount[7] * y + mount[8] * z + 0.0;
-            if (carrier >= 0) {
-                objects.toWorld(carrier, ownX, ownY, ownZ, vector);
-                directions[at] = vector[0];
-                directions[at + 1] = vector[1];
-                directions[at + 2] = vector[2];
-            } else {
-                directions[at] = ownX;
-                directions[at + 1] = ownY;
-                directions[at + 2] = ownZ;
-            }
         }
     }
 
@@ -262,7 +220,7 @@ public final class PatternSensor {
             search = new PacketSearch(objects, scratch);
             packets = search;
         }
-        if (!search.aim(ox, oy, oz, directions, 3 * from, to - from)) {
+        if (!search.aim(frame.x(), frame.y(), frame.z(), directions, 3 * from, to - from)) {
             int middle = (from + to) / 2;
             answer(view, from, middle);
             answer(view, middle, to);
@@ -280,6 +238,12 @@ public final class PatternSensor {
                     search.normal(view, k - from, vector);
                 }
                 note(wanted, beam, hit);
+                if (wanted.hasParts()) {
+                    wanted.part(
+                            beam,
+                            hit < 0 ? -1 : part(view, hit, search.leaf(k - from)),
+                            hit < 0 ? -1 : search.face(view, k - from));
+                }
             }
         }
     }
@@ -300,7 +264,15 @@ public final class PatternSensor {
 
     private void beam(int k) {
         int at = 3 * k;
-        ranging.beam(dimension, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2], width);
+        ranging.beam(
+                dimension,
+                frame.x(),
+                frame.y(),
+                frame.z(),
+                directions[at],
+                directions[at + 1],
+                directions[at + 2],
+                width);
     }
 
     private void answerOneByOne(AccuracyView view, int from, int to, @Nullable Surroundings around) {
@@ -318,8 +290,21 @@ public final class PatternSensor {
                     ranging.normal(view, nearest, vector);
                 }
                 note(wanted, beam, hit);
+                if (wanted.hasParts()) {
+                    wanted.part(
+                            beam, hit < 0 ? -1 : part(view, hit, ranging.leaf()), hit < 0 ? -1 : ranging.face(view));
+                }
             }
         }
+    }
+
+    /** Which of an object's leaves was hit; -1 for a group where one enclosure stands for all of them. */
+    private int part(AccuracyView view, int id, int leaf) {
+        LeafTable table = view.table(id);
+        if (table.count(id) > 1) {
+            return leaf - table.first(id);
+        }
+        return view.accuracy != Accuracy.EXACT && objects.value(id) instanceof ObjectGroup ? -1 : 0;
     }
 
     /** Notes what was hit, and the normal at hand. */

@@ -19,10 +19,19 @@ final class Tiling {
     /** The tiles along a row. */
     private int across;
 
-    /** Takes a pattern; answers the number of its tiles, which is always the same. */
-    int cut(RayPattern of) {
-        height = of.rows() == 1 ? 1 : height(of);
-        width = MOST / height;
+    /**
+     * Takes a pattern; answers the number of its tiles, which is always the same.
+     *
+     * @param isMoving whether the sensor moves, so that only beams fired at the same time begin at one place
+     */
+    int cut(RayPattern of, boolean isMoving) {
+        if (isMoving && of.rows() > 1 && of.hasColumnTimes()) {
+            height = MOST;
+            width = 1;
+        } else {
+            height = of.rows() == 1 ? 1 : height(of);
+            width = MOST / height;
+        }
         across = parts(of.columns(), width);
         return across * parts(of.rows(), height);
     }
