@@ -17,6 +17,7 @@ import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.sdf.SdfManifest;
 import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.TextureFiles;
 
 /**
  * A world from a file of any supported format, and a report on the file: what was read, what was ignored because it is
@@ -154,7 +155,7 @@ public record WorldImport(
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
         MeshObject mesh;
         try {
-            mesh = MeshFiles.read(file, options.scale());
+            mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of())));
         } catch (FileProblem e) {
             throw new WorldException(e);
         }

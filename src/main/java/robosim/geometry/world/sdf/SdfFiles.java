@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.TextureFiles;
 
 /**
  * Finds the files that an SDFormat file names: relative to it, or in given model folders. Nothing outside their trees
@@ -35,6 +36,7 @@ public final class SdfFiles {
     private final Map<Name, Optional<Path>> known = new HashMap<>();
 
     private final List<String> remarks = new ArrayList<>();
+    private final TextureFiles textures;
     private long bytes;
 
     private record Name(String uri, Path from) {}
@@ -50,6 +52,12 @@ public final class SdfFiles {
         } catch (IOException e) {
             throw FileProblem.unreadable(main, e);
         }
+        textures = new TextureFiles(folders);
+    }
+
+    /** The pictures that its meshes name, from the same folders. */
+    TextureFiles textures() {
+        return textures;
     }
 
     /** Remarks about the files, none of which means that something is missing. */

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.shared.FileProblem;
@@ -97,7 +98,7 @@ public final class SdfObjects {
             for (SdfElement collision : collisions(link)) {
                 String path = path(scope, link, collision);
                 Placement local = local(scope, link, collision);
-                GeometryObject shape = shape(collision, path, inWorld.then(local));
+                GeometryObject shape = shape(link, collision, path, inWorld.then(local));
                 if (shape != null) {
                     Placement place = inBody.then(local);
                     body.first = body.first == null ? place : body.first;
@@ -126,7 +127,7 @@ public final class SdfObjects {
             for (SdfElement collision : collisions(link)) {
                 String path = path(scope, link, collision);
                 Placement place = inWorld.then(local(scope, link, collision));
-                GeometryObject shape = shape(collision, path, place);
+                GeometryObject shape = shape(link, collision, path, place);
                 if (shape != null) {
                     found.put(collision, placed(collision, shape, place));
                     paths.put(collision, path);
@@ -176,17 +177,24 @@ public final class SdfObjects {
         return from.then(SdfPose.read(pose));
     }
 
-    private @Nullable GeometryObject shape(SdfElement collision, String path, Placement place) throws FileProblem {
+    private @Nullable GeometryObject shape(SdfNode link, SdfElement collision, String path, Placement place)
+            throws FileProblem {
         if (++collisions > Limits.MAX_OBJECTS) {
             throw collision.wrong("a world must have at most " + Limits.MAX_OBJECTS + " collisions (got: more)");
         }
         counts.merge("collision", 1, Integer::sum);
         tree.account(collision);
         GeometryObject shape = shapes.shape(collision, path, place);
-        if (shape != null) {
-            counts.merge(collision.required("geometry").children.get(0).name, 1, Integer::sum);
+        if (shape == null) {
+            return null;
         }
-        return shape;
+        counts.merge(collision.required("geometry").children.get(0).name, 1, Integer::sum);
+        Material material = SdfMaterials.of(link.element, collision);
+        if (material == null) {
+            return shape;
+        }
+        counts.merge("material", 1, Integer::sum);
+        return shape.withMaterial(material);
     }
 
     private static GeometryObject placed(SdfElement collision, GeometryObject shape, Placement place)

@@ -85,18 +85,24 @@ public final class SdfParser extends DefaultHandler {
             checkRoot(root);
         } else if (SdfNames.isRead(parent.name, name)) {
             keep(parent, name, attributes);
+            passOver(parent, name);
         } else {
             outside = 1;
-            if (SdfNames.isPassedOver(parent.name, name)) {
-                if (SdfNames.isCounted(parent.name)) {
-                    parent.passedOver.merge(name, 1, Integer::sum);
-                }
-            } else {
+            if (!passOver(parent, name)) {
                 bounded();
                 parent.skipped.add(
                         new LeftOut(file.shown(), line(), tag(name, attributes), SdfNames.reason(parent.name, name)));
             }
         }
+    }
+
+    /** Counts an element that is irrelevant to solid geometry; answers whether it is. */
+    private static boolean passOver(SdfElement parent, String name) {
+        boolean isPassedOver = SdfNames.isPassedOver(parent.name, name);
+        if (isPassedOver && SdfNames.isCounted(parent.name)) {
+            parent.passedOver.merge(name, 1, Integer::sum);
+        }
+        return isPassedOver;
     }
 
     private SdfElement keep(@Nullable SdfElement parent, String name, Attributes attributes) throws SAXException {
@@ -177,7 +183,11 @@ public final class SdfParser extends DefaultHandler {
                     "radius",
                     "length",
                     "normal",
-                    "scale" -> true;
+                    "scale",
+                    "diffuse",
+                    "emissive",
+                    "shininess",
+                    "specular" -> true;
             default -> false;
         };
     }

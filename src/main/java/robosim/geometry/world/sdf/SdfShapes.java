@@ -13,6 +13,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
@@ -138,7 +139,7 @@ public final class SdfShapes {
         MeshObject known = surfaces.get(file);
         if (known == null) {
             files.count(uri, file);
-            known = MeshFiles.read(file, 1);
+            known = MeshFiles.trimmed(MeshFiles.read(file, 1, files.textures()));
             surfaces.put(file, known);
         }
         return known;
@@ -157,6 +158,7 @@ public final class SdfShapes {
             places.add(SdfPose.place(vertex.x() * scale.x(), vertex.y() * scale.y(), vertex.z() * scale.z()));
         }
         int[][] faces = surface.faces();
+        TextureCoordinates texture = surface.textureCoordinates();
         if (Math.signum(scale.x()) * Math.signum(scale.y()) * Math.signum(scale.z()) < 0) {
             for (int[] face : faces) {
                 // A quad keeps its diagonal, from the first corner to the third.
@@ -164,7 +166,21 @@ public final class SdfShapes {
                 face[1] = face[face.length - 1];
                 face[face.length - 1] = second;
             }
+            texture = texture == null ? null : reversed(texture, faces);
         }
-        return new MeshObject(places, faces);
+        return new MeshObject(places, faces).withTextureCoordinates(texture).withMaterial(surface.material());
+    }
+
+    private static TextureCoordinates reversed(TextureCoordinates texture, int[][] faces) {
+        int[] corners = texture.corners();
+        int at = 0;
+        for (int[] face : faces) {
+            int last = at + face.length - 1;
+            int second = corners[at + 1];
+            corners[at + 1] = corners[last];
+            corners[last] = second;
+            at = last + 1;
+        }
+        return new TextureCoordinates(texture.points(), corners);
     }
 }
