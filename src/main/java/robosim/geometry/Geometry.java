@@ -14,6 +14,7 @@ import robosim.geometry.engine.sensing.Beams;
 import robosim.geometry.engine.sensing.Echoes;
 import robosim.geometry.engine.sensing.PatternSensor;
 import robosim.geometry.engine.sensing.ProximityQuery;
+import robosim.geometry.engine.sensing.RayBatch;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -94,6 +95,7 @@ public final class Geometry {
     private final AccuracyView view;
     private final Beams beams;
     private final PatternSensor sensor;
+    private final RayBatch rays;
     private final ProximityQuery proximity;
     private final Motion motion;
     private final TranslationFastPath fastPath;
@@ -153,6 +155,7 @@ public final class Geometry {
         BeamQuery ranging = new BeamQuery(objects, scratch);
         beams = new Beams(dimension, objects, ranging);
         sensor = new PatternSensor(dimension, objects, ranging, scratch);
+        rays = new RayBatch(dimension, objects, ranging);
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(objects, registry.worldBounds, scratch);
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
@@ -540,6 +543,49 @@ public final class Geometry {
     /** Answers some tiles of the sensor. */
     void senseSome(RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
         sensor.sense(view, pattern, options, out, from, to);
+    }
+
+    /**
+     * What many rays meet first that begin anywhere: mirrored rays, or the echoes of a sensor that moves while it measures.
+     * Each answer is, to the bit, that of {@link #castRay} with a range of its own.
+     *
+     * @param rays  seven numbers each: X, Y and Z of its start, X, Y and Z of its direction, of any length but zero, and its
+     *              range, which may be infinite
+     * @param count how many rays there are, from the beginning of the array
+     * @param out   takes the answers
+     */
+    public void castRays(double[] rays, int count, SenseBuffer out) {
+        this.rays.check(rays, count);
+        this.rays.cast(view, rays, count, Checks.present("out", out).echoes());
+    }
+
+    /**
+     * Tells for many rays whether each is free: whether it meets nothing within its range. Each bit is set where {@link
+     * #castRay} would return null; it is found sooner than what is met first. Two points see each other where the ray from
+     * one to the other, with their distance as its range, is free.
+     *
+     * @param rays  as in {@link #castRays}
+     * @param count how many rays there are, from the beginning of the array
+     * @param free  takes the answers as in {@link #freePoses}
+     * @return how many are free
+     */
+    public int freeRays(double[] rays, int count, long[] free) {
+        return freeRays(rays, count, -1, free);
+    }
+
+    /**
+     * The same, ignoring the object of a given name.
+     *
+     * @throws IllegalArgumentException if there is no object of that name
+     */
+    public int freeRays(double[] rays, int count, String ignored, long[] free) {
+        return freeRays(rays, count, registry.known(ignored), free);
+    }
+
+    private int freeRays(double[] rays, int count, int ignored, long[] free) {
+        this.rays.check(rays, count);
+        FreePlaces.checkRoom(count, free);
+        return this.rays.free(view, rays, count, ignored, free);
     }
 
     /**

@@ -47,16 +47,12 @@ public final class FreePlaces {
      */
     public static int check(String argument, double[] numbers, int stride, long[] free) {
         Checks.present(argument, numbers);
-        Checks.present("free", free);
         if (numbers.length % stride != 0) {
             throw new IllegalArgumentException(
                     argument + " must have " + stride + " numbers each (got: " + numbers.length + " numbers)");
         }
         int count = numbers.length / stride;
-        if (free.length < words(count)) {
-            throw new IllegalArgumentException("free must have at least " + words(count) + " elements for " + count
-                    + " bits (got: " + free.length + ")");
-        }
+        checkRoom(count, free);
         for (int k = 0; k < numbers.length; k++) {
             double number = numbers[k];
             boolean isHeading = k % POSE == POSE - 1;
@@ -68,6 +64,14 @@ public final class FreePlaces {
             checkTurns(argument, numbers);
         }
         return count;
+    }
+
+    /** Checks that an array has room for so many bits. */
+    public static void checkRoom(int count, long[] free) {
+        if (Checks.present("free", free).length < words(count)) {
+            throw new IllegalArgumentException("free must have at least " + words(count) + " elements for " + count
+                    + " bits (got: " + free.length + ")");
+        }
     }
 
     private static void refuse(String argument, double number, boolean isHeading) {

@@ -23,6 +23,9 @@ public final class BeamQuery extends BeamSearch {
     private int hit;
     private int hitLeaf;
 
+    /** A distance at which the search may end, as nothing nearer is wanted; below 0 if the nearest is. */
+    private double enough = Double.NEGATIVE_INFINITY;
+
     private double lastWidth;
     private double halfCos = 1;
     private double halfSin;
@@ -85,6 +88,26 @@ public final class BeamQuery extends BeamSearch {
         return nearest(limit);
     }
 
+    /**
+     * Whether anything echoes within a limit: {@link #nearest(AccuracyView, double, int)} is finite. The search ends with the
+     * first echo found; {@link #hit()} tells whose it is.
+     *
+     * @param likely an object that is looked at first, as it blocked a similar beam; -1 for none
+     */
+    boolean meets(AccuracyView view, double limit, int ignored, int likely) {
+        hit = -1;
+        best = Double.POSITIVE_INFINITY;
+        enough = limit;
+        try {
+            if (likely < 0 || likely == ignored || meet(view.table(likely), likely, limit) >= 0) {
+                search(view, limit, ignored);
+            }
+        } finally {
+            enough = Double.NEGATIVE_INFINITY;
+        }
+        return best <= limit;
+    }
+
     private double nearest(double limit) {
         if (best <= limit) {
             return best;
@@ -101,9 +124,17 @@ public final class BeamQuery extends BeamSearch {
         } else {
             int first = table.first(id);
             int last = first + table.count(id);
-            for (int leaf = first; leaf < last; leaf++) {
+            for (int leaf = first; leaf < last && !(best <= enough); leaf++) {
                 meetLeaf(leaves, id, leaf, reach);
             }
+        }
+        return left(reach);
+    }
+
+    /** How far to look from now on; nowhere if what was found is enough. */
+    private double left(double reach) {
+        if (best <= enough) {
+            return Double.NEGATIVE_INFINITY;
         }
         return best < reach ? best : reach;
     }
@@ -119,7 +150,7 @@ public final class BeamQuery extends BeamSearch {
             return found;
         }
         take(found, id, local | LeafColumn.UPRIGHT);
-        return best < reach ? best : reach;
+        return left(reach);
     }
 
     @Override
