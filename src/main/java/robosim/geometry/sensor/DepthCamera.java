@@ -44,6 +44,11 @@ public final class DepthCamera extends RaySensor<DepthCamera, DepthFrame> {
     }
 
     @Override
+    boolean needsParts(DepthFrame out) {
+        return false;
+    }
+
+    @Override
     boolean needsNormals(DepthFrame out) {
         return false;
     }

@@ -3,6 +3,7 @@ package robosim.geometry.sensor;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
+import robosim.geometry.model.Twist;
 
 /**
  * A lidar or laser scanner: rays that turn, each with its ring and its time.
@@ -12,7 +13,8 @@ import robosim.geometry.model.SenseOptions;
  * roof.pattern().rows();                   // 128
  * Lidar laser = Lidar.hokuyoUtm30lx();
  * laser.pattern().size();                  // 1081
- * Lidar own = Lidar.of(RayPattern.layers(new double[] {-10, 0, 10}, 180, -0.5, 720), SenseOptions.range(0.5, 50), 0.1);
+ * RayPattern rings = RayPattern.layers(new double[] {-10, 0, 10}, 180, -0.5, 720).withDuration(0.1);
+ * Lidar own = Lidar.of(rings, SenseOptions.range(0.5, 50)).withMotion(Twist.drive(1.5, 20));
  * own.time(719) < 0.1;                     // true: the last column of a turn that takes a tenth of a second
  * }</pre>
  *
@@ -43,35 +45,25 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
         0, 3, 4, 7, 8, 11, 12, 16, 15, 19, 20, 24, 23, 27, 28, 2, 31, 1, 6, 10, 5, 9, 14, 18, 13, 17, 22, 21, 26, 25, 30, 29
     };
 
-    /** Seconds from the first ray to each. */
-    private final Times times;
+    /** Seconds from the first ray of a column to the others of it, by row. */
+    private final double[] delays;
 
-    private Lidar(Setup setup, Times times) {
+    private Lidar(Setup setup, double[] delays) {
         super(setup);
-        this.times = times;
-    }
-
-    /** When rays are sent: column by column, and the rows of a column one after another. */
-    private record Times(double column, double row, int[] order) {
-        double at(int ray, int columns) {
-            return ray % columns * column + order[ray / columns] * row;
-        }
+        this.delays = delays;
     }
 
     /**
-     * A lidar with any rays, whose rows are its rings, and whose columns it sends one after another in equal steps.
+     * A lidar with any rays, whose rows are its rings; it sends them at the {@linkplain RayPattern#withTimes times} of the
+     * pattern.
      *
      * @param options how the rays are asked; of width 0
-     * @param turn    seconds that all columns take; at least 0
      */
-    public static Lidar of(RayPattern pattern, SenseOptions options, double turn) {
-        Checks.present("pattern", pattern);
+    public static Lidar of(RayPattern pattern, SenseOptions options) {
         if (Checks.present("options", options).width() > 0) {
             throw new IllegalArgumentException("width must be 0 for a lidar (got: " + options.width() + ")");
         }
-        Checks.size("turn", turn);
-        int[] order = new int[pattern.rows()];
-        return new Lidar(Setup.of(pattern, options), new Times(turn / pattern.columns(), 0, order));
+        return new Lidar(Setup.of(pattern, options), new double[Checks.present("pattern", pattern).rows()]);
     }
 
     /**
@@ -114,8 +106,13 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
         checkRate(hertz, 5, 20);
         int columns = (int) Math.round(1 / (hertz * SEQUENCE));
         double step = -360 * hertz * SEQUENCE; // clockwise, as seen from above
-        RayPattern pattern = RayPattern.layers(elevations, offsets, -columns / 2 * step, step, columns);
-        return new Lidar(Setup.of(pattern, SenseOptions.range(0, max)), new Times(SEQUENCE, FIRING, order));
+        RayPattern pattern = RayPattern.layers(elevations, offsets, -columns / 2 * step, step, columns)
+                .withDuration(columns * SEQUENCE);
+        double[] delays = new double[order.length];
+        for (int row = 0; row < delays.length; row++) {
+            delays[row] = order[row] * FIRING;
+        }
+        return new Lidar(Setup.of(pattern, SenseOptions.range(0, max)), delays);
     }
 
     /**
@@ -144,8 +141,8 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
         for (int row = 0; row < channels; row++) {
             elevations[row] = end * (2 * row - (channels - 1)) / (channels - 1);
         }
-        RayPattern pattern = RayPattern.layers(elevations, 180, -360.0 / 1024, 1024);
-        return of(pattern, SenseOptions.range(0.8, 120), 1 / hertz);
+        RayPattern pattern = RayPattern.layers(elevations, 180, -360.0 / 1024, 1024).withDuration(1 / hertz);
+        return of(pattern, SenseOptions.range(0.8, 120));
     }
 
     private static void checkRate(double hertz, double least, double most) {
@@ -161,8 +158,8 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
      * specification of the UTM-30LX.
      */
     public static Lidar hokuyoUtm30lx() {
-        RayPattern pattern = RayPattern.fan(-135, 0.25, 1081);
-        return of(pattern, SenseOptions.range(0.1, 30), 0.025 * 1081 / 1440);
+        RayPattern pattern = RayPattern.fan(-135, 0.25, 1081).withDuration(0.025 * 1081 / 1440);
+        return of(pattern, SenseOptions.range(0.1, 30));
     }
 
     /**
@@ -170,25 +167,46 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
      * turns a second; 0.16 to 8 m. Source: Robotis, e-Manual of TurtleBot3, "LDS-02".
      */
     public static Lidar robotisLds02() {
-        return of(RayPattern.fan(-180, 1, 360), SenseOptions.range(0.16, 8), 0.2);
+        return of(RayPattern.fan(-180, 1, 360).withDuration(0.2), SenseOptions.range(0.16, 8));
     }
 
-    /** Seconds from the start of a turn until a ray is sent. */
+    /**
+     * This lidar, moving during its turns: see {@link SenseOptions#withMotion}. Each column is measured from where the lidar
+     * is when its first ray is sent; the pose at which a frame is read is that of time 0.
+     */
+    public Lidar withMotion(Twist velocity) {
+        return with(setup.with(setup.options().withMotion(velocity)));
+    }
+
+    /** This lidar at rest during its turns. */
+    public Lidar withoutMotion() {
+        SenseOptions options = setup.options();
+        return with(setup.with(SenseOptions.range(options.min(), options.max())
+                .withCarrier(options.carrier())
+                .withThreads(options.threads())));
+    }
+
+    /** Seconds from the start of a turn until a ray is sent; the pattern has the time of its column's first ray. */
     public double time(int ray) {
         if (ray < 0 || ray >= pattern().size()) {
             throw new IllegalArgumentException(
                     "ray must be from 0 to " + (pattern().size() - 1) + " (got: " + ray + ")");
         }
-        return times.at(ray, pattern().columns());
+        return pattern().time(ray) + delays[ray / pattern().columns()];
     }
 
     @Override
     Lidar with(Setup other) {
-        return new Lidar(other, times);
+        return new Lidar(other, delays);
     }
 
     @Override
     boolean needsObjects(LidarFrame out) {
+        return out.has(LidarFrame.Extra.INTENSITIES) || out.has(LidarFrame.Extra.OBJECTS);
+    }
+
+    @Override
+    boolean needsParts(LidarFrame out) {
         return out.has(LidarFrame.Extra.INTENSITIES) || out.has(LidarFrame.Extra.OBJECTS);
     }
 

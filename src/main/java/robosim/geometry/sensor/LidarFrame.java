@@ -18,6 +18,7 @@ public final class LidarFrame extends RayFrame {
     private final EnumSet<Extra> extras = EnumSet.noneOf(Extra.class);
     private double[] intensities = new double[0];
     private @Nullable Lidar lidar;
+    private final Surfaces surfaces = new Surfaces();
 
     /** A frame for ranges, rings and times, and more. */
     public LidarFrame(Extra... extras) {
@@ -43,8 +44,13 @@ public final class LidarFrame extends RayFrame {
         double[] ranges = ranges();
         for (int k = 0; k < count; k++) {
             boolean isLit = ranges[k] < Double.POSITIVE_INFINITY && cosines[k] > 0;
-            intensities[k] = isLit ? cosines[k] : 0;
+            GeometryObject met = buffer().object(k);
+            intensities[k] = isLit && met != null ? cosines[k] * reflectance(met, buffer().part(k)) : 0;
         }
+    }
+
+    private double reflectance(GeometryObject object, int part) {
+        return surfaces.of(object, part).reflectance();
     }
 
     /** The layer of a ray, from 0; in the presets the lowest one is 0. */
@@ -58,9 +64,9 @@ public final class LidarFrame extends RayFrame {
     }
 
     /**
-     * How much light comes back: the reflectance of the surface, which is 1, times the cosine of the angle between the ray
-     * and the surface normal; 0 where nothing echoes. Like the calibrated intensities of real lidars it does not fall off
-     * with the distance.
+     * How much light comes back: the {@linkplain robosim.geometry.material.Material#reflectance reflectance} of the surface
+     * times the cosine of the angle between the ray and the surface normal; 0 where nothing echoes. Like the calibrated
+     * intensities of real lidars it does not fall off with the distance.
      */
     public double intensity(int ray) {
         checkHas(Extra.INTENSITIES);
@@ -79,6 +85,20 @@ public final class LidarFrame extends RayFrame {
         return metBy(ray);
     }
 
+    /** Which part of a group a ray met, noise aside. See {@link robosim.geometry.SenseBuffer#part}. */
+    public int part(int ray) {
+        checkHas(Extra.OBJECTS);
+        return buffer().part(checked(ray));
+    }
+
+    /**
+     * The {@linkplain robosim.geometry.material.Material#label label} of the surface that a ray met, noise aside; 0 for none.
+     */
+    public int label(int ray) {
+        GeometryObject met = object(ray);
+        return met == null ? 0 : surfaces.of(met, part(ray)).label();
+    }
+
     private void checkHas(Extra extra) {
         if (!has(extra)) {
             throw new IllegalArgumentException("the frame must have been made for " + extra
@@ -90,6 +110,9 @@ public final class LidarFrame extends RayFrame {
     double field(PointCloud.Field field, int ray) {
         if (field == PointCloud.Field.INTENSITY) {
             return intensity(ray);
+        }
+        if (field == PointCloud.Field.LABEL) {
+            return label(ray);
         }
         return field == PointCloud.Field.TIME ? time(ray) : super.field(field, ray);
     }

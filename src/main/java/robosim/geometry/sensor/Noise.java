@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.sensor.effects.Draws;
+import robosim.geometry.sensor.effects.Effect;
+import robosim.geometry.sensor.effects.Measured;
 
 /**
  * What a sensor does to a true distance: a list of effects, each of which takes what the one before it left. Immutable;

@@ -47,6 +47,11 @@ public final class NormalCamera extends RaySensor<NormalCamera, NormalFrame> {
     }
 
     @Override
+    boolean needsParts(NormalFrame out) {
+        return false;
+    }
+
+    @Override
     boolean needsNormals(NormalFrame out) {
         return true;
     }

@@ -54,6 +54,8 @@ public final class PointCloud {
         RING,
         /** Seconds from the start of the frame; of lidars. */
         TIME,
+        /** The label of the surface's material; of lidars with objects and of segmentation cameras. */
+        LABEL,
         /** The number of an object; of segmentation cameras. */
         INSTANCE,
         /** The surface normal's X; of normal cameras. All three or none. */

@@ -2,6 +2,7 @@ package robosim.geometry.sensor;
 
 import robosim.geometry.Geometry;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.sensor.effects.Measured;
 
 /**
  * Tells how near the nearest other object is, on whichever side: RoboSim's proximity sensor. Immutable.

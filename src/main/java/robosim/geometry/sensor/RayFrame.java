@@ -9,6 +9,8 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.Twist;
+import robosim.geometry.sensor.effects.Measured;
 
 /**
  * A reading of a sensor with rays: a distance for each ray and what the sensor makes of it. Its arrays are used again by
@@ -23,6 +25,7 @@ public abstract class RayFrame {
     private SenseBuffer buffer = new SenseBuffer();
     private boolean hasObjects;
     private boolean hasNormals;
+    private boolean hasParts;
     private final SenseBuffer cones = new SenseBuffer();
     private final Measured measured = new Measured();
 
@@ -30,6 +33,12 @@ public abstract class RayFrame {
     private int size;
     private long number;
     private Dimension dimension = Dimension.SPATIAL;
+
+    /** How the sensor moved; null where it did not. */
+    private @Nullable ScanMotion motion;
+
+    /** Of what the motion was made. */
+    private @Nullable Setup moved;
 
     /** The distances: the buffer's own, or with noise the frame's. */
     private double[] ranges = NONE;
@@ -43,14 +52,25 @@ public abstract class RayFrame {
 
     // What the sensor does while it reads.
 
-    void prepare(boolean objects, boolean normals, boolean cones) {
+    /**
+     * Makes a buffer with what is needed.
+     *
+     * @param parts   objects, and the parts of groups
+     * @param normals whether normals are needed
+     * @param cones   whether the beams have a width: then there are no parts and no normals
+     */
+    void prepare(boolean objects, boolean parts, boolean normals, boolean cones) {
         size = 0;
         pattern = null;
         hasIncidence = false;
-        // What another sensor needed stays, except that a buffer with normals takes no cones.
-        boolean hasEnough = (hasObjects || !objects) && (hasNormals || !normals) && !(hasNormals && cones);
+        // What another sensor needed stays, except that a buffer with parts or normals takes no cones.
+        boolean hasEnough = (hasObjects || !objects)
+                && (hasParts || !parts)
+                && (hasNormals || !normals)
+                && !((hasParts || hasNormals) && cones);
         if (!hasEnough) {
             hasObjects |= objects;
+            hasParts = parts || (hasParts && !cones);
             hasNormals = normals || (hasNormals && !cones);
             buffer = new SenseBuffer(extras());
         }
@@ -60,6 +80,9 @@ public abstract class RayFrame {
         EnumSet<SenseBuffer.Extra> extras = EnumSet.noneOf(SenseBuffer.Extra.class);
         if (hasObjects) {
             extras.add(SenseBuffer.Extra.OBJECTS);
+        }
+        if (hasParts) {
+            extras.add(SenseBuffer.Extra.PARTS);
         }
         if (hasNormals) {
             extras.add(SenseBuffer.Extra.NORMALS);
@@ -80,6 +103,14 @@ public abstract class RayFrame {
         dimension = ofWorld;
         number = frame;
         ranges = buffer.distances();
+        Twist twist = setup.options().motion();
+        if (twist == null || !setup.pattern().hasTimes()) {
+            motion = null;
+            moved = null;
+        } else if (moved != setup) {
+            motion = new ScanMotion(twist, setup.mounting());
+            moved = setup;
+        }
     }
 
     /** Applies noise to a copy of the distances. */
@@ -129,7 +160,15 @@ public abstract class RayFrame {
 
     /** Sets the vector to a ray's unit direction in the world, which in PLANAR is level. */
     private void direction(RayPattern rays, int ray) {
-        turn(rays.x(ray), rays.y(ray), rays.z(ray), vector, 0);
+        vector[0] = rays.x(ray);
+        vector[1] = rays.y(ray);
+        vector[2] = rays.z(ray);
+        ScanMotion moving = motion;
+        if (moving != null) {
+            moving.to(rays.time(ray));
+            moving.turn(vector);
+        }
+        turn(vector[0], vector[1], vector[2], vector, 0);
         if (dimension == Dimension.PLANAR) {
             vector[1] = 0;
         }
@@ -201,7 +240,7 @@ public abstract class RayFrame {
         return ranges;
     }
 
-    /** Where the sensor was in the world, and which way it faced, when it was read. */
+    /** Where the sensor was in the world, and which way it faced, when it was read; at time 0 if it moved meanwhile. */
     public Pose pose() {
         double[] place = buffer.place();
         double[] rotation = new double[9];
@@ -210,41 +249,63 @@ public abstract class RayFrame {
     }
 
     /**
-     * Writes the point that a ray measured, in the sensor's own frame: its range along its direction. In a world in PLANAR
-     * ranges are measured in the plane, and so is the point.
+     * Writes the point that a ray measured, in the sensor's own frame: its range along its direction, as a sensor computes it
+     * that knows nothing of its motion. In a world in PLANAR ranges are measured in the plane, and so is the point.
      *
      * @param out takes X, Y and Z; they are NaN where nothing echoes
      * @param at  where in the array they begin
      */
     public void point(int ray, double[] out, int at) {
-        worldOffset(ray);
-        turnBack(vector[0], vector[1], vector[2], out, at);
+        double range = rangeOrNaN(ray);
+        RayPattern rays = rays();
+        vector[0] = rays.x(ray);
+        vector[1] = rays.y(ray);
+        vector[2] = rays.z(ray);
+        if (dimension == Dimension.PLANAR) {
+            turn(vector[0], vector[1], vector[2], vector, 0);
+            turnBack(vector[0], 0, vector[2], vector, 0);
+        }
+        double length = Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+        for (int axis = 0; axis < 3; axis++) {
+            out[at + axis] = range * (vector[axis] / length);
+        }
     }
 
-    /** Writes the point that a ray measured, in the world, as {@link #point} does. */
+    /**
+     * Writes the point that a ray measured, in the world. If the sensor moves during the reading, it is the point as seen
+     * from where the sensor was when the ray was sent.
+     */
     public void worldPoint(int ray, double[] out, int at) {
-        worldOffset(ray);
+        double range = rangeOrNaN(ray);
         double[] place = buffer.place();
-        for (int axis = 0; axis < 3; axis++) {
-            out[at + axis] = place[axis] + vector[axis];
+        ScanMotion moving = motion;
+        direction(rays(), ray); // which goes to the ray's time
+        double x = range * vector[0];
+        double y = range * vector[1];
+        double z = range * vector[2];
+        vector[0] = 0;
+        vector[1] = 0;
+        vector[2] = 0;
+        if (moving != null) {
+            moving.origin(vector);
+            turn(vector[0], vector[1], vector[2], vector, 0);
         }
+        out[at] = place[0] + vector[0] + x;
+        out[at + 1] = place[1] + vector[1] + y;
+        out[at + 2] = place[2] + vector[2] + z;
     }
 
-    /** Sets the vector to what leads, in the world, from the sensor to the point that a ray measured. */
-    private void worldOffset(int ray) {
+    private double rangeOrNaN(int ray) {
         double range = ranges[checked(ray)];
-        direction(rays(), ray);
-        for (int axis = 0; axis < 3; axis++) {
-            vector[axis] = range < Double.POSITIVE_INFINITY ? range * vector[axis] : Double.NaN;
-        }
+        return range < Double.POSITIVE_INFINITY ? range : Double.NaN;
     }
 
-    /** Adds each point that has an echo to a cloud, in the sensor's own frame. */
+    /** Adds each point that has an echo to a cloud, in the sensor's own frame: see {@link #point}. */
     public void addTo(PointCloud cloud) {
         cloud.add(this, false);
     }
 
-    /** Adds each point that has an echo to a cloud, in the world. */
+    /** Adds each point that has an echo to a cloud, in the world: see {@link #worldPoint}. */
     public void addInWorldTo(PointCloud cloud) {
         cloud.add(this, true);
     }

@@ -9,6 +9,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
+import robosim.geometry.model.Twist;
 
 /**
  * A sensor with rays: what lidars, cameras and sonars share. Immutable; each {@code with} returns a new sensor.
@@ -31,6 +32,9 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
 
     /** Whether the frame needs objects, whatever the noise. */
     abstract boolean needsObjects(F out);
+
+    /** Whether the frame needs the parts of groups. */
+    abstract boolean needsParts(F out);
 
     /** Whether the frame needs normals, whatever the noise. */
     abstract boolean needsNormals(F out);
@@ -58,10 +62,12 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
      */
     public S withRange(double min, double max) {
         SenseOptions options = setup.options();
-        return with(setup.with(SenseOptions.range(min, max)
+        SenseOptions ranged = SenseOptions.range(min, max)
                 .withWidth(options.width())
                 .withCarrier(options.carrier())
-                .withThreads(options.threads())));
+                .withThreads(options.threads());
+        Twist motion = options.motion();
+        return with(setup.with(motion == null ? ranged : ranged.withMotion(motion)));
     }
 
     /** This sensor, seeing or not seeing the object that carries it. Unless told otherwise it does not. */
@@ -153,7 +159,11 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     private void read(@Nullable Geometry world, @Nullable Snapshot snapshot, long frame, F out) {
         Checks.present("out", out);
         boolean needsIncidence = setup.noise().needsIncidence();
-        out.prepare(needsObjects(out), needsNormals(out) || needsIncidence, setup.options().width() > 0);
+        out.prepare(
+                needsObjects(out),
+                needsParts(out),
+                needsNormals(out) || needsIncidence,
+                setup.options().width() > 0);
         sense(world, snapshot, setup.options(), out.buffer());
         Dimension dimension = world != null
                 ? world.dimension()

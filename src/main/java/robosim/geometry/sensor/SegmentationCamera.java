@@ -49,6 +49,11 @@ public final class SegmentationCamera extends RaySensor<SegmentationCamera, Segm
     }
 
     @Override
+    boolean needsParts(SegmentationFrame out) {
+        return true;
+    }
+
+    @Override
     boolean needsNormals(SegmentationFrame out) {
         return false;
     }

@@ -15,7 +15,9 @@ import robosim.geometry.model.GeometryObject;
 public final class SegmentationFrame extends RayFrame {
     private final Map<GeometryObject, Integer> numbers = new IdentityHashMap<>();
     private final List<GeometryObject> objects = new ArrayList<>();
+    private final Surfaces surfaces = new Surfaces();
     private int[] instances = new int[0];
+    private int[] labels = new int[0];
 
     /** An empty frame. */
     public SegmentationFrame() {}
@@ -25,15 +27,24 @@ public final class SegmentationFrame extends RayFrame {
         if (instances.length < count) {
             instances = new int[count];
         }
+        if (labels.length < count) {
+            labels = new int[count];
+        }
         GeometryObject last = null;
+        int lastPart = -1;
         int lastNumber = 0;
+        int lastLabel = 0;
         for (int k = 0; k < count; k++) {
             GeometryObject object = buffer().object(k);
-            if (object != last) { // most neighbours see the same
+            int part = buffer().part(k);
+            if (object != last || part != lastPart) { // most neighbours see the same
                 last = object;
+                lastPart = part;
                 lastNumber = object == null ? 0 : numberOf(object);
+                lastLabel = object == null ? 0 : surfaces.of(object, part).label();
             }
             instances[k] = lastNumber;
+            labels[k] = lastLabel;
         }
     }
 
@@ -50,6 +61,24 @@ public final class SegmentationFrame extends RayFrame {
     /** The object that a ray met; null for none. See {@link robosim.geometry.SenseBuffer#object}. */
     public @Nullable GeometryObject object(int ray) {
         return metBy(ray);
+    }
+
+    /** Which part of a group a ray met. See {@link robosim.geometry.SenseBuffer#part}. */
+    public int part(int ray) {
+        return buffer().part(checked(ray));
+    }
+
+    /**
+     * The {@linkplain robosim.geometry.material.Material#label label} of the surface that a ray met, that of the member of a
+     * group where it has one; 0 for none.
+     */
+    public int label(int ray) {
+        return labels[checked(ray)];
+    }
+
+    /** All labels: the frame's own array, no copy. Elements from {@link #size} on mean nothing. */
+    public int[] labels() {
+        return labels;
     }
 
     /** The number of the object that a ray met; 0 for none. */
@@ -80,10 +109,14 @@ public final class SegmentationFrame extends RayFrame {
     public void forget() {
         numbers.clear();
         objects.clear();
+        surfaces.forget();
     }
 
     @Override
     double field(PointCloud.Field field, int ray) {
+        if (field == PointCloud.Field.LABEL) {
+            return label(ray);
+        }
         return field == PointCloud.Field.INSTANCE ? instance(ray) : super.field(field, ray);
     }
 }

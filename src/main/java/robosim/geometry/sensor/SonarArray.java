@@ -48,6 +48,11 @@ public final class SonarArray extends RaySensor<SonarArray, SonarFrame> {
     }
 
     @Override
+    boolean needsParts(SonarFrame out) {
+        return false;
+    }
+
+    @Override
     boolean needsNormals(SonarFrame out) {
         return false;
     }

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
+import robosim.geometry.sensor.effects.Measured;
 
 /** Each effect does what its page says, by its moments over many rays. */
 class NoiseTest {

@@ -63,6 +63,7 @@ final class Rows {
             case INTENSITY -> new Column("intensity", Type.FLOAT);
             case RING -> new Column("ring", Type.UNSIGNED_SHORT);
             case TIME -> new Column("time", Type.FLOAT);
+            case LABEL -> new Column("label", Type.INT);
             case INSTANCE -> new Column("instance", Type.INT);
             case NORMAL_X -> new Column("nx", "normal_x", Type.FLOAT);
             case NORMAL_Y -> new Column("ny", "normal_y", Type.FLOAT);
@@ -96,7 +97,7 @@ final class Rows {
             switch (field) {
                 case INTENSITY, TIME -> bytes.putFloat((float) cloud.value(field, point));
                 case RING -> bytes.putShort((short) cloud.value(field, point));
-                case INSTANCE -> bytes.putInt((int) cloud.value(field, point));
+                case LABEL, INSTANCE -> bytes.putInt((int) cloud.value(field, point));
                 case NORMAL_X -> {
                     axes.of(
                             cloud.value(Field.NORMAL_X, point),

@@ -1,4 +1,4 @@
-package robosim.geometry.sensor;
+package robosim.geometry.sensor.effects;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

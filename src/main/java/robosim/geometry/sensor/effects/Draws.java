@@ -1,4 +1,4 @@
-package robosim.geometry.sensor;
+package robosim.geometry.sensor.effects;
 
 /**
  * Random numbers by their place: each is a function of a key and an index, so neither the order in which they are drawn
@@ -9,7 +9,7 @@ package robosim.geometry.sensor;
  * layer and the number from different bits. Its tables are computed with StrictMath, and everything else is sums,
  * products and comparisons, so that all numbers are the same bits on every JVM.
  */
-final class Draws {
+public final class Draws {
     private static final long GOLDEN = 0x9e3779b97f4a7c15L;
     private static final double UNIT = 0x1p-53;
 
@@ -45,22 +45,22 @@ final class Draws {
     }
 
     /** A key, from a key and a number. */
-    static long key(long key, long number) {
+    public static long key(long key, long number) {
         return mix(key + number + GOLDEN);
     }
 
     /** The step of a key's Weyl sequence, an odd number. */
-    static long step(long key) {
+    public static long step(long key) {
         return mix(key + GOLDEN) | 1;
     }
 
     /** The 64 bits of an index. */
-    static long bits(long key, long step, int index) {
+    public static long bits(long key, long step, int index) {
         return mix(key + (index + 1) * step);
     }
 
     /** Further bits, from some. */
-    static long more(long bits) {
+    public static long more(long bits) {
         return mix(bits + GOLDEN);
     }
 
@@ -71,12 +71,12 @@ final class Draws {
     }
 
     /** A number from 0 up to, not including, 1. */
-    static double uniform(long bits) {
+    public static double uniform(long bits) {
         return (bits >>> 11) * UNIT;
     }
 
     /** A normal number of mean 0 and variance 1. */
-    static double normal(long bits) {
+    public static double normal(long bits) {
         int layer = (int) bits & (LAYERS - 1);
         double part = (bits >> 11) * 0x1p-52; // from -1 up to, not including, 1
         if (Math.abs(part) < CORE[layer]) {

@@ -1,13 +1,13 @@
-package robosim.geometry.sensor;
+package robosim.geometry.sensor.effects;
 
 import robosim.geometry.exact.Degrees;
 
 /**
- * One effect of a {@link Noise}.
+ * One effect of a noise.
  *
  * <p>Each draws its numbers from a key of its own, by the number of the ray.
  */
-sealed interface Effect {
+public sealed interface Effect {
     /** Changes the distances of a frame. */
     void apply(long key, long step, Measured measured);
 
