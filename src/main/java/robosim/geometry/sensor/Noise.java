@@ -33,9 +33,13 @@ public final class Noise {
     private static final int MOST = 64;
 
     private final List<Effect> effects;
+    private final boolean needsIncidence;
+    private final double coneWidth;
 
     private Noise(List<Effect> effects) {
         this.effects = effects;
+        needsIncidence = effects.stream().anyMatch(Effect::needsIncidence);
+        coneWidth = effects.stream().mapToDouble(Effect::coneWidth).sum(); // at most one needs cones
     }
 
     /**
@@ -173,22 +177,12 @@ public final class Noise {
     }
 
     boolean needsIncidence() {
-        for (Effect effect : effects) {
-            if (effect.needsIncidence()) {
-                return true;
-            }
-        }
-        return false;
+        return needsIncidence;
     }
 
     /** The opening angle of the cones that are needed; 0 for none. */
     double coneWidth() {
-        for (Effect effect : effects) {
-            if (effect.coneWidth() > 0) {
-                return effect.coneWidth();
-            }
-        }
-        return 0;
+        return coneWidth;
     }
 
     /** Changes distances. */
