@@ -1,5 +1,5 @@
 /**
- * Files of what sensors read, for other programs: PLY and PCD for point clouds, NumPy's .npy for arrays. And noise as
+ * Files of what sensors read, for other programs: PLY and PCD for point clouds, NumPy's .npy for arrays, PNG for images. And noise as
  * SDFormat describes it.
  *
  * <pre>{@code
