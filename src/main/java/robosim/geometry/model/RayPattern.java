@@ -209,8 +209,7 @@ public final class RayPattern {
     // Bounds that no camera meets, within which the tangents of the angles to the axis can be squared.
     private static void checkFocalLength(String argument, double length) {
         if (!(length >= 0x1p-100 && length <= Checks.LIMIT)) {
-            throw new IllegalArgumentException(
-                    argument + " must be from 2^-100 to 2^100 (got: " + length + ")");
+            throw new IllegalArgumentException(argument + " must be from 2^-100 to 2^100 (got: " + length + ")");
         }
     }
 

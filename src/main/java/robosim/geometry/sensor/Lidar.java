@@ -32,17 +32,18 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
 
     // Elevation and azimuth offset of the lasers of a VLP-32C, from the lowest up.
     private static final double[] VLP32C_ELEVATIONS = {
-        -25, -15.639, -11.31, -8.843, -7.254, -6.148, -5.333, -4.667, -4, -3.667, -3.333, -3, -2.667, -2.333, -2, -1.667,
-        -1.333, -1, -0.667, -0.333, 0, 0.333, 0.667, 1, 1.333, 1.667, 2.333, 3.333, 4.667, 7, 10.333, 15
+        -25, -15.639, -11.31, -8.843, -7.254, -6.148, -5.333, -4.667, -4, -3.667, -3.333, -3, -2.667, -2.333, -2,
+        -1.667, -1.333, -1, -0.667, -0.333, 0, 0.333, 0.667, 1, 1.333, 1.667, 2.333, 3.333, 4.667, 7, 10.333, 15
     };
     private static final double[] VLP32C_AZIMUTHS = {
-        1.4, -1.4, 1.4, -1.4, 1.4, -1.4, 4.2, 1.4, -1.4, -4.2, 4.2, 1.4, -1.4, -4.2, 4.2, 1.4, -1.4, -4.2, 4.2, 1.4, -1.4,
-        -4.2, 4.2, 1.4, -1.4, -4.2, 1.4, -1.4, 1.4, -1.4, 1.4, -1.4
+        1.4, -1.4, 1.4, -1.4, 1.4, -1.4, 4.2, 1.4, -1.4, -4.2, 4.2, 1.4, -1.4, -4.2, 4.2, 1.4, -1.4, -4.2, 4.2, 1.4,
+        -1.4, -4.2, 4.2, 1.4, -1.4, -4.2, 1.4, -1.4, 1.4, -1.4, 1.4, -1.4
     };
 
     // The number of each of these lasers in the firing order, in which two fire at once.
     private static final int[] VLP32C_IDS = {
-        0, 3, 4, 7, 8, 11, 12, 16, 15, 19, 20, 24, 23, 27, 28, 2, 31, 1, 6, 10, 5, 9, 14, 18, 13, 17, 22, 21, 26, 25, 30, 29
+        0, 3, 4, 7, 8, 11, 12, 16, 15, 19, 20, 24, 23, 27, 28, 2, 31, 1, 6, 10, 5, 9, 14, 18, 13, 17, 22, 21, 26, 25,
+        30, 29
     };
 
     /** Seconds from the first ray of a column to the others of it, by row. */
@@ -63,7 +64,9 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
         if (Checks.present("options", options).width() > 0) {
             throw new IllegalArgumentException("width must be 0 for a lidar (got: " + options.width() + ")");
         }
-        return new Lidar(Setup.of(pattern, options), new double[Checks.present("pattern", pattern).rows()]);
+        return new Lidar(
+                Setup.of(pattern, options),
+                new double[Checks.present("pattern", pattern).rows()]);
     }
 
     /**
@@ -141,7 +144,8 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
         for (int row = 0; row < channels; row++) {
             elevations[row] = end * (2 * row - (channels - 1)) / (channels - 1);
         }
-        RayPattern pattern = RayPattern.layers(elevations, 180, -360.0 / 1024, 1024).withDuration(1 / hertz);
+        RayPattern pattern =
+                RayPattern.layers(elevations, 180, -360.0 / 1024, 1024).withDuration(1 / hertz);
         return of(pattern, SenseOptions.range(0.8, 120));
     }
 

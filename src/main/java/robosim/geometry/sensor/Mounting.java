@@ -31,7 +31,8 @@ final class Mounting {
         return new Mounting(null, Checks.present("sensor", sensor));
     }
 
-    @Nullable String carrier() {
+    @Nullable
+    String carrier() {
         return carrier;
     }
 

@@ -129,8 +129,7 @@ public final class Noise {
      */
     public static Noise mixedPixels(double widthDegrees, double gap) {
         if (!(widthDegrees > 0 && widthDegrees < 90)) {
-            throw new IllegalArgumentException(
-                    "widthDegrees must be above 0 and below 90 (got: " + widthDegrees + ")");
+            throw new IllegalArgumentException("widthDegrees must be above 0 and below 90 (got: " + widthDegrees + ")");
         }
         return of(new Effect.MixedPixels(widthDegrees, Checks.size("gap", gap)));
     }

@@ -189,7 +189,8 @@ public final class PointCloud {
 
     private int checked(int point) {
         if (point < 0 || point >= size) {
-            throw new IllegalArgumentException("point must be from 0 to size - 1, " + (size - 1) + " (got: " + point + ")");
+            throw new IllegalArgumentException(
+                    "point must be from 0 to size - 1, " + (size - 1) + " (got: " + point + ")");
         }
         return point;
     }

@@ -49,8 +49,9 @@ public final class ProximitySensor {
      */
     public ProximitySensor withNoise(Noise given, long itsSeed, long itsSensor) {
         if (Checks.present("noise", given).needsIncidence()) {
-            throw new IllegalArgumentException("noise of a proximity sensor must not need the normals of rays, as grazing and"
-                    + " mixedPixels do (got: " + given + ")");
+            throw new IllegalArgumentException(
+                    "noise of a proximity sensor must not need the normals of rays, as grazing and"
+                            + " mixedPixels do (got: " + given + ")");
         }
         return new ProximitySensor(name, max, given, itsSeed, itsSensor);
     }

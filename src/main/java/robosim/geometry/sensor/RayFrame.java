@@ -319,7 +319,8 @@ public abstract class RayFrame {
                 + getClass().getSimpleName() + ")");
     }
 
-    @Nullable GeometryObject metBy(int ray) {
+    @Nullable
+    GeometryObject metBy(int ray) {
         return buffer.object(checked(ray));
     }
 

@@ -181,10 +181,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     }
 
     private void sense(
-            @Nullable Geometry world,
-            @Nullable Snapshot snapshot,
-            SenseOptions options,
-            SenseBuffer buffer) {
+            @Nullable Geometry world, @Nullable Snapshot snapshot, SenseOptions options, SenseBuffer buffer) {
         if (world != null) {
             setup.mounting().sense(world, setup.pattern(), options, buffer);
         } else if (snapshot != null) {
@@ -204,7 +201,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
 
     @Override
     public String toString() {
-        return getClass().getSimpleName() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options() + ", "
-                + setup.noise();
+        return getClass().getSimpleName() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options()
+                + ", " + setup.noise();
     }
 }

@@ -38,11 +38,21 @@ class ScanCommandTest {
         assertThat(out.toString()).contains("Wrote " + ply + ": ").contains(" points of 28,928 rays");
         assertThat(points(ply)).isBetween(5000, 28_928);
         Path world = folder.resolve("world.ply");
-        assertThat(run("scan", "worlds/warehouse.xml", "--in-world", "-o", world.toString())).isZero();
+        assertThat(run("scan", "worlds/warehouse.xml", "--in-world", "-o", world.toString()))
+                .isZero();
         assertThat(points(world)).isEqualTo(points(ply));
         assertThat(Files.readAllBytes(world)).isNotEqualTo(Files.readAllBytes(ply));
         Path pcd = folder.resolve("cloud.pcd");
-        assertThat(run("scan", "worlds/warehouse.xml", "--lidar", "OS1-64", "--at", "0,2,0,45", "--axes", "module", "-o",
+        assertThat(run(
+                        "scan",
+                        "worlds/warehouse.xml",
+                        "--lidar",
+                        "OS1-64",
+                        "--at",
+                        "0,2,0,45",
+                        "--axes",
+                        "module",
+                        "-o",
                         pcd.toString()))
                 .isZero();
         assertThat(Files.readString(pcd, StandardCharsets.ISO_8859_1)).startsWith("# .PCD v0.7");
@@ -55,8 +65,17 @@ class ScanCommandTest {
         String[] seeds = {"7", "7", "8", "7"};
         for (int k = 0; k < 4; k++) {
             Path npy = folder.resolve(k + ".npy");
-            assertThat(run("scan", "worlds/rooms.xml", "--lidar", "utm30lx", "--noise", noises[k], "--seed", seeds[k],
-                            "-o", npy.toString()))
+            assertThat(run(
+                            "scan",
+                            "worlds/rooms.xml",
+                            "--lidar",
+                            "utm30lx",
+                            "--noise",
+                            noises[k],
+                            "--seed",
+                            seeds[k],
+                            "-o",
+                            npy.toString()))
                     .isZero();
             files[k] = Files.readAllBytes(npy);
         }

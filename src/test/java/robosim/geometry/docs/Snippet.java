@@ -36,10 +36,13 @@ final class Snippet {
             import java.util.stream.*;
             import robosim.geometry.*;
             import robosim.geometry.collision.*;
+            import robosim.geometry.material.*;
             import robosim.geometry.model.*;
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;
             import robosim.geometry.scenario.*;
+            import robosim.geometry.sensor.*;
+            import robosim.geometry.sensor.file.*;
             import robosim.geometry.sweep.*;
             import robosim.geometry.world.*;
             """;

@@ -35,7 +35,9 @@ class FramesAllocateNothingTest {
         for (int k = 0; k < 80; k++) {
             // In no particular place: where only exact arithmetic decides, it takes memory.
             Point place = new Point(
-                    k % 9 * 6 - 24 + random.nextDouble(0.4), random.nextDouble(0.3), k / 9 * 5 - 22 + random.nextDouble(0.4));
+                    k % 9 * 6 - 24 + random.nextDouble(0.4),
+                    random.nextDouble(0.3),
+                    k / 9 * 5 - 22 + random.nextDouble(0.4));
             world.addObject(
                     k % 3 == 0
                             ? new BoxObject(place, 1, 2, 1.5).turned(0, k + 0.3)

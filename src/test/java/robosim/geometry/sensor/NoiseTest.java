@@ -69,8 +69,10 @@ class NoiseTest {
         assertThat(mean(proportional)).isCloseTo(7, five(0.07));
         assertThat(deviation(proportional)).isCloseTo(0.07, five(0.07));
         // Two effects draw different numbers: their variances add up.
-        assertThat(deviation(of(Noise.gaussian(0.03).and(Noise.gaussian(0.04)), 5))).isCloseTo(0.05, five(0.05));
-        assertThat(lost(of(Noise.gaussian(1).and(Noise.proportional(0.1)), NOTHING))).isEqualTo(1);
+        assertThat(deviation(of(Noise.gaussian(0.03).and(Noise.gaussian(0.04)), 5)))
+                .isCloseTo(0.05, five(0.05));
+        assertThat(lost(of(Noise.gaussian(1).and(Noise.proportional(0.1)), NOTHING)))
+                .isEqualTo(1);
     }
 
     @Test
@@ -143,7 +145,8 @@ class NoiseTest {
         double[] edge = of(mixed, measured(5, 1, 3));
         assertThat(mean(edge)).isCloseTo(4, five(1));
         assertThat(deviation(edge)).isCloseTo(2 / Math.sqrt(12), five(1));
-        assertThat(Arrays.stream(edge).allMatch(value -> value >= 3 && value < 5)).isTrue();
+        assertThat(Arrays.stream(edge).allMatch(value -> value >= 3 && value < 5))
+                .isTrue();
         assertThat(of(mixed, measured(5, 1, 4.95))).containsOnly(5); // within the gap
         double[] sky = of(mixed, measured(NOTHING, -1, 3));
         assertThat(lost(sky)).isCloseTo(0.5, five(0.5));
@@ -179,8 +182,9 @@ class NoiseTest {
     @Test
     void aValue() {
         Noise noise = Noise.gaussian(0.01).and(Noise.dropout(0.1));
-        assertThat(noise).isEqualTo(Noise.gaussian(0, 0.01).and(Noise.dropout(0.1))).hasSameHashCodeAs(
-                Noise.gaussian(0.01).and(Noise.dropout(0.1)));
+        assertThat(noise)
+                .isEqualTo(Noise.gaussian(0, 0.01).and(Noise.dropout(0.1)))
+                .hasSameHashCodeAs(Noise.gaussian(0.01).and(Noise.dropout(0.1)));
         assertThat(noise).isNotEqualTo(Noise.dropout(0.1).and(Noise.gaussian(0.01)));
         assertThat(Noise.NONE.isNone()).isTrue();
         assertThat(Noise.NONE.and(noise)).isEqualTo(noise);
@@ -208,6 +212,8 @@ class NoiseTest {
     }
 
     private static void refused(String message, Runnable call) {
-        assertThatThrownBy(call::run).isInstanceOf(IllegalArgumentException.class).hasMessageContaining(message);
+        assertThatThrownBy(call::run)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(message);
     }
 }

@@ -128,7 +128,8 @@ class SensorsTest {
     @ParameterizedTest
     @EnumSource
     void rangesAreThoseOfSingleCalls(Dimension dimension) {
-        RayPattern rings = RayPattern.layers(new double[] {-20, -3, 0, 9}, 180, -1, 360).withDuration(0.1);
+        RayPattern rings =
+                RayPattern.layers(new double[] {-20, -3, 0, 9}, 180, -1, 360).withDuration(0.1);
         Lidar lidar = Lidar.of(rings, SenseOptions.range(0.7, 11));
         readsSingles(dimension, lidar, new LidarFrame());
         readsSingles(dimension, lidar, new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS));
@@ -151,7 +152,9 @@ class SensorsTest {
         short[] millimetres = new short[image.size()];
         image.millimetres(0.01, millimetres);
         for (int k = 0; k < truth.length; k++) {
-            assertThat(image.depth(k)).isEqualTo(truth[k] * camera.pattern().x(k)).isEqualTo(image.depths()[k]);
+            assertThat(image.depth(k))
+                    .isEqualTo(truth[k] * camera.pattern().x(k))
+                    .isEqualTo(image.depths()[k]);
             image.point(k, point, 0);
             double x = truth[k] == NOTHING ? Double.NaN : image.depth(k);
             assertThat(point[0]).isCloseTo(x, Offset.offset(1e-12));
@@ -160,8 +163,8 @@ class SensorsTest {
         }
         image.millimetres(10, millimetres); // 6.5535 world units are the most
         for (int k = 0; k < truth.length; k++) {
-            assertThat(millimetres[k] & 0xffff).isEqualTo(
-                    image.depth(k) * 10000 < 65535.5 ? (int) Math.rint(image.depth(k) * 10000) : 0);
+            assertThat(millimetres[k] & 0xffff)
+                    .isEqualTo(image.depth(k) * 10000 < 65535.5 ? (int) Math.rint(image.depth(k) * 10000) : 0);
         }
     }
 
@@ -253,9 +256,7 @@ class SensorsTest {
         int dark = 0;
         for (int k = 0; k < turn.size(); k++) {
             Point direction = new Point(
-                    cos * pattern.x(k) + sin * pattern.z(k),
-                    pattern.y(k),
-                    cos * pattern.z(k) - sin * pattern.x(k));
+                    cos * pattern.x(k) + sin * pattern.z(k), pattern.y(k), cos * pattern.z(k) - sin * pattern.x(k));
             RayHit hit = world.castRay(new Ray(new Point(0, 0.5, 0), direction), 9);
             if (hit == null) {
                 dark++;
@@ -319,7 +320,9 @@ class SensorsTest {
     void motionIsThatOfEachColumn(Dimension dimension) {
         Geometry world = world(dimension);
         Twist twist = new Twist(6, dimension == Dimension.PLANAR ? 0 : 0.4, -1, 200);
-        Lidar lidar = Lidar.velodyneVlp16(20).withRange(0, 15).on("robot", MOUNT.turned(dimension == Dimension.PLANAR ? 0 : 25, 0));
+        Lidar lidar = Lidar.velodyneVlp16(20)
+                .withRange(0, 15)
+                .on("robot", MOUNT.turned(dimension == Dimension.PLANAR ? 0 : 25, 0));
         LidarFrame moving = new LidarFrame(LidarFrame.Extra.INTENSITIES);
         Lidar driven = lidar.withMotion(twist);
         driven.read(world, moving);
@@ -381,7 +384,8 @@ class SensorsTest {
                 .and(Noise.falseEchoes(0.05))
                 .and(Noise.dropout(0.1))
                 .and(Noise.quantized(0.005));
-        Lidar lidar = Lidar.velodyneVlp16(20).on("robot", MOUNT).withRange(0.3, 9).withNoise(noise, 42, 1);
+        Lidar lidar =
+                Lidar.velodyneVlp16(20).on("robot", MOUNT).withRange(0.3, 9).withNoise(noise, 42, 1);
         LidarFrame frame = new LidarFrame();
         lidar.read(world, 7, frame);
         double[] truth = ranges(frame);
@@ -391,7 +395,8 @@ class SensorsTest {
         int same = 0;
         for (int k = 0; k < truth.length; k++) {
             same += truth[k] == clean[k] ? 1 : 0;
-            assertThat(truth[k] == NOTHING || (truth[k] >= 0.3 && truth[k] <= 9)).isTrue();
+            assertThat(truth[k] == NOTHING || (truth[k] >= 0.3 && truth[k] <= 9))
+                    .isTrue();
         }
         // Where nothing echoes, most stay as they are.
         assertThat(same).isLessThan(truth.length * 3 / 4);
@@ -428,7 +433,9 @@ class SensorsTest {
         refused("hertz must be from 10 to 20 (got: 21.0)", () -> Lidar.ousterOs1With128(21));
         refused("name must be", () -> lidar.on("nobody", MOUNT).read(world, frame));
         assertThat(frame.size()).isZero();
-        refused("width must be 0 for a lidar", () -> Lidar.of(RayPattern.fan(0, 1, 3), SenseOptions.range(0, 1).withWidth(3)));
+        refused(
+                "width must be 0 for a lidar",
+                () -> Lidar.of(RayPattern.fan(0, 1, 3), SenseOptions.range(0, 1).withWidth(3)));
         refused(
                 "noise must not need the normals of rays",
                 () -> SonarArray.ring(8, 15, 0, 5).withNoise(Noise.grazing(0, 80), 1, 1));
@@ -443,7 +450,9 @@ class SensorsTest {
     }
 
     private static void refused(String message, Runnable call) {
-        assertThatThrownBy(call::run).isInstanceOf(IllegalArgumentException.class).hasMessageContaining(message);
+        assertThatThrownBy(call::run)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(message);
     }
 
     /** A frame serves sensors of different needs one after another. */

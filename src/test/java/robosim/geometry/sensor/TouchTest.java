@@ -35,14 +35,17 @@ class TouchTest {
         int worlds = 60;
         for (int w = 0; w < worlds; w++) {
             Geometry world = new Geometry(40, 20, 40, Dimension.SPATIAL, accuracy);
-            GeometryObject robot =
-                    new BoxObject(new Point(0, 0, 0), 2, 1, 1).turned(10, random.nextDouble(360)).moveable("robot");
+            GeometryObject robot = new BoxObject(new Point(0, 0, 0), 2, 1, 1)
+                    .turned(10, random.nextDouble(360))
+                    .moveable("robot");
             List<GeometryObject> truth = new ArrayList<>();
             for (int k = 0; k < 20; k++) {
                 Point place = new Point(random.nextDouble(-8, 8), random.nextDouble(-2, 2), random.nextDouble(-8, 8));
                 GeometryObject other = k % 2 == 0
                         ? new SphereObject(place, random.nextDouble(1.2))
-                        : new BoxObject(place, 1, 2, 1).turned(0, random.nextDouble(90)).named("box " + k);
+                        : new BoxObject(place, 1, 2, 1)
+                                .turned(0, random.nextDouble(90))
+                                .named("box " + k);
                 world.addObjectUnchecked(other);
                 if (CollisionDetection.intersects(robot, other)) {
                     truth.add(other);
@@ -86,7 +89,8 @@ class TouchTest {
         world.simpleTurn("robot", 50);
         MoveResult slanted = world.moveGlobal("robot", new Move(9, 0, 0, 0, 0));
         assertThat(bumper.bearing(world, slanted)).isCloseTo(-50, ROUNDING); // the wall is to the right of its nose
-        assertThat(bumper.bearing(world, world.move("robot", new Move(0.1, 0, 0, 0, 0)))).isNaN();
+        assertThat(bumper.bearing(world, world.move("robot", new Move(0.1, 0, 0, 0, 0))))
+                .isNaN();
         MoveResult down = world.move("robot", new Move(0, -30, 0, 0, 0));
         assertThat(down.allowed()).isFalse();
         assertThat(bumper.bearing(world, down)).isNaN();
@@ -114,7 +118,9 @@ class TouchTest {
     @Test
     void valuesAndRefusals() {
         Geometry world = new Geometry();
-        assertThat(Bumper.on("a").between(0, 1)).isEqualTo(Bumper.on("a").between(0, 1)).isNotEqualTo(Bumper.on("a"));
+        assertThat(Bumper.on("a").between(0, 1))
+                .isEqualTo(Bumper.on("a").between(0, 1))
+                .isNotEqualTo(Bumper.on("a"));
         assertThat(ProximitySensor.on("a", 2))
                 .isEqualTo(ProximitySensor.on("a", 2))
                 .isNotEqualTo(ProximitySensor.on("a", 3));
@@ -124,13 +130,17 @@ class TouchTest {
         refused("max must be at least min", () -> ProximitySensor.on("a", -1));
         refused(
                 "a sensor with noise must be told the number of its frame",
-                () -> ProximitySensor.on("a", 1).withNoise(Noise.gaussian(1), 1, 1).read(world));
+                () -> ProximitySensor.on("a", 1)
+                        .withNoise(Noise.gaussian(1), 1, 1)
+                        .read(world));
         refused(
                 "must not need the normals of rays",
                 () -> ProximitySensor.on("a", 1).withNoise(Noise.grazing(1, 80), 1, 1));
     }
 
     private static void refused(String message, Runnable call) {
-        assertThatThrownBy(call::run).isInstanceOf(IllegalArgumentException.class).hasMessageContaining(message);
+        assertThatThrownBy(call::run)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(message);
     }
 }

@@ -171,8 +171,8 @@ public final class ScanCommand implements Callable<Integer> {
             return Stream.of(Model.values())
                     .filter(each -> each.label.equals(value.toLowerCase(Locale.ROOT)))
                     .findFirst()
-                    .orElseThrow(() -> new TypeConversionException("must be one of "
-                            + String.join(", ", new Models()) + " (got: " + value + ")"));
+                    .orElseThrow(() -> new TypeConversionException(
+                            "must be one of " + String.join(", ", new Models()) + " (got: " + value + ")"));
         }
     }
 
@@ -210,10 +210,7 @@ public final class ScanCommand implements Callable<Integer> {
             what = frame.rows() + " x " + frame.columns() + " ranges";
         } else {
             PointCloud cloud = new PointCloud(
-                    PointCloud.Field.INTENSITY,
-                    PointCloud.Field.RING,
-                    PointCloud.Field.TIME,
-                    PointCloud.Field.LABEL);
+                    PointCloud.Field.INTENSITY, PointCloud.Field.RING, PointCloud.Field.TIME, PointCloud.Field.LABEL);
             if (inWorld) {
                 frame.addInWorldTo(cloud);
             } else {

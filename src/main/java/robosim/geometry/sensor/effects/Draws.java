@@ -2,7 +2,7 @@ package robosim.geometry.sensor.effects;
 
 /**
  * Random numbers by their place: each is a function of a key and an index, so neither the order in which they are drawn
- * nor the threads matter. Number k of a key is the finalizer of SplittableRandom (Steele, Lea, Flood 2014, "SplitMix")
+ * nor the threads matter. Number k of a key is the finalizer of SplittableRandom (Steele, Lea and Flood 2014)
  * applied to a Weyl sequence whose start and step are hashes of the key.
  *
  * <p>Normal numbers come from the ziggurat of Marsaglia and Tsang (2000), in the form of Doornik (2005) that takes the

@@ -99,7 +99,10 @@ public final class NpyWriter {
         int padding = Math.floorMod(-(MAGIC + length), ALIGNMENT);
         String padded = text + " ".repeat(padding) + "\n";
         ByteBuffer header = ByteBuffer.allocate(MAGIC + padded.length()).order(ByteOrder.LITTLE_ENDIAN);
-        header.put((byte) 0x93).put("NUMPY".getBytes(StandardCharsets.US_ASCII)).put((byte) 1).put((byte) 0);
+        header.put((byte) 0x93)
+                .put("NUMPY".getBytes(StandardCharsets.US_ASCII))
+                .put((byte) 1)
+                .put((byte) 0);
         header.putShort((short) padded.length());
         header.put(padded.getBytes(StandardCharsets.US_ASCII));
         return header.array();

@@ -25,7 +25,11 @@ public final class PlyWriter {
         StringBuilder header = new StringBuilder("ply\nformat binary_little_endian 1.0\n");
         header.append("element vertex ").append(cloud.size()).append('\n');
         for (Rows.Column column : rows.columns()) {
-            header.append("property ").append(column.type().ply).append(' ').append(column.ply()).append('\n');
+            header.append("property ")
+                    .append(column.type().ply)
+                    .append(' ')
+                    .append(column.ply())
+                    .append('\n');
         }
         header.append("end_header\n");
         AtomicFileWriter.write(file, out -> {

@@ -52,7 +52,7 @@ class CloudFilesTest {
         static Split of(Path file, String last) throws IOException {
             byte[] bytes = Files.readAllBytes(file);
             String text = new String(bytes, StandardCharsets.ISO_8859_1);
-            int end = text.indexOf('\n', text.indexOf("\n" + last)  + 1) + 1;
+            int end = text.indexOf('\n', text.indexOf("\n" + last) + 1) + 1;
             ByteBuffer body = ByteBuffer.wrap(bytes, end, bytes.length - end).order(ByteOrder.LITTLE_ENDIAN);
             return new Split(text.substring(0, end).lines().toList(), body);
         }
@@ -188,15 +188,17 @@ class CloudFilesTest {
         assertThat(shorts.getShort()).isEqualTo((short) 1);
         assertThat(shorts.getShort() & 0xffff).isEqualTo(65535);
         NpyWriter.write(new int[0], file, 0, 5);
-        assertThat(npy(file, "{'descr': '<i4', 'fortran_order': False, 'shape': (0, 5), }").hasRemaining())
+        assertThat(npy(file, "{'descr': '<i4', 'fortran_order': False, 'shape': (0, 5), }")
+                        .hasRemaining())
                 .isFalse();
     }
 
     @Test
     void refused() {
         Path file = folder.resolve("no.npy");
-        refused("shape must have lengths of at least 0, of no more numbers than there are, 3 (got: [2, 2])", () ->
-                NpyWriter.write(new double[3], file, 2, 2));
+        refused(
+                "shape must have lengths of at least 0, of no more numbers than there are, 3 (got: [2, 2])",
+                () -> NpyWriter.write(new double[3], file, 2, 2));
         refused("(got: [65536, 65536])", () -> NpyWriter.write(new double[3], file, 65536, 65536));
         refused("(got: [-1])", () -> NpyWriter.write(new double[3], file, -1));
         refused("cloud must be given", () -> PlyWriter.write(null, Axes.ROS, file));
@@ -214,6 +216,8 @@ class CloudFilesTest {
     }
 
     private static void refused(String message, Call call) {
-        assertThatThrownBy(call::run).isInstanceOf(IllegalArgumentException.class).hasMessageContaining(message);
+        assertThatThrownBy(call::run)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(message);
     }
 }

@@ -27,17 +27,15 @@ class SdfNoiseTest {
                   <precision>0.5</precision>
                   <dynamic_bias_stddev>0</dynamic_bias_stddev>
                 </noise>
-                """)).isEqualTo(Noise.gaussian(0.1, 0.2).and(Noise.bias(0.3, 0.4)).and(Noise.quantized(0.5)));
+                """))
+                .isEqualTo(Noise.gaussian(0.1, 0.2).and(Noise.bias(0.3, 0.4)).and(Noise.quantized(0.5)));
         // Precision is that of the quantized kind alone.
         assertThat(SdfNoise.read("<noise type='gaussian'><precision>0.5</precision></noise>"))
                 .isEqualTo(Noise.NONE);
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
             <range/> | xml must be a <noise> element (got: <range>)
             <noise/> | <noise> must have a type (got: none)
             <noise type='white'/> | type must be none, gaussian or gaussian_quantized (got: "white")
