@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
  * many plain and how many adversarial cases a kernel is asked, {@code census.seed} where they start, {@code census.kernels} a regular expression of names.
  */
 class CensusTest {
-    private static final long CASES = Long.getLong("census.cases", 2_000);
+    private static final long CASES = Long.getLong("census.cases", 800);
 
     /** Fewer cases than this, plain and adversarial together, are no test of a regime. */
     private static final long LEAST = CASES / 12;

@@ -159,7 +159,7 @@ class MaterialFilesTest {
             textBlock =
                     """
             <box material="x" width="1" height="1" length="1"/>      | material must be the name of a <material> at the beginning of the world (got: x)
-            <material name="x" diffuse="1.5"/>                       | t.xml:1:120: <material>: diffuse must be a number from 0 to 1 (got: 1.5)
+            <material name="x" diffuse="1.5"/>                       | t.xml:1:111: <material>: diffuse must be a number from 0 to 1 (got: 1.5)
             <material name="x" mirror="-1"/>                         | mirror of <material> must be a number above 0
             <material name="x" shininess="0.5"/>                     | <material>: shininess must be a number from 1 to 1000000 (got: 0.5)
             <material name="x" color="red"/>                         | color of <material> must be # and six hexadecimal digits, like #cc8800, or three numbers from 0 to 1

@@ -40,6 +40,11 @@ final class Results {
                 (old, now) -> old.metric().equals(NANOS) && old.value() < now.value() ? old : now);
     }
 
+    /** Forgets a study, of which another run takes the place: times of two runs would be mixed else. */
+    void forget(String study) {
+        measures.values().removeIf(measure -> measure.study().equals(study));
+    }
+
     /** The figures of a study, in their order. */
     List<Measure> of(String study) {
         return where(measure -> measure.study().equals(study));

@@ -3,6 +3,8 @@ package robosim.geometry.report.speed;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -19,7 +21,8 @@ import java.util.List;
  *   <li>{@code -Dpeers.csv=FILE}: figures of native engines, lines as {@code bench.Peers} prints them.
  *   <li>{@code -Dpublish}: writes to {@code docs/report}, and renews the figures in the guide and in the README.
  *   <li>{@code -Dreport=FOLDER}: writes elsewhere.
- *   <li>{@code -Dcsv=FILE}: measures nothing and writes the pages of an earlier run.
+ *   <li>{@code -Dcsv=FILE}: measures nothing and writes the pages of an earlier run; with {@code -Dagain=robots}, some
+ *       studies are measured again and take the place of the earlier ones.
  *   <li>{@code -Dstudies=robots,cones}: measures some parts only.
  * </ul>
  */
@@ -38,10 +41,25 @@ public final class SpeedAgainstError {
                     "only a whole run is published (got: " + System.getProperty("studies") + ")");
         }
         String earlier = System.getProperty("csv", "");
-        Results results = earlier.isEmpty() ? measure() : Results.read(Path.of(earlier));
+        Results results = new Results();
+        if (earlier.isEmpty()) {
+            measure(results, System.getProperty("studies", ""));
+        } else {
+            results = Results.read(Path.of(earlier));
+            String again = System.getProperty("again", "");
+            if (!again.isEmpty()) {
+                for (String study : again.split(",", -1)) {
+                    results.forget(study);
+                    results.head(study, "measured anew at " + Instant.now().truncatedTo(ChronoUnit.MINUTES));
+                }
+                measure(results, again);
+            }
+        }
         String peers = System.getProperty("peers.csv", "");
         if (!peers.isEmpty()) {
-            PeerLines.read(Path.of(peers)).forEach(results::add);
+            List<Measure> lines = PeerLines.read(Path.of(peers));
+            results.forget(PeerLines.STUDY); // of an earlier run
+            lines.forEach(results::add);
             results.head("native engines", "figures of " + Path.of(peers).getFileName());
         }
         Files.createDirectories(folder);
@@ -51,14 +69,15 @@ public final class SpeedAgainstError {
         Guide.write(results, isPublished ? Path.of("docs") : folder, isPublished);
     }
 
-    private static Results measure() throws IOException {
+    private static void measure(Results results, String studies) throws IOException {
         String form = System.getProperty("quick") == null ? "full" : "quick";
-        List<String> wanted = List.of(System.getProperty("studies", "").split(",", -1));
+        List<String> wanted = List.of(studies.split(",", -1));
         List<Part> parts = parts(Form.of(form).forks()).stream()
                 .filter(part -> wanted.contains("") || wanted.contains(part.study))
                 .toList();
-        Results results = new Results();
-        Machine.describe(results, form);
+        if (results.head().isEmpty()) {
+            Machine.describe(results, form);
+        }
         double whole = parts.stream().mapToDouble(Part::weight).sum();
         Bar bar = new Bar(System.out, Bar.isTerminal(), whole);
         for (Part part : parts) {
@@ -68,7 +87,6 @@ public final class SpeedAgainstError {
             bar.finish(name, part.weight);
         }
         bar.end();
-        return results;
     }
 
     /** What is compared stands beside each other in time too. */

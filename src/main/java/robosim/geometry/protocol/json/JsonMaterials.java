@@ -22,15 +22,13 @@ final class JsonMaterials {
             new String[] {"stripes", "first second size degrees", ""},
             new String[] {"image", "columns rows pixels width height", ""});
 
-    /** The most bytes of a picture, which has three for each pixel. */
-    private static final int MAX_BYTES = MessageLimits.MAX_ARRAY_LENGTH / 3;
+    /** The most pixels of a picture, which has three bytes for each. A line cannot have more than {@link MessageLimits#MAX_PIXELS}. */
+    private static final int MAX_PIXELS = MessageLimits.MAX_ARRAY_LENGTH / 3;
 
     private final JsonInput in;
 
     /** The pictures of the message, so that equal ones share their pixels. */
     private final Map<ImageTexture, ImageTexture> images = new HashMap<>();
-
-    private long pixels;
 
     JsonMaterials(JsonInput in) {
         this.in = in;
@@ -109,9 +107,9 @@ final class JsonMaterials {
                 case 2 -> draft.second = color();
                 case 3 -> draft.size = in.number();
                 case 4 -> draft.degrees = in.number();
-                case 5 -> draft.columns = (int) in.whole(1, MAX_BYTES);
-                case 6 -> draft.rows = (int) in.whole(1, MAX_BYTES);
-                case 7 -> draft.pixels = pixels();
+                case 5 -> draft.columns = (int) in.whole(1, MAX_PIXELS);
+                case 6 -> draft.rows = (int) in.whole(1, MAX_PIXELS);
+                case 7 -> draft.pixels = in.base64(3, MAX_PIXELS);
                 case 8 -> draft.width = in.number();
                 default -> draft.height = in.number();
             }
@@ -119,15 +117,5 @@ final class JsonMaterials {
         TEXTURES.check(in, draft.kind, members::has);
         Texture made = in.make(draft::make);
         return made instanceof ImageTexture image ? images.computeIfAbsent(image, same -> same) : made;
-    }
-
-    private byte[] pixels() throws IOException {
-        byte[] bytes = in.base64(3, MAX_BYTES);
-        pixels += bytes.length / 3;
-        if (pixels > MessageLimits.MAX_PIXELS) {
-            throw in.refused("a message's pictures must have at most " + MessageLimits.MAX_PIXELS
-                    + " pixels together (got: more)");
-        }
-        return bytes;
     }
 }

@@ -51,7 +51,12 @@ class JsonSchemaTest {
             "faces[",
             "enclose",
             "occupied must have",
+            "points must have two numbers each",
+            "corners must have one index",
+            "corners[",
+            "bytes must have 3 for each",
             "a grid stands upright",
+            "a grid must lie within",
             "must be base64",
             "width must be 0 for normals",
             "direction ",
@@ -60,6 +65,11 @@ class JsonSchemaTest {
             "edges[",
             "distances[",
             "normals[",
+            "objects[",
+            "labels[",
+            "objects and labels must have",
+            "width must be 0 for objects",
+            "seesCarrier must be false",
             "normals must have three numbers for each",
             "free must have",
             "beams together");
@@ -94,6 +104,7 @@ class JsonSchemaTest {
             }
         }
         lines.add(JsonLines.write(BatchSamples.requests()));
+        lines.add(JsonLines.write(BatchSamples.frames().get(0)));
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
         return lines;
     }
@@ -101,6 +112,7 @@ class JsonSchemaTest {
     private static List<String> replies() {
         MoveBundle made = new MoveBundle(List.of(new MoveRequest("r", 1, 0, -0.0, 1e-300, 2)));
         return List.of(
+                JsonLines.write(new Reply(BatchSamples.frames().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(

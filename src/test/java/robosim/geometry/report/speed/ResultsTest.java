@@ -49,6 +49,17 @@ class ResultsTest {
     }
 
     @Test
+    void aNewRunOfAStudyTakesThePlaceOfTheOldOne() {
+        Results results = new Results();
+        results.add(new Measure("sizes", EXACT, "100", "ray", "ns", 3));
+        results.add(new Measure("peers", EXACT, "100", "ray", "ns", 3));
+        results.forget("peers");
+        results.add(new Measure("peers", EXACT, "100", "ray", "ns", 5));
+        assertThat(results.value("peers", EXACT, "100", "ray", "ns")).hasValue(5);
+        assertThat(results.value("sizes", EXACT, "100", "ray", "ns")).hasValue(3);
+    }
+
+    @Test
     void whatIsNoFigureIsRefused() {
         assertThatThrownBy(() -> Measure.of("a,b,c")).hasMessageContaining("got: a,b,c");
         assertThatThrownBy(() -> new Measure("sizes", EXACT, "1,000", "ray", "ns", 1))
