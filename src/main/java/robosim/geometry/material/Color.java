@@ -52,7 +52,9 @@ public record Color(double red, double green, double blue) implements Serializab
     /** The colour of a packed pixel, {@code 0xrrggbb}; higher bits are ignored. */
     public static Color ofPacked(int pixel) {
         return new Color(
-                (double) (pixel >> 16 & MOST) / MOST, (double) (pixel >> 8 & MOST) / MOST, (double) (pixel & MOST) / MOST);
+                (double) (pixel >> 16 & MOST) / MOST,
+                (double) (pixel >> 8 & MOST) / MOST,
+                (double) (pixel & MOST) / MOST);
     }
 
     /** The colour of linear components from 0 to 1; {@link #linear} of it gives these again, except for rounding. */

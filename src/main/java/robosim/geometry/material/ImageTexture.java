@@ -56,9 +56,8 @@ public final class ImageTexture implements Texture {
      */
     public static int checkSize(long width, long height) {
         if (width < 1 || height < 1 || width > MOST_PIXELS || height > MOST_PIXELS / width) {
-            throw new IllegalArgumentException(
-                    "width and height must be at least 1, and their product at most " + MOST_PIXELS + " pixels (got: "
-                            + width + " x " + height + ")");
+            throw new IllegalArgumentException("width and height must be at least 1, and their product at most "
+                    + MOST_PIXELS + " pixels (got: " + width + " x " + height + ")");
         }
         return (int) (width * height);
     }
@@ -175,8 +174,8 @@ public final class ImageTexture implements Texture {
     public static ImageTexture of(int width, int height, byte[] bytes, double tileWidth, double tileHeight) {
         int count = checkSize(width, height);
         if (Checks.present("bytes", bytes).length != 3L * count) {
-            throw new IllegalArgumentException("bytes must have 3 for each of " + width + " x " + height
-                    + " pixels (got: " + bytes.length + ")");
+            throw new IllegalArgumentException(
+                    "bytes must have 3 for each of " + width + " x " + height + " pixels (got: " + bytes.length + ")");
         }
         int[] pixels = new int[count];
         for (int k = 0; k < count; k++) {

@@ -116,8 +116,7 @@ public final class Material implements Serializable {
 
     /** This material in another colour. */
     public Material withColor(Color newColor) {
-        return new Material(
-                newColor, diffuse, specular, shininess, mirror, emission, texture, reflectance, label);
+        return new Material(newColor, diffuse, specular, shininess, mirror, emission, texture, reflectance, label);
     }
 
     /** This material with another share of scattered light, from 0 to 1. */

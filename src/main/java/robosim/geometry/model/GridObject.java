@@ -298,7 +298,8 @@ public final class GridObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return SerialForms.of(this, new SerialForms.Grid(SerialForms.Place.of(this), cell, height, columns(), rows(), bytes()));
+        return SerialForms.of(
+                this, new SerialForms.Grid(SerialForms.Place.of(this), cell, height, columns(), rows(), bytes()));
     }
 
     @Serial

@@ -49,8 +49,7 @@ public final class SerialForms {
         TextureCoordinates texture = object instanceof MeshObject mesh ? mesh.textureCoordinates() : null;
         return texture == null
                 ? form
-                : new Textured(
-                        ((MeshObject) object).withTextureCoordinates(null), texture.points(), texture.corners());
+                : new Textured(((MeshObject) object).withTextureCoordinates(null), texture.points(), texture.corners());
     }
 
     static InvalidObjectException formRequired() {

@@ -90,7 +90,8 @@ public final class TextureCoordinates {
 
     private IllegalArgumentException wrongCount(int[][] faces) {
         return new IllegalArgumentException("corners must have one index for each corner of the "
-                + faces.length + " faces, " + Arrays.stream(faces).mapToLong(face -> face.length).sum() + " (got: "
+                + faces.length + " faces, "
+                + Arrays.stream(faces).mapToLong(face -> face.length).sum() + " (got: "
                 + corners.length + ")");
     }
 

@@ -15,6 +15,8 @@ import robosim.geometry.index.boxes.WideTree;
  * <p>For internal use; users work with {@link MeshObject}.
  */
 public final class TriangleMesh {
+    private static final int[] NO_POINTS = {};
+
     private final double[] coordinates;
     private final int[][] faces;
 
@@ -60,7 +62,7 @@ public final class TriangleMesh {
         this.coordinates = coordinates;
         this.faces = faces;
         this.texture = null;
-        this.texturePoints = new int[0];
+        this.texturePoints = NO_POINTS;
         this.corners = new int[3 * triangles];
         this.faceOf = new int[triangles];
         int t = 0;
@@ -80,7 +82,7 @@ public final class TriangleMesh {
         this.corners = surface.corners;
         this.faceOf = surface.faceOf;
         this.texture = texture;
-        this.texturePoints = texture == null ? new int[0] : texture.ofTriangles(faces, faceOf.length);
+        this.texturePoints = texture == null ? NO_POINTS : texture.ofTriangles(faces, faceOf.length);
     }
 
     /** The same triangles with other texture coordinates. Its trees are built afresh. */

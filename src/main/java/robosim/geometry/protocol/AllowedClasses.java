@@ -96,8 +96,8 @@ final class AllowedClasses {
     private final Set<Class<?>> all = new HashSet<>(MADE);
 
     AllowedClasses(Set<Class<?>> translated) {
-        for (Set<Class<?>> some : List.of(
-                BUNDLES, VALUES, BATCHES, SerialForms.classes(), Material.serialClasses(), translated)) {
+        for (Set<Class<?>> some :
+                List.of(BUNDLES, VALUES, BATCHES, SerialForms.classes(), Material.serialClasses(), translated)) {
             for (Class<?> type : some) {
                 named.put(type.getName(), type);
             }

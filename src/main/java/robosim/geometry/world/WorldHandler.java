@@ -127,7 +127,10 @@ final class WorldHandler extends DefaultHandler {
 
     private void checkName(Element element) throws SAXException {
         String name = element.attribute("name");
-        if (element.parent == null || element.parent.parent != null || name == null || element.name.equals("material")) {
+        if (element.parent == null
+                || element.parent.parent != null
+                || name == null
+                || element.name.equals("material")) {
             return; // names are unique only directly in the world, and those of materials among themselves
         }
         Integer earlier = linesOfNames.putIfAbsent(name, element.line);

@@ -97,7 +97,9 @@ final class WorldMaterials {
             if (text.startsWith("#")) {
                 return Color.parse(text);
             }
-            double[] shares = Arrays.stream(Numbers.words(text)).mapToDouble(Numbers::parse).toArray();
+            double[] shares = Arrays.stream(Numbers.words(text))
+                    .mapToDouble(Numbers::parse)
+                    .toArray();
             return new Color(shares[0], shares[1], shares[2]);
         });
     }
@@ -117,8 +119,7 @@ final class WorldMaterials {
                         builder.length(element, "size", "0"),
                         ObjectBuilder.number(element, "degrees", "0"));
             default ->
-                picture(element)
-                        .tiled(builder.length(element, "width", "1"), builder.length(element, "height", "1"));
+                picture(element).tiled(builder.length(element, "width", "1"), builder.length(element, "height", "1"));
         };
     }
 

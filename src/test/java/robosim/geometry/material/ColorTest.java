@@ -28,7 +28,8 @@ class ColorTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "#", "red", "#12345", "#1234567", "#12345g", "123456", " #123456", "#-12345", "#١٢٣٤٥٦"})
+    @ValueSource(
+            strings = {"", "#", "red", "#12345", "#1234567", "#12345g", "123456", " #123456", "#-12345", "#١٢٣٤٥٦"})
     void whatIsNoColorIsRefused(String text) {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Color.parse(text))

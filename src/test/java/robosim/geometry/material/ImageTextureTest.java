@@ -33,8 +33,14 @@ class ImageTextureTest {
         assertThat(ImageTexture.checkSize(1 << 13, 1 << 13)).isEqualTo(1 << 26);
         assertThat(ImageTexture.checkSize(1 << 26, 1)).isEqualTo(1 << 26);
         long[][] bad = {
-            {0, 1}, {1, 0}, {-1, -1}, {(1 << 13) + 1, 1 << 13}, {1, (1 << 26) + 1}, {1 << 16, 1 << 16},
-            {Long.MAX_VALUE, Long.MAX_VALUE}, {31_623, 31_623}
+            {0, 1},
+            {1, 0},
+            {-1, -1},
+            {(1 << 13) + 1, 1 << 13},
+            {1, (1 << 26) + 1},
+            {1 << 16, 1 << 16},
+            {Long.MAX_VALUE, Long.MAX_VALUE},
+            {31_623, 31_623}
         };
         for (long[] size : bad) {
             assertThatIllegalArgumentException()

@@ -42,7 +42,9 @@ class MaterialTest {
         for (int k = 0; k < others.size(); k++) {
             Material one = materials().get(k);
             for (int j = 0; j < others.size(); j++) {
-                assertThat(one.equals(others.get(j))).as(one + " and " + others.get(j)).isEqualTo(k == j);
+                assertThat(one.equals(others.get(j)))
+                        .as(one + " and " + others.get(j))
+                        .isEqualTo(k == j);
             }
             assertThat(one).hasSameHashCodeAs(others.get(k));
             assertThat(copied(one)).isEqualTo(one).hasSameHashCodeAs(one).hasToString(one.toString());
@@ -74,8 +76,9 @@ class MaterialTest {
         assertThat(all.label()).isEqualTo(9);
         assertThat(all.withTexture(null).texture()).isNull();
         assertThat(all)
-                .hasToString("checker of #000000 and #ffffff, 0.5, diffuse 0.4, specular 0.5, shininess 60.0, mirror 0.7,"
-                        + " emission #cce6ff, reflectance 0.25, label 9");
+                .hasToString(
+                        "checker of #000000 and #ffffff, 0.5, diffuse 0.4, specular 0.5, shininess 60.0, mirror 0.7,"
+                                + " emission #cce6ff, reflectance 0.25, label 9");
     }
 
     @Test

@@ -100,7 +100,8 @@ class ObjectsTest {
                 painted.at(Pose.of(new Point(), 5)))) {
             assertThat(changed.material()).isSameAs(red);
         }
-        assertThat(painted.moveable("m").withMaterial(Material.DEFAULT).isMoveable()).isTrue();
+        assertThat(painted.moveable("m").withMaterial(Material.DEFAULT).isMoveable())
+                .isTrue();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> shape.withMaterial(null))
                 .withMessage("material must be given (got: null)");

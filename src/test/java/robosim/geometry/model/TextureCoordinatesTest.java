@@ -23,8 +23,7 @@ class TextureCoordinatesTest {
     }
 
     private static MeshObject textured() {
-        return mesh().withTextureCoordinates(
-                        new TextureCoordinates(POINTS, new int[] {0, 1, 2, 3, 4, 1, 2, 1, -1, 2}));
+        return mesh().withTextureCoordinates(new TextureCoordinates(POINTS, new int[] {0, 1, 2, 3, 4, 1, 2, 1, -1, 2}));
     }
 
     @Test
@@ -50,11 +49,14 @@ class TextureCoordinatesTest {
     void aTexturedMeshIsAValueOfTheSameShape() throws Exception {
         MeshObject textured = textured().named("a").withMaterial(Material.of(Color.BLACK));
         assertThat(textured).isNotEqualTo(mesh().named("a").withMaterial(Material.of(Color.BLACK)));
-        assertThat(textured.withTextureCoordinates(null).withMaterial(Material.DEFAULT)).isEqualTo(mesh().named("a"));
-        assertThat(textured.withTextureCoordinates(textured.textureCoordinates()).triangles())
+        assertThat(textured.withTextureCoordinates(null).withMaterial(Material.DEFAULT))
+                .isEqualTo(mesh().named("a"));
+        assertThat(textured.withTextureCoordinates(textured.textureCoordinates())
+                        .triangles())
                 .as("equal coordinates keep the triangles and their trees")
                 .isSameAs(textured.triangles());
-        assertThat(textured.movedTo(new Point(1, 2, 3)).turned(0, 30).triangles()).isSameAs(textured.triangles());
+        assertThat(textured.movedTo(new Point(1, 2, 3)).turned(0, 30).triangles())
+                .isSameAs(textured.triangles());
         assertThat(textured.vertices()).isEqualTo(mesh().vertices());
         assertThat(textured.faces()).isDeepEqualTo(mesh().faces());
         for (MeshObject each : List.of(textured(), textured)) {

@@ -64,6 +64,18 @@ class MessageLimitsTest {
         refused(MessageTest.write(new InitBundle(List.of(nested(ObjectGroup.MAX_DEPTH, 1)))), "nesting");
     }
 
+    @Test
+    void aMaterialIsALevelOfItsOwn() throws IOException {
+        GeometryObject deep = BALL;
+        for (int k = 0; k < 19; k++) {
+            deep = new ObjectGroup(List.of(deep)).withMaterial(Material.DEFAULT.withLabel(k + 1));
+        }
+        InitBundle fair = new InitBundle(List.of(deep));
+        assertThat(MessageTest.readAll(MessageTest.write(fair))).containsExactly(fair);
+        GeometryObject deeper = new ObjectGroup(List.of(deep)).withMaterial(Material.DEFAULT.withLabel(20));
+        refused(MessageTest.write(new InitBundle(List.of(deeper))), "nesting");
+    }
+
     /** Some 3 kB name 2^25 balls. */
     @Test
     void membersNamedTwiceOnEveryLevelAreCountedTwice() throws IOException {

@@ -50,14 +50,19 @@ public final class Samples {
         shapes.add(new CylinderObject(new Point(11, 0, 4), 0.5, 1)
                 .withMaterial(Material.DEFAULT.withTexture(new Texture.Checker(Color.WHITE, Color.BLACK, 1e-3)))
                 .named("checked"));
-        shapes.add(new SphereObject(new Point(11, 0, 8), 0.5).withMaterial(picture).moveable("picture"));
-        shapes.add(new CapsuleObject(new Point(14, 0, 0), 0.5, 1).withMaterial(picture).named("same picture"));
+        shapes.add(
+                new SphereObject(new Point(11, 0, 8), 0.5).withMaterial(picture).moveable("picture"));
+        shapes.add(new CapsuleObject(new Point(14, 0, 0), 0.5, 1)
+                .withMaterial(picture)
+                .named("same picture"));
         shapes.add(quad.withTextureCoordinates(corners));
-        MeshObject poster = quad.withTextureCoordinates(corners).withMaterial(picture).turned(20, 30);
+        MeshObject poster =
+                quad.withTextureCoordinates(corners).withMaterial(picture).turned(20, 30);
         shapes.add(new ObjectGroup(List.of(box, poster, box.withMaterial(Material.DEFAULT)))
                 .withMaterial(Material.DEFAULT.withLabel(1))
                 .movedTo(new Point(-30, 0, 0)));
-        shapes.add(shapesBeforeMaterials().get(shapesBeforeMaterials().size() - 1)
+        shapes.add(shapesBeforeMaterials()
+                .get(shapesBeforeMaterials().size() - 1)
                 .named("painted")
                 .withMaterial(Material.of(Color.parse("#ff8000"))));
         return List.copyOf(shapes);

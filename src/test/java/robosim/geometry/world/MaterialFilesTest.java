@@ -112,12 +112,29 @@ class MaterialFilesTest {
     }
 
     @Test
+    void theExamplesOfThePageAreRead() throws IOException {
+        picture("textures/brick.png");
+        String page = Files.readString(Path.of("docs", "world-format.md"));
+        String section = page.substring(page.indexOf("### Materials"), page.indexOf("### Meshes"));
+        String[] blocks = section.split("```(xml)?\n", -1);
+        World world = read(blocks[1] + blocks[3]);
+        assertThat(world.objects()).hasSize(3);
+        assertThat(material(world, 1).label()).isEqualTo(3);
+        MeshObject poster = (MeshObject) world.objects().get(2).object();
+        assertThat(poster.material().texture()).isEqualTo(new ImageTexture(2, 1, new int[] {0xff0000, 0x0000ff}, 2, 1));
+        assertThat(poster.triangles().isTextured(1)).isTrue();
+    }
+
+    @Test
     void aColorIsAMaterialToo() throws IOException {
         World world = read("<box color=\"#FF8000\" width=\"1\" height=\"1\" length=\"1\"/>");
         assertThat(material(world, 0)).isEqualTo(Material.of(Color.parse("#ff8000")));
         assertThat(world.objects().get(0).color()).isEqualTo("#ff8000");
         assertThat(WorldWriter.toXml(world)).contains("color=\"#ff8000\"").doesNotContain("material");
-        assertThat(read("<box width=\"1\" height=\"1\" length=\"1\"/>").objects().get(0).color())
+        assertThat(read("<box width=\"1\" height=\"1\" length=\"1\"/>")
+                        .objects()
+                        .get(0)
+                        .color())
                 .isNull();
     }
 
@@ -128,9 +145,11 @@ class MaterialFilesTest {
         World world = read(mesh.formatted("<uv>0 0 1 0 .5 -2</uv><corners>0 1 2 0 -1 -1 -1</corners>"));
         MeshObject read = (MeshObject) world.objects().get(0).object();
         assertThat(read.textureCoordinates())
-                .isEqualTo(new TextureCoordinates(
-                        new double[] {0, 0, 1, 0, 0.5, -2}, new int[] {0, 1, 2, 0, -1, -1, -1}));
-        assertThat(read(WorldWriter.toXml(world).replaceFirst("(?s).*<world [^>]*>", "").replace("</world>", "")))
+                .isEqualTo(
+                        new TextureCoordinates(new double[] {0, 0, 1, 0, 0.5, -2}, new int[] {0, 1, 2, 0, -1, -1, -1}));
+        assertThat(read(WorldWriter.toXml(world)
+                        .replaceFirst("(?s).*<world [^>]*>", "")
+                        .replace("</world>", "")))
                 .extracting(World::objects)
                 .isEqualTo(world.objects());
         assertThatThrownBy(() -> read(mesh.formatted("<uv>0 0</uv><corners>0 0 0 0 0 0</corners>")))
@@ -154,10 +173,7 @@ class MaterialFilesTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
             <box material="x" width="1" height="1" length="1"/>      | material must be the name of a <material> at the beginning of the world (got: x)
             <material name="x" diffuse="1.5"/>                       | t.xml:1:111: <material>: diffuse must be a number from 0 to 1 (got: 1.5)
             <material name="x" mirror="-1"/>                         | mirror of <material> must be a number above 0
@@ -184,7 +200,9 @@ class MaterialFilesTest {
     void whatIsWrongIsRefused(String content, String message) throws IOException {
         picture("a.png");
         Files.writeString(folder.resolve("t.txt"), "this is not a picture at all, whatever its name is");
-        assertThatThrownBy(() -> read(content)).isInstanceOf(WorldException.class).hasMessageContaining(message);
+        assertThatThrownBy(() -> read(content))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining(message);
     }
 
     /** A PNG of 2^32 pixels, and one of 2^26 that ends behind its header. */
@@ -196,8 +214,9 @@ class MaterialFilesTest {
         Files.write(file, withSize(bytes, 1 << 16, 1 << 16));
         assertThatThrownBy(() -> read(content))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("bomb.png: width and height must be at least 1, and their product at most 67108864"
-                        + " pixels (got: 65536 x 65536)");
+                .hasMessageContaining(
+                        "bomb.png: width and height must be at least 1, and their product at most 67108864"
+                                + " pixels (got: 65536 x 65536)");
         Files.write(file, withSize(bytes, -1, 1));
         assertThatThrownBy(() -> read(content)).hasMessageContaining("(got: 4294967295 x 1)");
         Files.write(file, withSize(bytes, 1 << 13, 1 << 13));
@@ -232,14 +251,15 @@ class MaterialFilesTest {
         content.append("<material name=\"b\"><image file=\"b.png\"/></material>");
         assertThatThrownBy(() -> read(content.toString()))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("the pictures of a world must have at most 67108864 pixels together (got: 67108870)");
+                .hasMessageContaining(
+                        "the pictures of a world must have at most 67108864 pixels together (got: 67108870)");
     }
 
     @Test
     void aStreamWithoutAFolderReadsNoFile() {
         String xml = OPEN + "<material name=\"x\"><image file=\"a.png\"/></material></world>";
-        assertThatThrownBy(() -> WorldReader.read(
-                        new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "t.xml", null))
+        assertThatThrownBy(() ->
+                        WorldReader.read(new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "t.xml", null))
                 .hasMessageContaining("give the pixels inline (got: a.png)");
     }
 }

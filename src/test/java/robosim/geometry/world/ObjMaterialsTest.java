@@ -80,14 +80,22 @@ class ObjMaterialsTest {
 
     @Test
     void whatIsNotThereIsTheDefault() throws IOException {
-        assertThat(read("newmtl a\nKd 1 0 0\n", "usemtl b\nf 1 2 3\n").material().isDefault()).isTrue();
-        assertThat(read("newmtl a\nKd 1 0 0\n", "usemtl\nf 1 2 3\n").material().isDefault()).isTrue();
-        file("m.obj", "mtllib none.mtl ../../m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
-        assertThat(ObjReader.read(folder.resolve("m.obj")).material().isDefault()).isTrue();
-        byte[] bytes = ("mtllib m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n").getBytes(StandardCharsets.UTF_8);
-        assertThat(ObjReader.read(new ByteArrayInputStream(bytes), "m.obj", 1).material().isDefault())
+        assertThat(read("newmtl a\nKd 1 0 0\n", "usemtl b\nf 1 2 3\n")
+                        .material()
+                        .isDefault())
                 .isTrue();
-        assertThat(read("newmtl a\nNs 0\n", "usemtl a\nf 1 2 3\n").material().shininess()).isEqualTo(1);
+        assertThat(read("newmtl a\nKd 1 0 0\n", "usemtl\nf 1 2 3\n").material().isDefault())
+                .isTrue();
+        file("m.obj", "mtllib none.mtl ../../m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
+        assertThat(ObjReader.read(folder.resolve("m.obj")).material().isDefault())
+                .isTrue();
+        byte[] bytes = ("mtllib m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n").getBytes(StandardCharsets.UTF_8);
+        assertThat(ObjReader.read(new ByteArrayInputStream(bytes), "m.obj", 1)
+                        .material()
+                        .isDefault())
+                .isTrue();
+        assertThat(read("newmtl a\nNs 0\n", "usemtl a\nf 1 2 3\n").material().shininess())
+                .isEqualTo(1);
     }
 
     @Test
@@ -121,9 +129,7 @@ class ObjMaterialsTest {
                 .isEqualTo(new TextureCoordinates(
                         new double[] {0, 0, 1, 0, 1, 1, 0.25, 0, 0, 0},
                         new int[] {0, 1, 2, 3, 0, 1, -1, 0, -1, 0, 0, 1, -1, -1, -1, -1}));
-        assertThat(mesh.faces()).isDeepEqualTo(new int[][] {
-            {0, 1, 2, 3}, {0, 1, 4}, {0, 1, 4}, {0, 1, 4}, {0, 1, 4}
-        });
+        assertThat(mesh.faces()).isDeepEqualTo(new int[][] {{0, 1, 2, 3}, {0, 1, 4}, {0, 1, 4}, {0, 1, 4}, {0, 1, 4}});
     }
 
     /** A pentagon whose hole is joined by an edge that is used twice, so that two corners have one vertex and two points. */
@@ -138,7 +144,11 @@ class ObjMaterialsTest {
         int[] outline = {1, 2, 3, 4, 1, 5, 6, 7, 8, 5};
         for (int k = 0; k < outline.length; k++) {
             double[] corner = corners[outline[k] - 1];
-            obj.append("vt ").append(corner[0] / 6).append(' ').append(corner[1] / 6 + (k > 4 ? 10 : 0)).append('\n');
+            obj.append("vt ")
+                    .append(corner[0] / 6)
+                    .append(' ')
+                    .append(corner[1] / 6 + (k > 4 ? 10 : 0))
+                    .append('\n');
         }
         obj.append("usemtl a\nf");
         for (int k = 0; k < outline.length; k++) {
@@ -196,10 +206,7 @@ class ObjMaterialsTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
             map_Kd no.png                        | m.mtl:2: map_Kd: there is no such picture in
             map_Kd -clamp on -s 1 1 1 no file.png | (got: no file.png)
             map_Kd -o 1 no.png                   | (got: no.png)
@@ -254,17 +261,20 @@ class ObjMaterialsTest {
         MeshObject poster = new MeshObject(
                         List.of(new Point(), new Point(2, 0, 0), new Point(2, 1, 0), new Point(0, 1, 0)),
                         new int[][] {{0, 1, 2, 3}, {0, 1, 2}})
-                .withTextureCoordinates(new TextureCoordinates(
-                        new double[] {0, 0, 1, 0, 1, 1, 0, 1}, new int[] {0, 1, 2, 3, 0, -1, 2}))
+                .withTextureCoordinates(
+                        new TextureCoordinates(new double[] {0, 0, 1, 0, 1, 1, 0, 1}, new int[] {0, 1, 2, 3, 0, -1, 2}))
                 .withMaterial(Material.DEFAULT.withTexture(IMAGE.tiled(2, 1)));
         GeometryObject box = new BoxObject(new Point(), 1, 1, 1);
-        Material red = Material.of(Color.parse("#ff0000")).withSpecular(0.5).withShininess(50).withMirror(0.5);
+        Material red = Material.of(Color.parse("#ff0000"))
+                .withSpecular(0.5)
+                .withShininess(50)
+                .withMirror(0.5);
         Material checked = Material.DEFAULT
                 .withTexture(new Texture.Checker(new Color(0, 1, 0), Color.BLACK, 1))
                 .withEmission(new Color(0, 0, 1));
         ObjectGroup group = new ObjectGroup(List.of(box, box.withMaterial(checked))).withMaterial(red);
-        List<WorldObject> objects = List.of(
-                new WorldObject(box), new WorldObject(poster), new WorldObject(group), new WorldObject(poster));
+        List<WorldObject> objects =
+                List.of(new WorldObject(box), new WorldObject(poster), new WorldObject(group), new WorldObject(poster));
         ObjWriter.write(new World(9, 9, 9, objects), folder.resolve("a b.obj"), done -> {});
         assertThat(Files.readString(folder.resolve("a b.mtl"))).isEqualTo("""
                 # materials of a b.obj

@@ -67,7 +67,8 @@ class SdfMaterialsTest {
         assertThat(read.passedOver()).isEqualTo(java.util.Map.of("visual", 1));
         assertThat(read.isWhole()).isTrue();
         assertThat(read.world().objects().get(0).color()).isEqualTo("#4080ff");
-        assertThat(object(collision("c") + visual("v", "")).material().isDefault()).isTrue();
+        assertThat(object(collision("c") + visual("v", "")).material().isDefault())
+                .isTrue();
         assertThat(object(collision("c") + visual("v", material(""))).material().isDefault())
                 .isTrue();
         assertThat(object(collision("c")).material().isDefault()).isTrue();
@@ -78,7 +79,11 @@ class SdfMaterialsTest {
         String red = material("<diffuse>1 0 0</diffuse>");
         String blue = material("<diffuse>0 0 1</diffuse>");
         ObjectGroup group = (ObjectGroup) read(
-                        visual("a", "") + visual("b", red) + visual("c", blue) + collision("c") + collision("a")
+                        visual("a", "")
+                                + visual("b", red)
+                                + visual("c", blue)
+                                + collision("c")
+                                + collision("a")
                                 + collision("other"),
                         false)
                 .world()
@@ -92,10 +97,7 @@ class SdfMaterialsTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
             <diffuse>1 0</diffuse>         | <diffuse> must be 4 numbers (got: 2)
             <diffuse>red green blue</diffuse> | <diffuse>: a number must be decimal
             <emissive/>                    | <emissive> must be 4 numbers (got: none)

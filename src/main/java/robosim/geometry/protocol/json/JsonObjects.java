@@ -35,7 +35,11 @@ final class JsonObjects {
             Form.of(GeometryObject.Kind.CYLINDER, "cylinder", "center radius height", ""),
             Form.of(GeometryObject.Kind.SPHERE, "sphere", "center radius", ""),
             Form.of(GeometryObject.Kind.CAPSULE, "capsule", "center radius segment", ""),
-            Form.of(GeometryObject.Kind.MESH, "mesh", "vertices faces", "solid boundingVolume texturePoints textureCorners"),
+            Form.of(
+                    GeometryObject.Kind.MESH,
+                    "mesh",
+                    "vertices faces",
+                    "solid boundingVolume texturePoints textureCorners"),
             Form.of(GeometryObject.Kind.GROUP, "group", "members", "boundingVolume"),
             Form.of(GeometryObject.Kind.GRID, "grid", "center cell height columns rows occupied", ""));
 

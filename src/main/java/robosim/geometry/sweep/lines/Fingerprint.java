@@ -96,7 +96,10 @@ public final class Fingerprint {
     /** An object without a material has the digest that it always had. */
     private void add(Material material) {
         add(material.color());
-        add(material.diffuse()).add(material.specular()).add(material.shininess()).add(material.mirror());
+        add(material.diffuse())
+                .add(material.specular())
+                .add(material.shininess())
+                .add(material.mirror());
         add(material.emission());
         add(material.reflectance()).add(material.label());
         Texture texture = material.texture();

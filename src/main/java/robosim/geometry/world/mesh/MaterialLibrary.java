@@ -61,15 +61,16 @@ final class MaterialLibrary {
     void add(Path file) throws FileProblem {
         int line = 0;
         try (InputStream in = RegularFile.open(file);
-                BufferedReader lines = new BufferedReader(
-                        new InputStreamReader(new Bounded(in), StandardCharsets.UTF_8))) {
+                BufferedReader lines =
+                        new BufferedReader(new InputStreamReader(new Bounded(in), StandardCharsets.UTF_8))) {
             Entry entry = new Entry(file); // what comes before the first material is of none
             for (String text = line(lines); text != null; text = line(lines)) {
                 line++;
                 String[] words = Numbers.words(text.replaceFirst("#.*", ""));
                 if (words[0].equals("newmtl")) {
                     entry = new Entry(file);
-                    entries.putIfAbsent(text.strip().substring("newmtl".length()).strip(), entry);
+                    entries.putIfAbsent(
+                            text.strip().substring("newmtl".length()).strip(), entry);
                 } else {
                     statement(entry, words, line);
                 }
@@ -109,8 +110,7 @@ final class MaterialLibrary {
             }
             case "Ns" -> {
                 double exponent = words.length < 2 ? Double.NaN : Numbers.parse(words[1]);
-                entry.material =
-                        entry.material.withShininess(Math.min(Math.max(1, exponent), Material.MOST_SHININESS));
+                entry.material = entry.material.withShininess(Math.min(Math.max(1, exponent), Material.MOST_SHININESS));
             }
             case "map_Kd" -> {
                 entry.picture = picture(words);

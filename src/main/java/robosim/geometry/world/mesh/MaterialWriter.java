@@ -67,6 +67,9 @@ public final class MaterialWriter {
 
     private static void color(StringBuilder out, String statement, Color color) {
         out.append(statement).append(' ').append(Decimal.of(color.red())).append(' ');
-        out.append(Decimal.of(color.green())).append(' ').append(Decimal.of(color.blue())).append('\n');
+        out.append(Decimal.of(color.green()))
+                .append(' ')
+                .append(Decimal.of(color.blue()))
+                .append('\n');
     }
 }

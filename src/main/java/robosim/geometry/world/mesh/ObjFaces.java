@@ -54,8 +54,7 @@ final class ObjFaces {
 
     /** Whether there is a point of that index, whose two numbers are such. */
     boolean hasPoint(int index) {
-        return index >= 0 && index < pointCount
-                && !Double.isNaN(points[2 * index] + points[2 * index + 1]);
+        return index >= 0 && index < pointCount && !Double.isNaN(points[2 * index] + points[2 * index + 1]);
     }
 
     /** Adds a texture point; one that is NaN has no use. */
@@ -158,7 +157,9 @@ final class ObjFaces {
         if (mostPictured != null) {
             return pictured(mesh, mostPictured, mostUses == 0 ? mostPictured.color() : most.color(), found);
         }
-        return colors.size() > 1 ? painted(mesh, most, new ArrayList<>(colors), found) : plain(mesh).withMaterial(most);
+        return colors.size() > 1
+                ? painted(mesh, most, new ArrayList<>(colors), found)
+                : plain(mesh).withMaterial(most);
     }
 
     private MeshObject plain(MeshObject mesh) {
@@ -207,7 +208,11 @@ final class ObjFaces {
         int at = 0;
         for (int f = 0; f < faces.size(); f++) {
             int next = at + faces.get(f).length;
-            Arrays.fill(ofCorners, at, next, indices.getOrDefault(found.get(materials[f]).color(), 0));
+            Arrays.fill(
+                    ofCorners,
+                    at,
+                    next,
+                    indices.getOrDefault(found.get(materials[f]).color(), 0));
             at = next;
         }
         return mesh.withTextureCoordinates(new TextureCoordinates(middles, ofCorners))

@@ -56,8 +56,8 @@ public final class TextureFiles {
                         "a picture must be a path with / relative to the file that names it (got: " + name + ")");
             }
             if (!Files.isRegularFile(path)) {
-                throw new IllegalArgumentException("there is no such picture in " + folder
-                        + "; check the path, or remove it (got: " + name + ")");
+                throw new IllegalArgumentException(
+                        "there is no such picture in " + folder + "; check the path, or remove it (got: " + name + ")");
             }
             Path real = path.toRealPath();
             boolean isWithin = real.startsWith(folder.toRealPath());
@@ -65,8 +65,9 @@ public final class TextureFiles {
                 isWithin |= real.startsWith(root.toRealPath());
             }
             if (!isWithin) {
-                throw new IllegalArgumentException("a picture must be below the folder of the file that is read; move it"
-                        + " there (got: " + name + ")");
+                throw new IllegalArgumentException(
+                        "a picture must be below the folder of the file that is read; move it" + " there (got: " + name
+                                + ")");
             }
             return real;
         } catch (InvalidPathException e) {
@@ -102,8 +103,7 @@ public final class TextureFiles {
             return; // refused by its reader
         }
         ByteBuffer size = ByteBuffer.wrap(bytes, SIZE_AT, 8);
-        pixels += ImageTexture.checkSize(
-                Integer.toUnsignedLong(size.getInt()), Integer.toUnsignedLong(size.getInt()));
+        pixels += ImageTexture.checkSize(Integer.toUnsignedLong(size.getInt()), Integer.toUnsignedLong(size.getInt()));
         if (pixels > ImageTexture.MOST_PIXELS) {
             throw new IllegalArgumentException("the pictures of a world must have at most " + ImageTexture.MOST_PIXELS
                     + " pixels together (got: " + pixels + ")");

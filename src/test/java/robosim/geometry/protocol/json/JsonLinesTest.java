@@ -126,7 +126,8 @@ class JsonLinesTest {
     void whatAMaterialLeavesOutIsTheDefaults() throws ProtocolException {
         InitBundle read = (InitBundle) JsonLines.readRequest("{\"type\":\"init\",\"objects\":[" + ball("")
                 + "," + ball("\"color\":\"#FF8000\"") + "," + ball("\"color\":[0.1,0,1],\"label\":7")
-                + "," + ball("\"texture\":{\"size\":2,\"second\":\"#ffffff\",\"first\":[0,0,0],\"kind\":\"checker\"}") + "]}");
+                + "," + ball("\"texture\":{\"size\":2,\"second\":\"#ffffff\",\"first\":[0,0,0],\"kind\":\"checker\"}")
+                + "]}");
         assertThat(read.objects())
                 .extracting(GeometryObject::material)
                 .containsExactly(
@@ -258,14 +259,15 @@ class JsonLinesTest {
                         init.formatted(ball("\"mirror\":1.5")),
                         "at /objects/0/material/mirror: mirror must be a number from 0 to 1 (got: 1.5)"),
                 Arguments.of(init.formatted(ball("\"label\":-1")), "/material/label: must be a whole number from 0 to"),
-                Arguments.of(init.formatted(ball("\"texture\":{\"kind\":\"wood\"}")), "must be checker, stripes or image"),
+                Arguments.of(
+                        init.formatted(ball("\"texture\":{\"kind\":\"wood\"}")), "must be checker, stripes or image"),
                 Arguments.of(
                         init.formatted(ball(
                                 "\"texture\":{\"kind\":\"checker\",\"first\":\"#000000\",\"second\":\"#000000\"}")),
                         "of kind \"checker\" it must have the field \"size\""),
+                Arguments.of(init.formatted(picture(2, 2, 3)), "bytes must have 3 for each of 2 x 2 pixels (got: 9)"),
                 Arguments.of(
-                        init.formatted(picture(2, 2, 3)), "bytes must have 3 for each of 2 x 2 pixels (got: 9)"),
-                Arguments.of(init.formatted(picture(99_999, 99_999, 1)), "at most 67108864 pixels (got: 99999 x 99999)"),
+                        init.formatted(picture(99_999, 99_999, 1)), "at most 67108864 pixels (got: 99999 x 99999)"),
                 Arguments.of(
                         init.formatted(picture(1155, 1155, 1155 * 1155)),
                         "/pixels: must have at most 3999999 bytes in base64 (got: more)"),
