@@ -18,6 +18,7 @@ module robosim.geometry {
     exports robosim.geometry.protocol;
     exports robosim.geometry.protocol.batch;
     exports robosim.geometry.protocol.json;
+    exports robosim.geometry.render;
     exports robosim.geometry.scenario;
     exports robosim.geometry.sensor;
     exports robosim.geometry.sensor.file;

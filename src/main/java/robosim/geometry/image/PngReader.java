@@ -210,12 +210,22 @@ public final class PngReader {
                 decode(filter.row(), channels, pixels, row * width);
                 filter.next();
             }
+            finish();
             return pixels == null ? new int[0] : pixels;
         } catch (DataFormatException e) {
             throw new IOException("the data of a PNG must be compressed by zlib (got: " + e.getMessage() + ")", e);
         } finally {
             inflater.end();
         }
+    }
+
+    /** Reads the chunk at hand to its end, for its checksum. */
+    private void finish() throws IOException {
+        byte[] rest = new byte[Math.min(left, 1 << 13)];
+        while (left > 0) {
+            read(rest, Math.min(left, rest.length));
+        }
+        closeChunk();
     }
 
     private void inflate(Inflater inflater, byte[] into, int count) throws IOException, DataFormatException {

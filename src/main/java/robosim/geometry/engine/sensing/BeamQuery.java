@@ -105,7 +105,7 @@ public final class BeamQuery extends BeamSearch {
         } finally {
             enough = Double.NEGATIVE_INFINITY;
         }
-        return best <= limit;
+        return hit >= 0 && best <= limit;
     }
 
     private double nearest(double limit) {
@@ -124,7 +124,7 @@ public final class BeamQuery extends BeamSearch {
         } else {
             int first = table.first(id);
             int last = first + table.count(id);
-            for (int leaf = first; leaf < last && !(best <= enough); leaf++) {
+            for (int leaf = first; leaf < last && !isEnough(); leaf++) {
                 meetLeaf(leaves, id, leaf, reach);
             }
         }
@@ -133,10 +133,14 @@ public final class BeamQuery extends BeamSearch {
 
     /** How far to look from now on; nowhere if what was found is enough. */
     private double left(double reach) {
-        if (best <= enough) {
+        if (isEnough()) {
             return Double.NEGATIVE_INFINITY;
         }
         return best < reach ? best : reach;
+    }
+
+    private boolean isEnough() {
+        return best <= enough && hit >= 0; // both may be infinite
     }
 
     private void meetLeaf(LeafColumn leaves, int id, int leaf, double reach) {

@@ -1,0 +1,266 @@
+package robosim.geometry.render;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.SenseBuffer.Extra;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.material.Color;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
+import robosim.geometry.model.SenseOptions.Carrier;
+
+/** Paints pictures of one world block by block, on one thread at a time. */
+final class BlockPainter {
+    private static final SenseOptions RANGE = SenseOptions.range(0, Double.POSITIVE_INFINITY);
+
+    private final Geometry world;
+    private final Surfaces surfaces;
+    private final Illuminator illuminator;
+    private final SenseBuffer met = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS);
+
+    private @Nullable ColorCamera camera;
+    private Beam[] beams = new Beam[0];
+    private SkyLight sky = new SkyLight(Sky.NONE);
+    private @Nullable Lighting lighting;
+
+    // Where the camera is in the world.
+    private double ex;
+    private double ey;
+    private double ez;
+    private final double[] rotation = new double[9];
+
+    private int[] pixels = new int[0];
+
+    /** The linear light of each sample. */
+    private double[] light = new double[0];
+
+    private double[] directions = new double[0];
+    private Hits hits = new Hits(0);
+    private Hits next = new Hits(0);
+    private double[] mirrored = new double[0];
+    private int[] skyRays = new int[0];
+    private boolean[] asked = new boolean[0];
+    private boolean[] seen = new boolean[0];
+
+    BlockPainter(Geometry world) {
+        this.world = world;
+        surfaces = new Surfaces(world);
+        illuminator = new Illuminator(world);
+    }
+
+    boolean isOf(Geometry other) {
+        return world == other;
+    }
+
+    /** Begins a picture. */
+    void begin(ColorCamera by) {
+        camera = by;
+        surfaces.begin();
+        Lighting with = by.options().lighting();
+        if (!with.equals(lighting)) {
+            lighting = with;
+            beams = with.lights().stream().map(Beam::new).toArray(Beam[]::new);
+            sky = new SkyLight(with.sky());
+        }
+        Pose place = by.placeIn(world);
+        ex = place.center().x();
+        ey = place.center().y();
+        ez = place.center().z();
+        place.rotation(rotation, 0);
+        reserve(by.plan().mostPixels(), by.plan().samples * by.plan().samples);
+    }
+
+    private void reserve(int most, int samples) {
+        int count = most * samples;
+        if (pixels.length < most) {
+            pixels = new int[most];
+        }
+        if (asked.length < count) {
+            light = new double[3 * count];
+            directions = new double[3 * count];
+            hits = new Hits(count);
+            next = new Hits(count);
+            mirrored = new double[7 * count];
+            skyRays = new int[count];
+            asked = new boolean[count];
+            seen = new boolean[count];
+        }
+        illuminator.reserve(count);
+    }
+
+    /** Paints a block into a picture. */
+    void paint(int block, int[] out) {
+        ColorCamera by = camera;
+        if (by == null) {
+            throw new IllegalStateException("a picture must have begun (got: none)");
+        }
+        FramePlan plan = by.plan();
+        int count = plan.pixels(block, pixels);
+        int samples = plan.samples * plan.samples;
+        RayPattern pattern = plan.pattern(block, pixels, count);
+        Arrays.fill(light, 0, 3 * count * samples, 0);
+        look(by, pattern);
+        for (int depth = 0; hits.count > 0; depth++) {
+            illuminate(by.options(), samples, depth);
+            boolean isLast = depth >= by.options().mirrors();
+            askBack(by, isLast, depth);
+            int rays = gather(isLast);
+            world.castRays(mirrored, rays, met);
+            follow(rays);
+        }
+        resolve(count, samples, out);
+    }
+
+    /** What the rays from the camera meet. */
+    private void look(ColorCamera by, RayPattern pattern) {
+        String carrier = by.carrier();
+        if (carrier == null) {
+            world.sense(by.pose(), pattern, RANGE, met);
+        } else {
+            world.sense(carrier, by.pose(), pattern, RANGE.withCarrier(by.options().seen()), met);
+        }
+        int count = pattern.size();
+        pattern.directions(0, count, directions, 0);
+        hits.count = 0;
+        double[] r = rotation;
+        for (int k = 0; k < count; k++) {
+            double x = directions[3 * k];
+            double y = directions[3 * k + 1];
+            double z = directions[3 * k + 2];
+            hits.aim(
+                    ex,
+                    ey,
+                    ez,
+                    r[0] * x + r[1] * y + r[2] * z,
+                    r[3] * x + r[4] * y + r[5] * z,
+                    r[6] * x + r[7] * y + r[8] * z);
+            take(hits, k, k, 1);
+        }
+    }
+
+    /** Takes what the ray met that was aimed last. */
+    private void take(Hits into, int ray, int sample, double weight) {
+        GeometryObject object = met.object(ray);
+        if (object == null) {
+            sky.addSeen(into.way[3 * into.count + 1], weight, light, 3 * sample);
+        } else {
+            Surface surface = surfaces.of(object, 0);
+            into.add(met.distances()[ray], surface, -1, met.normals(), ray, sky, sample, weight);
+        }
+    }
+
+    private void illuminate(ColorCamera.Options options, int samples, int depth) {
+        for (Beam beam : beams) {
+            illuminator.addLight(hits, beam);
+        }
+        int rounds = options.skyRays();
+        if (rounds > 0) {
+            for (int k = 0; k < hits.count; k++) {
+                int sample = hits.target[k];
+                skyRays[k] = SkyRays.first(pixels[sample / samples] + depth) + sample % samples * rounds;
+            }
+            illuminator.hideSky(hits, skyRays, rounds, options.skyReach());
+        }
+    }
+
+    /** Asks for points that got light, or show a mirror, whether there is an unbroken way to the eye. */
+    private void askBack(ColorCamera by, boolean isLast, int depth) {
+        boolean isSkyAsked = by.options().skyRays() > 0;
+        for (int k = 0; k < hits.count; k++) {
+            int at = 3 * k;
+            boolean isLit = hits.direct[at] > 0 || hits.direct[at + 1] > 0 || hits.direct[at + 2] > 0;
+            asked[k] = isLit || isSkyAsked || (!isLast && hits.at(k).mirror > 0);
+        }
+        boolean isIgnored = depth == 0 && by.options().seen() == Carrier.IGNORED;
+        illuminator.lookBack(hits, isIgnored ? by.carrier() : null, asked, seen);
+    }
+
+    /** Adds the light of all points to their samples; answers how many mirrored rays go on. */
+    private int gather(boolean isLast) {
+        int rays = 0;
+        for (int k = 0; k < hits.count; k++) {
+            int at = 3 * k;
+            int to = 3 * hits.target[k];
+            Surface surface = hits.at(k);
+            double mirror = isLast ? 0 : surface.mirror;
+            double own = hits.weight[k] * (1 - mirror);
+            if (seen[k]) {
+                light[to] += own * (surface.emittedRed + hits.ambient[at] + hits.direct[at]);
+                light[to + 1] += own * (surface.emittedGreen + hits.ambient[at + 1] + hits.direct[at + 1]);
+                light[to + 2] += own * (surface.emittedBlue + hits.ambient[at + 2] + hits.direct[at + 2]);
+                if (mirror > 0) {
+                    mirror(k, rays++, mirror);
+                }
+            } else {
+                light[to] += own * surface.emittedRed;
+                light[to + 1] += own * surface.emittedGreen;
+                light[to + 2] += own * surface.emittedBlue;
+            }
+        }
+        return rays;
+    }
+
+    /** Sends a ray on; it keeps the place of its point among all, which has been looked at. */
+    private void mirror(int k, int ray, double share) {
+        int at = 3 * k;
+        double nx = hits.normal[at];
+        double ny = hits.normal[at + 1];
+        double nz = hits.normal[at + 2];
+        double along = 2 * (hits.way[at] * nx + hits.way[at + 1] * ny + hits.way[at + 2] * nz);
+        double dx = hits.way[at] - along * nx;
+        double dy = hits.way[at + 1] - along * ny;
+        double dz = hits.way[at + 2] - along * nz;
+        double length = VectorMath.length(dx, dy, dz);
+        int to = 7 * ray;
+        System.arraycopy(hits.point, at, mirrored, to, 3);
+        mirrored[to + 3] = dx / length;
+        mirrored[to + 4] = dy / length;
+        mirrored[to + 5] = dz / length;
+        mirrored[to + 6] = Double.POSITIVE_INFINITY;
+        hits.target[ray] = hits.target[k]; // no ray comes before its point
+        hits.weight[ray] = hits.weight[k] * share;
+    }
+
+    /** Takes what the mirrored rays met for the points to be looked at now. */
+    private void follow(int rays) {
+        next.count = 0;
+        for (int ray = 0; ray < rays; ray++) {
+            int at = 7 * ray;
+            next.aim(
+                    mirrored[at],
+                    mirrored[at + 1],
+                    mirrored[at + 2],
+                    mirrored[at + 3],
+                    mirrored[at + 4],
+                    mirrored[at + 5]);
+            take(next, ray, hits.target[ray], hits.weight[ray]);
+        }
+        Hits done = hits;
+        hits = next;
+        next = done;
+    }
+
+    /** The mean light of the samples of each pixel, in sRGB. */
+    private void resolve(int count, int samples, int[] out) {
+        double share = 1.0 / samples;
+        for (int k = 0; k < count; k++) {
+            double red = 0;
+            double green = 0;
+            double blue = 0;
+            int end = 3 * samples * (k + 1);
+            for (int at = 3 * samples * k; at < end; at += 3) {
+                red += light[at];
+                green += light[at + 1];
+                blue += light[at + 2];
+            }
+            out[pixels[k]] = Color.component(red * share) << 16
+                    | Color.component(green * share) << 8
+                    | Color.component(blue * share);
+        }
+    }
+}

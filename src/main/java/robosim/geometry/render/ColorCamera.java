@@ -1,0 +1,326 @@
+package robosim.geometry.render;
+
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.Snapshot;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.image.PngWriter;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SenseOptions.Carrier;
+
+/**
+ * A colour camera without distortion: surfaces with their materials, lit by a {@link Lighting}, with hard shadows and
+ * mirrors. An immutable value; what it sees goes into a {@link ColorFrame}, which is used again for the next picture.
+ *
+ * <p>The optical axis is the camera's own +X, +Y is up in the picture and +Z to the right, as of a
+ * {@link robosim.geometry.model.RayPattern#pinhole}. Each pixel is the mean light of its samples, which lie on a regular
+ * grid; with one sample, in its middle.
+ *
+ * <h2>Shadows without acne and without leaks</h2>
+ *
+ * Whether a light reaches a point is decided by an exact ray. The point at which a ray meets a surface is rounded, though,
+ * and may lie just behind the surface, which would then shadow itself. So the way to a light starts above the surface by a
+ * height that comes from the error of this very hit and is no parameter: with M the largest of the distance, of the
+ * coordinates of the point and of those of the surface's object near it, a distance is within 4 ulp of M, and what the
+ * pose, the direction and the point itself add is less than half as much again, so that the rounded point is within
+ * 0.34 * 2<sup>-47</sup> M of the surface. A point 2<sup>-47</sup> M above it, along the normal, is certainly above it
+ * (also with a normal that is off by as much as 70 degrees), and no ray that leaves from there to the lit side meets the
+ * face, or the convex solid, that it stands on.
+ *
+ * <p>Light counts only if two exact rays that start at this same point are free: the one to the light and the one back to
+ * where the point was seen from. Both together are an unbroken way from the light to the eye, so a closed room stays dark.
+ * Where one of them is not free, as in a gap narrower than that height, the point is dark. The same holds for what a mirror
+ * shows.
+ */
+public final class ColorCamera {
+    /** The most samples of a pixel along each axis. */
+    public static final int MOST_SAMPLES = 16;
+
+    /** The most mirrors on the way of a sample. */
+    public static final int MOST_MIRRORS = 64;
+
+    /** The most rays of a sample towards the sky. */
+    public static final int MOST_SKY_RAYS = 256;
+
+    private final FramePlan plan;
+    private final double fieldOfView;
+    private final Pose pose;
+    private final @Nullable String carrier;
+    private final Options options;
+
+    /** What a painter needs to know beside the plan. */
+    record Options(Lighting lighting, int mirrors, int skyRays, double skyReach, Carrier seen, int threads) {}
+
+    private ColorCamera(FramePlan plan, double fieldOfView, Pose pose, @Nullable String carrier, Options options) {
+        this.plan = plan;
+        this.fieldOfView = fieldOfView;
+        this.pose = pose;
+        this.carrier = carrier;
+        this.options = options;
+    }
+
+    /**
+     * A camera at the origin that looks along +X, on a clear day, with one sample for each pixel, up to three mirrors on the
+     * way of a ray, and on one thread.
+     *
+     * @param width                        pixels in a row, at least 1
+     * @param height                       rows, at least 1; all pixels are at most 2<sup>26</sup>
+     * @param horizontalFieldOfViewDegrees from the left edge of the picture to the right one, above 0 and below 180
+     */
+    public static ColorCamera of(int width, int height, double horizontalFieldOfViewDegrees) {
+        if (width < 1 || height < 1 || (long) width * height > PngWriter.MAX_PIXELS) {
+            throw new IllegalArgumentException("width and height must be at least 1, and their product at most "
+                    + PngWriter.MAX_PIXELS + " pixels (got: " + width + " x " + height + ")");
+        }
+        if (!(horizontalFieldOfViewDegrees > 0 && horizontalFieldOfViewDegrees < 180)) { // written so that NaN fails it
+            throw new IllegalArgumentException("horizontalFieldOfViewDegrees must be above 0 and below 180 (got: "
+                    + horizontalFieldOfViewDegrees + ")");
+        }
+        return new ColorCamera(
+                new FramePlan(width, height, horizontalFieldOfViewDegrees, 1),
+                horizontalFieldOfViewDegrees,
+                Pose.ORIGIN,
+                null,
+                new Options(Lighting.DAY, 3, 0, Double.POSITIVE_INFINITY, Carrier.IGNORED, 1));
+    }
+
+    private ColorCamera with(Options other) {
+        return new ColorCamera(plan, fieldOfView, pose, carrier, other);
+    }
+
+    /** This camera at a place in the world, carried by nothing. */
+    public ColorCamera at(Pose place) {
+        return new ColorCamera(plan, fieldOfView, Checks.present("place", place), null, options);
+    }
+
+    /**
+     * This camera mounted on a moveable object.
+     *
+     * @param name  of the object
+     * @param mount where the camera is and which way it faces, in the object's own frame
+     */
+    public ColorCamera on(String name, Pose mount) {
+        return new ColorCamera(
+                plan, fieldOfView, Checks.present("mount", mount), Checks.present("name", name), options);
+    }
+
+    /** This camera with other light. */
+    public ColorCamera withLighting(Lighting lighting) {
+        return with(new Options(
+                Checks.present("lighting", lighting),
+                options.mirrors,
+                options.skyRays,
+                options.skyReach,
+                options.seen,
+                options.threads));
+    }
+
+    /**
+     * This camera with more samples for each pixel, for smooth edges.
+     *
+     * @param count along each axis, 1 to {@link #MOST_SAMPLES}: 4 takes 16 samples for each pixel
+     */
+    public ColorCamera withSamples(int count) {
+        check("samples", count, 1, MOST_SAMPLES);
+        return new ColorCamera(new FramePlan(plan.width, plan.height, fieldOfView, count), fieldOfView, pose, carrier, options);
+    }
+
+    /**
+     * This camera with another number of mirrors that a ray may meet one after the other; a mirror behind the last one shows
+     * its own colour only.
+     *
+     * @param depth 0 to {@link #MOST_MIRRORS}; 0 for no mirrors at all
+     */
+    public ColorCamera withMirrors(int depth) {
+        check("mirrors", depth, 0, MOST_MIRRORS);
+        return with(new Options(
+                options.lighting, depth, options.skyRays, options.skyReach, options.seen, options.threads));
+    }
+
+    /**
+     * This camera with soft shadows of the sky: each sample asks so many rays whether the sky is free there. The rays are
+     * the same ones each time; with few samples the picture is grainy.
+     *
+     * @param count for each sample, 0 to {@link #MOST_SKY_RAYS}; with 0 the sky reaches everything
+     * @param reach how far an object can be that hides the sky, in world units; may be infinite. The light of a room would
+     *              be none at all, so choose some metres
+     */
+    public ColorCamera withSkyRays(int count, double reach) {
+        check("count", count, 0, MOST_SKY_RAYS);
+        if (!(reach > 0)) { // written so that NaN fails it
+            throw new IllegalArgumentException("reach must be above 0 (got: " + reach + ")");
+        }
+        return with(new Options(options.lighting, options.mirrors, count, reach, options.seen, options.threads));
+    }
+
+    /** This camera, which sees or does not see the object that carries it. That object throws its shadow in any case. */
+    public ColorCamera withCarrier(Carrier seen) {
+        return with(new Options(
+                options.lighting,
+                options.mirrors,
+                options.skyRays,
+                options.skyReach,
+                Checks.present("carrier", seen),
+                options.threads));
+    }
+
+    /**
+     * This camera on up to so many threads, which counts for pictures of a {@link Snapshot}. No pixel depends on it.
+     *
+     * @param count 1 to 1024
+     */
+    public ColorCamera withThreads(int count) {
+        return with(new Options(
+                options.lighting,
+                options.mirrors,
+                options.skyRays,
+                options.skyReach,
+                options.seen,
+                Checks.threads(count)));
+    }
+
+    private static void check(String argument, int value, int least, int most) {
+        if (value < least || value > most) {
+            throw new IllegalArgumentException(
+                    argument + " must be from " + least + " to " + most + " (got: " + value + ")");
+        }
+    }
+
+    /** Pixels in a row. */
+    public int width() {
+        return plan.width;
+    }
+
+    /** The number of rows. */
+    public int height() {
+        return plan.height;
+    }
+
+    /** Horizontal field of view in degrees. */
+    public double fieldOfView() {
+        return fieldOfView;
+    }
+
+    /** Samples of a pixel along each axis. */
+    public int samples() {
+        return plan.samples;
+    }
+
+    /** The light. */
+    public Lighting lighting() {
+        return options.lighting;
+    }
+
+    /** The name of the object that carries the camera; null if nothing does. */
+    public @Nullable String carrier() {
+        return carrier;
+    }
+
+    /** Where the camera is: in the world, or in the own frame of its carrier. */
+    public Pose pose() {
+        return pose;
+    }
+
+    /**
+     * Takes a picture of a world, on the calling thread.
+     *
+     * @throws IllegalArgumentException if the world is PLANAR, which has no heights, or has no moveable object of the
+     *     carrier's name
+     */
+    public void render(Geometry world, ColorFrame out) {
+        checkSpatial(Checks.present("world", world).dimension());
+        Checks.present("out", out).reset(plan.width, plan.height);
+        BlockPainter painter = out.painter(world);
+        painter.begin(this);
+        for (int block = 0; block < plan.blocks(); block++) {
+            painter.paint(block, out.pixels());
+        }
+        out.finish(plan.width, plan.height);
+    }
+
+    /** Takes a picture of a snapshot, on as many threads as the camera has. */
+    public void render(Snapshot snapshot, ColorFrame out) {
+        render(snapshot, out, percent -> {});
+    }
+
+    /**
+     * Takes a picture of a snapshot.
+     *
+     * @param progress is told how many percent are done, from any of the threads, now and then
+     */
+    public void render(Snapshot snapshot, ColorFrame out, IntConsumer progress) {
+        checkSpatial(Checks.present("snapshot", snapshot).dimension());
+        Checks.present("out", out).reset(plan.width, plan.height);
+        Checks.present("progress", progress);
+        int count = Math.min(options.threads, plan.blocks());
+        BlockPainter[] painters = out.painters(snapshot, count);
+        for (int k = 0; k < count; k++) {
+            painters[k].begin(this);
+        }
+        int[] pixels = out.pixels();
+        AtomicInteger taken = new AtomicInteger();
+        IntStream.range(0, count).parallel().forEach(k -> {
+            for (int block = taken.getAndIncrement(); block < plan.blocks(); block = taken.getAndIncrement()) {
+                painters[k].paint(block, pixels);
+                progress.accept((int) (100L * (block + 1) / plan.blocks()));
+            }
+        });
+        out.finish(plan.width, plan.height);
+    }
+
+    private static void checkSpatial(Dimension dimension) {
+        if (dimension == Dimension.PLANAR) {
+            throw new IllegalArgumentException("world must be SPATIAL, as a picture needs heights: add its objects to a"
+                    + " SPATIAL one (got: PLANAR)");
+        }
+    }
+
+    FramePlan plan() {
+        return plan;
+    }
+
+    Options options() {
+        return options;
+    }
+
+    /** Where the camera is in a world. */
+    Pose placeIn(Geometry world) {
+        if (carrier == null) {
+            return pose;
+        }
+        GeometryObject object = world.getObject(carrier);
+        if (!object.isMoveable()) {
+            throw new IllegalArgumentException("carrier must be a moveable object (got: " + carrier + ")");
+        }
+        return Surfaces.placed(pose, object.pose());
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof ColorCamera that
+                && plan.width == that.plan.width
+                && plan.height == that.plan.height
+                && plan.samples == that.plan.samples
+                && fieldOfView == that.fieldOfView
+                && pose.equals(that.pose)
+                && Objects.equals(carrier, that.carrier)
+                && options.equals(that.options);
+    }
+
+    @Override
+    public int hashCode() {
+        return Objects.hash(plan.width, plan.height, plan.samples, fieldOfView, pose, carrier, options.lighting);
+    }
+
+    @Override
+    public String toString() {
+        return "ColorCamera of " + plan.width + " x " + plan.height + " pixels, " + fieldOfView + " degrees, "
+                + (carrier == null ? "at " : "on " + carrier + " at ") + pose.center();
+    }
+}

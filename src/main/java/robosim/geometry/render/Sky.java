@@ -1,0 +1,41 @@
+package robosim.geometry.render;
+
+import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Color;
+
+/**
+ * What a ray sees that meets nothing, and the even light from all around: from above in the colours of the sky, from below
+ * in that of the ground.
+ *
+ * @param zenith   straight up
+ * @param horizon  at the horizon
+ * @param ground   straight down
+ * @param strength how much of their light reaches the surfaces; 0 for none. With 1, white under a white sky is white
+ */
+public record Sky(Color zenith, Color horizon, Color ground, double strength) {
+    /** A clear day. */
+    public static final Sky DAY =
+            new Sky(Color.parse("#4d84c4"), Color.parse("#e3edf7"), Color.parse("#8d8a84"), 0.62);
+
+    /** A dark room: black, and no light at all. */
+    public static final Sky NONE = new Sky(Color.BLACK, Color.BLACK, Color.BLACK, 0);
+
+    public Sky {
+        Checks.present("zenith", zenith);
+        Checks.present("horizon", horizon);
+        Checks.present("ground", ground);
+        if (!(strength >= 0 && strength <= Checks.LIMIT)) { // written so that NaN fails it
+            throw new IllegalArgumentException("strength must be from 0 to 2^100 (got: " + strength + ")");
+        }
+    }
+
+    /** A sky of one colour in all directions. */
+    public static Sky of(Color color, double strength) {
+        return new Sky(color, color, color, strength);
+    }
+
+    /** This sky with another strength of its light. */
+    public Sky withStrength(double newStrength) {
+        return new Sky(zenith, horizon, ground, newStrength);
+    }
+}

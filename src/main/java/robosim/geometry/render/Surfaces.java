@@ -1,0 +1,150 @@
+package robosim.geometry.render;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.exact.Rotations;
+import robosim.geometry.material.Material;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+
+/**
+ * The surfaces of the objects that have been seen in a world. Those of moveable objects are placed once for each picture,
+ * when they are first seen in it.
+ */
+final class Surfaces {
+    /** More objects than these are forgotten between two pictures: many may have been removed from the world. */
+    private static final int MOST = 1 << 16;
+
+    /** The parts of one object, and where they stand in it. */
+    private static final class Entry {
+        final Surface[] parts;
+        final Pose[] within;
+        long picture = -1;
+
+        Entry(int count) {
+            parts = new Surface[count];
+            within = new Pose[count];
+        }
+    }
+
+    private final Geometry world;
+
+    /** By identity: a world gives the same instance for the same object. */
+    private final Map<GeometryObject, Entry> known = new IdentityHashMap<>();
+
+    private long picture;
+
+    // The last answer; neighbours mostly see the same object.
+    private @Nullable GeometryObject lastObject;
+    private @Nullable Entry lastEntry;
+
+    Surfaces(Geometry world) {
+        this.world = world;
+    }
+
+    /** Begins a picture, before which objects may have moved. */
+    void begin() {
+        picture++;
+        lastObject = null;
+        if (known.size() > MOST) {
+            known.clear();
+        }
+    }
+
+    /**
+     * The surface of a part of an object.
+     *
+     * @param part -1 where no single part is known; then the first one stands for all
+     */
+    @SuppressWarnings("ReferenceEquality") // the same instance is the same object; an equal one may be elsewhere
+    Surface of(GeometryObject object, int part) {
+        Entry entry = lastEntry;
+        if (entry == null || lastObject != object) {
+            entry = find(object);
+            lastObject = object;
+            lastEntry = entry;
+        }
+        return entry.parts[Math.max(0, part)];
+    }
+
+    private Entry find(GeometryObject object) {
+        Entry entry = known.get(object);
+        if (entry == null) {
+            entry = made(object);
+            known.put(object, entry);
+        }
+        if (entry.picture != picture) {
+            entry.picture = picture;
+            String name = object.name();
+            if (object.isMoveable() && name != null) {
+                place(entry, world.getObject(name).pose());
+            }
+        }
+        return entry;
+    }
+
+    private static void place(Entry entry, Pose pose) {
+        for (int k = 0; k < entry.parts.length; k++) {
+            Pose within = entry.within[k];
+            entry.parts[k].place(within == Pose.ORIGIN ? pose : placed(within, pose));
+        }
+    }
+
+    private static Entry made(GeometryObject object) {
+        Bounds box = object.bounds();
+        double x = box.maxX() - box.minX();
+        double y = box.maxY() - box.minY();
+        double z = box.maxZ() - box.minZ();
+        double size = x + y + z; // at least the diagonal
+        List<Surface> parts = new ArrayList<>();
+        List<Pose> places = new ArrayList<>();
+        if (object instanceof ObjectGroup group) {
+            add(group, Pose.ORIGIN, group.material(), size, parts, places);
+        } else {
+            parts.add(new Surface(object, object.material(), size));
+            places.add(Pose.ORIGIN);
+        }
+        Entry entry = new Entry(parts.size());
+        parts.toArray(entry.parts);
+        places.toArray(entry.within);
+        place(entry, object.pose());
+        return entry;
+    }
+
+    /** Adds the members of a group that are none themselves, depth first. */
+    private static void add(
+            ObjectGroup group, Pose frame, Material material, double size, List<Surface> parts, List<Pose> places) {
+        for (GeometryObject member : group.members()) {
+            Material own = member.material().within(material);
+            Pose within = frame == Pose.ORIGIN ? member.pose() : placed(member.pose(), frame);
+            if (member instanceof ObjectGroup inner) {
+                add(inner, within, own, size, parts, places);
+            } else {
+                parts.add(new Surface(member, own, size));
+                places.add(within);
+            }
+        }
+    }
+
+    /** A pose that is given in the own frame of another one. */
+    static Pose placed(Pose inner, Pose frame) {
+        double[] r = frame.rotation();
+        double[] own = inner.rotation();
+        Point c = inner.center();
+        Point f = frame.center();
+        double[] product = new double[9];
+        Rotations.multiply(r, 0, own, 0, product, 0);
+        Point at = new Point(
+                f.x() + r[0] * c.x() + r[1] * c.y() + r[2] * c.z(),
+                f.y() + r[3] * c.x() + r[4] * c.y() + r[5] * c.z(),
+                f.z() + r[6] * c.x() + r[7] * c.y() + r[8] * c.z());
+        return Pose.of(at, 0).oriented(product);
+    }
+}

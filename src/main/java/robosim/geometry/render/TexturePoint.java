@@ -1,0 +1,106 @@
+package robosim.geometry.render;
+
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.SphereObject;
+
+/** Where a point of a surface lies in the plane of its texture, as {@link robosim.geometry.material.Texture} defines it. */
+final class TexturePoint {
+    // The point and the unit normal in the object's own frame.
+    double qx;
+    double qy;
+    double qz;
+    double nx;
+    double ny;
+    double nz;
+
+    // The place in the texture's plane.
+    double s;
+    double t;
+
+    /** Finds the place of the point on an object. */
+    void place(GeometryObject object) {
+        switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                box(box.width() / 2, box.height() / 2, box.length() / 2);
+            }
+            case GRID -> {
+                GridObject grid = (GridObject) object;
+                box(grid.columns() * grid.cell() / 2, grid.height() / 2, grid.rows() * grid.cell() / 2);
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                if (Math.abs(ny) > Math.abs(nx) && Math.abs(ny) > Math.abs(nz)) {
+                    box(cylinder.radius(), cylinder.height() / 2, cylinder.radius());
+                } else {
+                    s = around() * cylinder.radius();
+                    t = qy + cylinder.height() / 2;
+                }
+            }
+            case SPHERE -> {
+                double r = ((SphereObject) object).radius();
+                s = around() * r;
+                t = rise(qy) * r;
+            }
+            case CAPSULE -> capsule((CapsuleObject) object);
+            case MESH -> box(0, 0, 0);
+            case GROUP -> throw new IllegalArgumentException("object must not be a group (got: " + object + ")");
+        }
+    }
+
+    private void capsule(CapsuleObject capsule) {
+        double half = capsule.segment() / 2;
+        double r = capsule.radius();
+        s = around() * r;
+        double quarter = Math.PI / 2 * r;
+        if (qy < -half) {
+            t = rise(qy + half) * r;
+        } else if (qy > half) {
+            t = rise(qy - half) * r + capsule.segment();
+        } else {
+            t = quarter + half + qy;
+        }
+    }
+
+    /** Radians counter-clockwise about the own Y, from the own X, from 0 on. */
+    private double around() {
+        double angle = StrictMath.atan2(-qz, qx);
+        return angle < 0 ? angle + 2 * Math.PI : angle;
+    }
+
+    /** Radians along the meridian from the lower pole. */
+    private double rise(double height) {
+        return StrictMath.atan2(height, Math.sqrt(qx * qx + qz * qz)) + Math.PI / 2;
+    }
+
+    /** On the side of a box that the normal's largest component names. */
+    private void box(double hx, double hy, double hz) {
+        double ax = Math.abs(nx);
+        double ay = Math.abs(ny);
+        double az = Math.abs(nz);
+        if (ay >= ax && ay >= az) {
+            s = qx + hx;
+            t = ny > 0 ? hz - qz : qz + hz;
+        } else if (ax >= az) {
+            s = nx > 0 ? hz - qz : qz + hz;
+            t = qy + hy;
+        } else {
+            s = nz > 0 ? qx + hx : hx - qx;
+            t = qy + hy;
+        }
+    }
+
+    /**
+     * Finds the place by the texture coordinates of a triangle's corners.
+     *
+     * @return false if the mesh has none there
+     */
+    boolean placeByCorners(MeshObject mesh, int triangle) {
+        return false;
+    }
+}
