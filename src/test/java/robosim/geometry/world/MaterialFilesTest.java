@@ -25,10 +25,10 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.TextureCoordinates;
 
 /** Materials of world files. */
 class MaterialFilesTest {
@@ -239,8 +239,10 @@ class MaterialFilesTest {
             image.setRGB(k % 8, k / 8, 0xc08040);
             grey.getRaster().setSample(k % 8, k / 8, 0, 100);
         }
-        assertThat(ImageIO.write(image, "jpeg", folder.resolve("c.jpg").toFile())).isTrue();
-        assertThat(ImageIO.write(grey, "jpeg", folder.resolve("g.jpg").toFile())).isTrue();
+        assertThat(ImageIO.write(image, "jpeg", folder.resolve("c.jpg").toFile()))
+                .isTrue();
+        assertThat(ImageIO.write(grey, "jpeg", folder.resolve("g.jpg").toFile()))
+                .isTrue();
         World world = read("<material name=\"c\"><image file=\"c.jpg\"/></material>"
                 + "<material name=\"g\"><image file=\"g.jpg\"/></material>"
                 + "<box material=\"c\" width=\"1\" height=\"1\" length=\"1\"/>"
