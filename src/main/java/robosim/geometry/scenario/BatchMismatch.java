@@ -110,7 +110,10 @@ final class BatchMismatch {
         int object = answer.objects().get(beam);
         return object < 0
                 ? ""
-                : " at " + (answer.names().get(object).isEmpty() ? "an object without a name" : Text.quoted(answer.names().get(object)))
+                : " at "
+                        + (answer.names().get(object).isEmpty()
+                                ? "an object without a name"
+                                : Text.quoted(answer.names().get(object)))
                         + ", label " + answer.labels().get(beam);
     }
 

@@ -140,7 +140,8 @@ class BatchSessionTest {
         for (boolean normals : new boolean[] {false, true}) {
             for (ScanMotion moving : new ScanMotion[] {ScanMotion.NONE, motion}) {
                 for (int turn = 0; turn < 4; turn++) {
-                    Numbers rotation = new Numbers(Pose.of(new Point(), 90 * turn).rotation());
+                    Numbers rotation =
+                            new Numbers(Pose.of(new Point(), 90 * turn).rotation());
                     SenseRequest request = new SenseRequest(
                             "robot",
                             new Mount(new Point(0, 0.2, 0), rotation),
@@ -175,7 +176,9 @@ class BatchSessionTest {
                         boolean isStatue = object instanceof ObjectGroup;
                         int label = object == null
                                 ? 0
-                                : isStatue ? seen.part(k) == 0 ? 7 : 8 : object.material().label();
+                                : isStatue
+                                        ? seen.part(k) == 0 ? 7 : 8
+                                        : object.material().label();
                         assertThat(answer.labels().get(k)).isEqualTo(label);
                         labels[label]++;
                     }

@@ -82,11 +82,7 @@ public final class BatchSamples {
                                 Integers.of(1, -1, 0),
                                 Integers.of(Integer.MAX_VALUE, 0, 7)),
                         new SenseAnswer(
-                                Numbers.of(2),
-                                Numbers.of(0, 1, 0),
-                                List.of("a"),
-                                Integers.of(0),
-                                Integers.of(0)))));
+                                Numbers.of(2), Numbers.of(0, 1, 0), List.of("a"), Integers.of(0), Integers.of(0)))));
     }
 
     /** The bundles. */

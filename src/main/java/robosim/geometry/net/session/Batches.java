@@ -60,9 +60,8 @@ public final class Batches {
             options = options.withMotion(motion.twist(Degrees.toDegrees(motion.ry())));
             pattern = pattern.withDuration(motion.duration());
         }
-        SenseBuffer buffer = request.objects()
-                ? request.normals() ? all : objects
-                : request.normals() ? normals : distances;
+        SenseBuffer buffer =
+                request.objects() ? request.normals() ? all : objects : request.normals() ? normals : distances;
         int size = pattern.size();
         double[] measured = new double[size];
         double[] faces = new double[request.normals() ? 3 * size : 0];
@@ -79,8 +78,7 @@ public final class Batches {
                 seen.take(buffer, first);
             }
         }
-        return new SenseAnswer(
-                new Numbers(measured), new Numbers(faces), seen.names(), seen.objects(), seen.labels());
+        return new SenseAnswer(new Numbers(measured), new Numbers(faces), seen.names(), seen.objects(), seen.labels());
     }
 
     private static void sense(

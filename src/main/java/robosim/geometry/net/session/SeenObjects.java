@@ -31,7 +31,8 @@ final class SeenObjects {
         for (int k = 0; k < buffer.size(); k++) {
             GeometryObject object = buffer.object(k);
             objects[first + k] = object == null ? -1 : number(object);
-            labels[first + k] = object == null ? 0 : material(object, buffer.part(k)).label();
+            labels[first + k] =
+                    object == null ? 0 : material(object, buffer.part(k)).label();
         }
     }
 

@@ -77,7 +77,8 @@ final class JsonBatches {
 
         private BatchRequest make() {
             return switch (kind) {
-                case 0 -> new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
+                case 0 ->
+                    new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
                 case 1 -> new FreePosesRequest(name, places);
                 default -> new FreeEdgesRequest(name, places);
             };

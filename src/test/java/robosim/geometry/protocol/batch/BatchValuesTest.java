@@ -3,12 +3,12 @@ package robosim.geometry.protocol.batch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleFunction;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
-import java.util.Arrays;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.RayPattern;
@@ -126,7 +126,10 @@ class BatchValuesTest {
         Integers integers = new Integers(whole);
         whole[0] = 3;
         integers.values()[1] = 3;
-        assertThat(integers).isEqualTo(Integers.of(1, 2)).hasSameHashCodeAs(Integers.of(1, 2)).hasToString("[1, 2]");
+        assertThat(integers)
+                .isEqualTo(Integers.of(1, 2))
+                .hasSameHashCodeAs(Integers.of(1, 2))
+                .hasToString("[1, 2]");
         assertThat(new Integers(new int[20])).hasToString("[0, 0, 0, 0, 0, 0, 0, 0, 0, ... 20 numbers]");
         refuses("count ", () -> new FreeAnswer(-1, new byte[0]));
         refuses("free ", () -> new FreeAnswer(9, new byte[1]));
