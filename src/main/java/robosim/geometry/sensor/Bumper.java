@@ -2,13 +2,14 @@ package robosim.geometry.sensor;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
@@ -35,33 +36,28 @@ import robosim.geometry.model.Pose;
  */
 public final class Bumper {
     private final String name;
-    private final double low;
-    private final double high;
 
-    private Bumper(String name, double low, double high) {
+    /** In the object's own frame; null for the object itself. */
+    private final @Nullable GeometryObject shape;
+
+    private Bumper(String name, @Nullable GeometryObject shape) {
         this.name = name;
-        this.low = low;
-        this.high = high;
+        this.shape = shape;
     }
 
-    /** A bumper all over an object. */
+    /** A bumper all over an object: its own surface. */
     public static Bumper on(String name) {
-        return new Bumper(Checks.name(name), Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+        return new Bumper(Checks.name(name), null);
     }
 
     /**
-     * This bumper between two heights in the object's own frame: contacts elsewhere, such as those with the floor that the
-     * robot stands on, are none of it.
+     * This bumper with a shape of its own, such as a strip around the robot: what touches the robot elsewhere, like the floor
+     * that it stands on, is none of it. The shape is no part of the robot where it moves.
      *
-     * @param from world units from the object's centre along its own Y
-     * @param to   {@code from <= to}
+     * @param ownShape in the object's own frame
      */
-    public Bumper between(double from, double to) {
-        Checks.coordinate("from", from);
-        if (Checks.coordinate("to", to) < from) {
-            throw new IllegalArgumentException("to must be at least from, " + from + " (got: " + to + ")");
-        }
-        return new Bumper(name, from, to);
+    public Bumper shaped(GeometryObject ownShape) {
+        return new Bumper(name, Checks.present("ownShape", ownShape));
     }
 
     /** Whether anything touches the bumper. */
@@ -78,7 +74,7 @@ public final class Bumper {
         return touching;
     }
 
-    /** All contacts of the bumper, object by object in that order; {@code a} is the piece of the bumper's own object. */
+    /** All contacts of the bumper, object by object in that order; {@code a} is the piece of the bumper. */
     public List<Contact> contacts(Geometry world) {
         List<Contact> contacts = new ArrayList<>();
         for (Touch touch : find(world, Integer.MAX_VALUE)) {
@@ -91,14 +87,16 @@ public final class Bumper {
 
     private List<Touch> find(Geometry world, int limit) {
         List<Touch> found = new ArrayList<>();
+        GeometryObject body = body(world);
         // No enclosure of a coarser accuracy is farther away than what is in it.
-        if (Checks.present("world", world).getProximity(name, 0) > 0) {
+        if (shape == null && world.getProximity(name, 0) > 0) {
             return found;
         }
-        GeometryObject own = Checks.present("object", world.getObject(name));
+        GeometryObject bumper = shape == null ? body : shape.at(shape.pose().within(body.pose()));
         for (GeometryObject other : world.objects()) {
             if (!name.equals(other.name()) && found.size() < limit) {
-                List<Contact> contacts = contacts(own, other, world.dimension());
+                List<Contact> contacts =
+                        ContactQuery.contacts(bumper, other, world.dimension(), Integer.MAX_VALUE);
                 if (!contacts.isEmpty()) {
                     found.add(new Touch(other, contacts));
                 }
@@ -107,17 +105,8 @@ public final class Bumper {
         return found;
     }
 
-    private List<Contact> contacts(GeometryObject own, GeometryObject other, Dimension dimension) {
-        boolean isWhole = low == Double.NEGATIVE_INFINITY;
-        Pose pose = pose(own);
-        return ContactQuery.contacts(own, other, dimension, Integer.MAX_VALUE).stream()
-                .filter(contact -> isWhole || isBetween(pose, contact.point()))
-                .toList();
-    }
-
-    private boolean isBetween(Pose pose, Point point) {
-        double height = along(pose, 1, from(pose, point));
-        return low <= height && height <= high;
+    private GeometryObject body(Geometry world) {
+        return Checks.present("world", world).getObject(name);
     }
 
     /**
@@ -125,7 +114,7 @@ public final class Bumper {
      * to 180; NaN straight above or below its centre.
      */
     public double bearing(Geometry world, Contact contact) {
-        Pose pose = pose(Checks.present("object", Checks.present("world", world).getObject(name)));
+        Pose pose = body(world).pose();
         return bearing(pose, from(pose, Checks.present("contact", contact).point()));
     }
 
@@ -141,7 +130,7 @@ public final class Bumper {
         if (normal == null) {
             return Double.NaN;
         }
-        Pose pose = pose(Checks.present("object", Checks.present("world", world).getObject(name)));
+        Pose pose = body(world).pose();
         return bearing(pose, new Point(-normal.x(), -normal.y(), -normal.z()));
     }
 
@@ -149,10 +138,6 @@ public final class Bumper {
         double forward = along(pose, 0, direction);
         double right = along(pose, 2, direction);
         return forward == 0 && right == 0 ? Double.NaN : Degrees.headingOf(forward, right);
-    }
-
-    private static Pose pose(GeometryObject object) {
-        return Pose.of(object.center(), 0).oriented(object.rotation());
     }
 
     private static Point from(Pose pose, Point point) {
@@ -169,16 +154,16 @@ public final class Bumper {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof Bumper that && name.equals(that.name) && low == that.low && high == that.high;
+        return other instanceof Bumper that && name.equals(that.name) && Objects.equals(shape, that.shape);
     }
 
     @Override
     public int hashCode() {
-        return 31 * (31 * name.hashCode() + Double.hashCode(low)) + Double.hashCode(high);
+        return 31 * name.hashCode() + Objects.hashCode(shape);
     }
 
     @Override
     public String toString() {
-        return "Bumper on \"" + name + "\" from " + low + " to " + high;
+        return "Bumper on \"" + name + "\"" + (shape == null ? "" : ", " + shape);
     }
 }

@@ -108,8 +108,9 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
     private static Lidar velodyne(double[] elevations, double[] offsets, int[] order, double hertz, double max) {
         checkRate(hertz, 5, 20);
         int columns = (int) Math.round(1 / (hertz * SEQUENCE));
+        int middle = columns / 2;
         double step = -360 * hertz * SEQUENCE; // clockwise, as seen from above
-        RayPattern pattern = RayPattern.layers(elevations, offsets, -columns / 2 * step, step, columns)
+        RayPattern pattern = RayPattern.layers(elevations, offsets, -middle * step, step, columns)
                 .withDuration(columns * SEQUENCE);
         double[] delays = new double[order.length];
         for (int row = 0; row < delays.length; row++) {

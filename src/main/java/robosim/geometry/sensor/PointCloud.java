@@ -67,7 +67,12 @@ public final class PointCloud {
 
         /** 0 to 2 for a normal's, else -1. */
         int axis() {
-            return ordinal() < NORMAL_X.ordinal() ? -1 : ordinal() - NORMAL_X.ordinal();
+            return switch (this) {
+                case NORMAL_X -> 0;
+                case NORMAL_Y -> 1;
+                case NORMAL_Z -> 2;
+                case INTENSITY, RING, TIME, LABEL, INSTANCE -> -1;
+            };
         }
     }
 

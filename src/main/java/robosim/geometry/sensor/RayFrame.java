@@ -98,6 +98,7 @@ public abstract class RayFrame {
         return cones;
     }
 
+    @SuppressWarnings("ReferenceEquality") // an equal setup makes an equal motion; to compare its rays would take longer
     void filled(Setup setup, Dimension ofWorld, long frame) {
         pattern = setup.pattern();
         dimension = ofWorld;
@@ -313,7 +314,8 @@ public abstract class RayFrame {
     /** One of the fields of a cloud, for one ray. */
     double field(PointCloud.Field field, int ray) {
         if (field == PointCloud.Field.RING) {
-            return ray / rays().columns();
+            int row = ray / rays().columns();
+            return row;
         }
         throw new IllegalArgumentException("a cloud must have fields that the frame has (got: " + field + " for a "
                 + getClass().getSimpleName() + ")");

@@ -190,6 +190,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     }
 
     @Override
+    @SuppressWarnings("EqualsGetClass") // all kinds of sensors are final, and two kinds are never equal
     public boolean equals(@Nullable Object other) {
         return other != null && getClass() == other.getClass() && setup.equals(((RaySensor<?, ?>) other).setup);
     }

@@ -3,7 +3,6 @@ package robosim.geometry.sensor;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
@@ -13,7 +12,7 @@ import robosim.geometry.model.GeometryObject;
  * meet them, ray by ray, and keep their numbers from one reading to the next.
  */
 public final class SegmentationFrame extends RayFrame {
-    private final Map<GeometryObject, Integer> numbers = new IdentityHashMap<>();
+    private final IdentityHashMap<GeometryObject, Integer> numbers = new IdentityHashMap<>();
     private final List<GeometryObject> objects = new ArrayList<>();
     private final Surfaces surfaces = new Surfaces();
     private int[] instances = new int[0];
@@ -22,6 +21,7 @@ public final class SegmentationFrame extends RayFrame {
     /** An empty frame. */
     public SegmentationFrame() {}
 
+    @SuppressWarnings("ReferenceEquality") // each object of a world is one instance
     void finish() {
         int count = rays().size();
         if (instances.length < count) {

@@ -3,7 +3,6 @@ package robosim.geometry.sensor;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
@@ -11,7 +10,7 @@ import robosim.geometry.model.ObjectGroup;
 
 /** What objects and the parts of groups are made of; remembers what it was asked of groups. */
 final class Surfaces {
-    private final Map<ObjectGroup, Material[]> groups = new IdentityHashMap<>();
+    private final IdentityHashMap<ObjectGroup, Material[]> groups = new IdentityHashMap<>();
 
     /**
      * The material of a part of an object.

@@ -67,7 +67,13 @@ class TouchTest {
         world.addObjectUnchecked(new BoxObject(new Point(0, -1, 0), 10, 1, 10).named("floor"));
         world.addObjectUnchecked(new CylinderObject(new Point(0, 0, 0), 0.5, 1).moveable("robot"));
         assertThat(Bumper.on("robot").touching(world)).hasSize(1);
-        Bumper band = Bumper.on("robot").between(-0.3, 0.3);
+        // A strip that sticks out touches what the robot does not.
+        world.addObjectUnchecked(new BoxObject(new Point(-1.2, 0, 0), 1, 4, 1).named("behind"));
+        assertThat(Bumper.on("robot").touching(world)).hasSize(1);
+        Bumper wide = Bumper.on("robot").shaped(new CylinderObject(new Point(0, 0, 0), 0.75, 0.2));
+        assertThat(wide.touching(world).get(0).name()).isEqualTo("behind");
+        world.removeObject("behind");
+        Bumper band = Bumper.on("robot").shaped(new CylinderObject(new Point(0, 0, 0), 0.5, 0.6));
         assertThat(band.isPressed(world)).isFalse();
         world.addObjectUnchecked(new BoxObject(new Point(0, 0, -1), 1, 0.2, 1).named("shelf")); // on the left
         assertThat(band.touching(world)).hasSize(1);
@@ -118,14 +124,15 @@ class TouchTest {
     @Test
     void valuesAndRefusals() {
         Geometry world = new Geometry();
-        assertThat(Bumper.on("a").between(0, 1))
-                .isEqualTo(Bumper.on("a").between(0, 1))
+        SphereObject ball = new SphereObject(new Point(), 1);
+        assertThat(Bumper.on("a").shaped(ball))
+                .isEqualTo(Bumper.on("a").shaped(new SphereObject(new Point(), 1)))
                 .isNotEqualTo(Bumper.on("a"));
         assertThat(ProximitySensor.on("a", 2))
                 .isEqualTo(ProximitySensor.on("a", 2))
                 .isNotEqualTo(ProximitySensor.on("a", 3));
         refused("name must have a visible character", () -> Bumper.on(" "));
-        refused("to must be at least from, 1.0 (got: 0.0)", () -> Bumper.on("a").between(1, 0));
+        refused("ownShape must be given (got: null)", () -> Bumper.on("a").shaped(null));
         refused("name must be", () -> Bumper.on("a").isPressed(world));
         refused("max must be at least min", () -> ProximitySensor.on("a", -1));
         refused(

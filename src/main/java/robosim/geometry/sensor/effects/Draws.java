@@ -16,7 +16,7 @@ public final class Draws {
     private static final int LAYERS = 256;
 
     /** Where the tail begins, so that all layers have the same area under exp(-x*x/2). */
-    private static final double TAIL = 3.6541528853610088;
+    private static final double TAIL = 3.654152885361009;
 
     /** The area of a layer: TAIL * exp(-TAIL^2 / 2) plus the integral of the tail. */
     private static final double AREA = 0.004928673233974658;
