@@ -3,7 +3,6 @@ package robosim.geometry.net.session;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
@@ -15,7 +14,7 @@ final class SeenObjects {
     /** The most characters of all names: 100,000 of 40. */
     private static final int MOST_CHARACTERS = 1 << 22;
 
-    private final Map<GeometryObject, Integer> known = new IdentityHashMap<>();
+    private final IdentityHashMap<GeometryObject, Integer> known = new IdentityHashMap<>();
     private final List<String> names = new ArrayList<>();
     private final int[] objects;
     private final int[] labels;
