@@ -105,10 +105,14 @@ class FramesAllocateNothingTest {
 
     private static void allocatesNothing(String what, LongConsumer reading) {
         run(reading);
-        long before = THREADS.getCurrentThreadAllocatedBytes();
-        run(reading);
-        long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
-        assertThat(bytes / (double) READINGS).as(what).isLessThan(1);
+        // What each reading takes is taken in every round; what the JVM does once is not.
+        long least = Long.MAX_VALUE;
+        for (int round = 0; round < 3; round++) {
+            long before = THREADS.getCurrentThreadAllocatedBytes();
+            run(reading);
+            least = Math.min(least, THREADS.getCurrentThreadAllocatedBytes() - before);
+        }
+        assertThat(least / (double) READINGS).as(what).isLessThan(1);
     }
 
     private static void run(LongConsumer reading) {
