@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
+import robosim.geometry.SlideResult;
 import robosim.geometry.Snapshot;
 import robosim.geometry.junit.Goal;
 import robosim.geometry.junit.Robot;
@@ -24,6 +25,7 @@ import robosim.geometry.junit.RobotWorld;
 import robosim.geometry.junit.Scenarios;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
@@ -91,6 +93,18 @@ class NullsTest {
             }
         });
         assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void ofMoves() {
+        Geometry world = new Geometry();
+        world.addObject(new SphereObject(new Point(), 1).moveable("ball"));
+        call("name", () -> world.moveAndSlide(null, new Move(), 0, 1));
+        call("move", () -> world.moveAndSlide("ball", null, 0, 1));
+        call("made", () -> new SlideResult(null, 0, new Point(), 1, List.of()));
+        call("left", () -> new SlideResult(new Point(), 0, null, 1, List.of()));
+        call("contacts", () -> new SlideResult(new Point(), 0, new Point(), 1, null));
+        check();
     }
 
     @Test
