@@ -19,7 +19,7 @@ import robosim.geometry.model.Point;
  * SlideResult result = geometry.moveAndSlide("ball", new Move(6, 0, 4, 0, 0), 0, 4);
  * result.contacts().get(0).obstacle().name(); // "wall"
  * result.made().z();                          // 4.0: along the wall
- * geometry.getObject("ball").center().x() < 3 // true: just before the wall, which begins at 4
+ * geometry.getObject("ball").center().x() < 3; // true: just before the wall, which begins at 4
  * }</pre>
  *
  * @param made         the displacement of the centre along the world's axes, from start to end

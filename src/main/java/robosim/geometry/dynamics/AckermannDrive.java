@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Twist;
@@ -19,9 +18,7 @@ import robosim.geometry.model.Twist;
  */
 public record AckermannDrive(
         double wheelbase, double maxSteering, double maxSpeed, double maxAcceleration, double speed, double steering)
-        implements Drive, Serializable {
-    private static final long serialVersionUID = 1;
-
+        implements Drive {
     /** Refuses values that are out of range or not a number. */
     public AckermannDrive {
         wheelbase = Quantity.positive("wheelbase", wheelbase);

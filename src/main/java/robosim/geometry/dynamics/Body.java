@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -35,10 +34,7 @@ public record Body(
         double damping,
         double turnDamping,
         double maxSpeed,
-        double maxTurn)
-        implements Serializable {
-    private static final long serialVersionUID = 1;
-
+        double maxTurn) {
     /** Refuses values that are out of range or not a number. */
     public Body {
         mass = Quantity.positive("mass", mass);

@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Twist;
@@ -25,9 +24,7 @@ import robosim.geometry.model.Twist;
  * @param right           the command: speed of the right rim, m/s
  */
 public record DifferentialDrive(double track, double maxSpeed, double maxAcceleration, double left, double right)
-        implements Drive, Serializable {
-    private static final long serialVersionUID = 1;
-
+        implements Drive {
     /** Refuses values that are out of range or not a number. */
     public DifferentialDrive {
         track = Quantity.positive("track", track);

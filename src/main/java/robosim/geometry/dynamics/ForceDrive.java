@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Twist;
@@ -16,9 +15,7 @@ import robosim.geometry.model.Twist;
  * @param z      newtons to the right
  * @param torque newton metres about the vertical, counter-clockwise
  */
-public record ForceDrive(double x, double z, double torque) implements Drive, Serializable {
-    private static final long serialVersionUID = 1;
-
+public record ForceDrive(double x, double z, double torque) implements Drive {
     /** Refuses values that are not finite. */
     public ForceDrive {
         x = Quantity.finite("x", x);

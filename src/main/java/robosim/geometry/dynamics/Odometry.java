@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Twist;
 
@@ -25,10 +24,7 @@ import robosim.geometry.model.Twist;
  * @param turnPerTurn standard deviation of the heading after one degree of turning, degrees
  * @param seed        of the random draws
  */
-public record Odometry(double wayPerWay, double wayPerTurn, double turnPerWay, double turnPerTurn, long seed)
-        implements Serializable {
-    private static final long serialVersionUID = 1;
-
+public record Odometry(double wayPerWay, double wayPerTurn, double turnPerWay, double turnPerTurn, long seed) {
     /** Refuses values that are out of range or not a number. */
     public Odometry {
         wayPerWay = Quantity.atLeastZero("wayPerWay", wayPerWay);

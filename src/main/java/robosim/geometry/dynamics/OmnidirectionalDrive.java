@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Twist;
 
@@ -16,9 +15,7 @@ import robosim.geometry.model.Twist;
  */
 public record OmnidirectionalDrive(
         double maxSpeed, double maxAcceleration, double maxTurn, double maxTurnAcceleration, Twist command)
-        implements Drive, Serializable {
-    private static final long serialVersionUID = 1;
-
+        implements Drive {
     /** Refuses values that are out of range or not a number. */
     public OmnidirectionalDrive {
         maxSpeed = Quantity.limit("maxSpeed", maxSpeed);

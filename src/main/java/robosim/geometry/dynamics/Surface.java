@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 
 /**
@@ -16,9 +15,7 @@ import robosim.geometry.exact.Checks;
  * @param staticFriction  the most that friction is, as a share of the force across the contact, while nothing slides
  * @param slidingFriction the same while it slides; at most {@code staticFriction}
  */
-public record Surface(double restitution, double staticFriction, double slidingFriction) implements Serializable {
-    private static final long serialVersionUID = 1;
-
+public record Surface(double restitution, double staticFriction, double slidingFriction) {
     /** Neither bounces nor rubs. */
     public static final Surface SMOOTH = new Surface(0, 0, 0);
 

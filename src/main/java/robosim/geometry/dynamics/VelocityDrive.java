@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import java.io.Serializable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Twist;
 
@@ -9,9 +8,7 @@ import robosim.geometry.model.Twist;
  *
  * @param velocity along the own axes
  */
-public record VelocityDrive(Twist velocity) implements Drive, Serializable {
-    private static final long serialVersionUID = 1;
-
+public record VelocityDrive(Twist velocity) implements Drive {
     /** Refuses null. */
     public VelocityDrive {
         Checks.present("velocity", velocity);
