@@ -41,6 +41,9 @@ public final class Dynamics {
     /** How far apart bodies stay that touch, metres, so that rounding does not stop what goes along. */
     private static final double GAP = 1e-9;
 
+    /** Collisions earlier in a step are resolved again with later ones while the two are within so much of where they met. */
+    private static final double NEAR = 1e-6;
+
     /** Collisions within so much of the rest of the step are resolved together. */
     private static final double TOGETHER = 1e-9;
 
@@ -125,10 +128,14 @@ public final class Dynamics {
         Set<String> stopped = new LinkedHashSet<>();
         double left = seconds;
         int most = EVENTS + EVENTS_EACH * all.size();
+        List<Impact> impacts = new ArrayList<>();
         for (int event = 0; left > 0; event++) {
-            List<Impact> impacts = new ArrayList<>();
-            double share = first(all, still, left, impacts);
+            List<Impact> met = new ArrayList<>();
+            double share = first(all, still, left, met);
             advance(all, share * left, stopped);
+            impacts.removeIf(earlier -> !earlier.lasts(NEAR));
+            met.forEach(Impact::arrive);
+            impacts.addAll(met);
             left = share == 1 ? 0 : left - share * left;
             resolve(impacts, contacts);
             if (event == most && left > 0) {

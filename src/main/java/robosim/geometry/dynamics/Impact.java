@@ -22,7 +22,10 @@ final class Impact {
     /** From b, or what stands still, towards a. */
     private final Point normal;
 
-    /** The impulse given to a along the normal so far, newton seconds. */
+    /** Where a was from b, or in the world, when the two met. */
+    private Point apart;
+
+    /** The impulse given to a along the normal at this time, newton seconds. */
     private double impulse;
 
     Impact(BodyState a, @Nullable BodyState b, @Nullable String other, Surface surface, Point point, Point normal) {
@@ -32,6 +35,25 @@ final class Impact {
         this.surface = surface;
         this.point = point;
         this.normal = normal;
+        apart = new Point();
+    }
+
+    /** The bodies have come to where they meet. */
+    void arrive() {
+        apart = apart();
+    }
+
+    private Point apart() {
+        Point from = a.object.center();
+        Point to = b == null ? new Point() : b.object.center();
+        return new Point(from.x() - to.x(), 0, from.z() - to.z());
+    }
+
+    /** Whether the two are still within a distance of where they were when they met; then its impulse counts anew. */
+    boolean lasts(double distance) {
+        Point now = apart();
+        impulse = 0;
+        return Math.abs(now.x() - apart.x()) <= distance && Math.abs(now.z() - apart.z()) <= distance;
     }
 
     /** Resolves the contact if the two approach each other there; answers whether they did. */
