@@ -11,6 +11,7 @@ module robosim.geometry {
 
     exports robosim.geometry;
     exports robosim.geometry.collision;
+    exports robosim.geometry.dynamics;
     exports robosim.geometry.junit;
     exports robosim.geometry.material;
     exports robosim.geometry.model;

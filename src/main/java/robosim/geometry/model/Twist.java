@@ -12,7 +12,7 @@ import robosim.geometry.exact.Degrees;
  * place. (A twist with an angular part about one axis; Lynch and Park 2017, 3.3.)
  *
  * <pre>{@code
- * Twist drive = new Twist(0.8, 0, 0, 30);              // 0.8 m/s ahead, in a curve to the left
+ * Twist drive = new Twist(0.8, 0, 0, 30);              // ahead at 0.8 m/s, in a curve to the left
  * Pose later = drive.after(Pose.of(new Point(), 0), 3);
  * later.heading();                                      // 90
  * }</pre>

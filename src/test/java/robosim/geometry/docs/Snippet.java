@@ -37,6 +37,7 @@ final class Snippet {
             import robosim.geometry.*;
             import robosim.geometry.collision.*;
             import robosim.geometry.material.*;
+            import robosim.geometry.dynamics.*;
             import robosim.geometry.model.*;
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;
