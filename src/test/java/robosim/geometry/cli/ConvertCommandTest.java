@@ -193,7 +193,7 @@ class ConvertCommandTest extends CommandRun {
         Path sdf = Files.writeString(folder.resolve("w.sdf"), """
                 <sdf version="1.6"><world name="w">
                 <model name="m"><static>1</static><link name="l"><collision name="c"><geometry>
-                <mesh><uri>model://m/wall.dae</uri></mesh></geometry></collision></link></model>
+                <mesh><uri>model://m/wall.fbx</uri></mesh></geometry></collision></link></model>
                 <include><uri>https://fuel.gazebosim.org/1.0/a/models/b</uri></include>
                 </world></sdf>
                 """);
@@ -247,7 +247,7 @@ class ConvertCommandTest extends CommandRun {
                 "w.xml|<?xml version='1.0'?><!-- x --><sdf version='1.6'/>|this is SDFormat; give it a name that ends in .sdf",
                 "w.sdf|<world xmlns='urn:robosim:world:1'/>|this is a world of this module; give it a name that ends in .xml",
                 "w.xml|<robot name='r'/>|this is URDF",
-                "w.xml|<COLLADA/>|this is COLLADA",
+                "w.xml|<COLLADA/>|this is COLLADA; give it a name that ends in .dae",
                 "w.world|<!DOCTYPE html><html/>|this is a web page",
                 "w|P5 3 2 255 aaaaaa|this is an image (PNM); a ROS map is read from its .yaml file",
                 "w.yaml|%PDF-1.4|this is a PDF",

@@ -159,7 +159,8 @@ class WorldImportTest {
                 "robot.urdf| files of this format are not supported; unpack this one, or export it as SDFormat, OBJ or STL (got:"
                         + " .urdf)",
                 "world.sdf.gz| files of this format are not supported; unpack this one",
-                "model.dae| files of this format are not supported",
+                "model.glb| files of this format are not supported",
+                "mesh.dae|1:1: this is not well-formed XML",
                 "notes.txt|1:1: this is not well-formed XML",
                 "empty.sdf|1:1: this is not well-formed XML",
                 "model.config|1:1: this is not well-formed XML",
@@ -177,7 +178,7 @@ class WorldImportTest {
 
     @Test
     void aMissingFileOfAnyFormat() {
-        for (String name : List.of("no.sdf", "no.world", "no.yaml", "no.obj", "no.stl", "no.xml", "no")) {
+        for (String name : List.of("no.sdf", "no.world", "no.yaml", "no.obj", "no.stl", "no.dae", "no.xml", "no")) {
             assertThatThrownBy(() -> WorldReader.read(folder.resolve(name)))
                     .hasMessage(folder.resolve(name) + ": there is no such file; check the path");
         }

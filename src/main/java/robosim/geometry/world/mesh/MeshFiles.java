@@ -20,9 +20,14 @@ public final class MeshFiles {
         public MeshObject read(InputStream in, String source, double scale) throws FileProblem;
     }
 
-    /** Whether a name has the ending of a supported format: .obj or .stl. */
+    /** Whether a name has the ending of a supported format: .obj, .stl or .dae. */
     public static boolean isNamed(String file) {
-        return isStl(file) || file.toLowerCase(Locale.ROOT).endsWith(".obj");
+        return isStl(file) || isCollada(file) || file.toLowerCase(Locale.ROOT).endsWith(".obj");
+    }
+
+    /** Whether a name has the ending of COLLADA, whose files tell their unit and axes. */
+    public static boolean isCollada(String file) {
+        return file.toLowerCase(Locale.ROOT).endsWith(".dae");
     }
 
     private static boolean isStl(String file) {
@@ -31,6 +36,9 @@ public final class MeshFiles {
 
     /** Reads the surface of a file, in the format given by the ending of its name; OBJ if that is unknown. */
     public static MeshObject read(Path file, double scale) throws FileProblem {
+        if (isCollada(file.toString())) {
+            return read(file, scale, ColladaSurface::read);
+        }
         return read(file, scale, isStl(file.toString()) ? StlSurface::read : ObjSurface::read);
     }
 

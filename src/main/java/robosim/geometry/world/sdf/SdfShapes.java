@@ -13,6 +13,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
@@ -113,7 +114,7 @@ public final class SdfShapes {
                     + " (got: <submesh>)");
         }
         if (!MeshFiles.isNamed(name)) {
-            tree.skip(shape, named(shape, owner), name + " is neither OBJ nor STL; export it as one of them");
+            tree.skip(shape, named(shape, owner), name + " is neither COLLADA, OBJ nor STL; export it as one of them");
             return null;
         }
         if (SdfFiles.isRemote(name)) {
@@ -138,7 +139,9 @@ public final class SdfShapes {
         MeshObject known = surfaces.get(file);
         if (known == null) {
             files.count(uri, file);
-            known = MeshFiles.read(file, 1);
+            known = MeshFiles.isCollada(file.toString())
+                    ? MeshFiles.read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, null))
+                    : MeshFiles.read(file, 1);
             surfaces.put(file, known);
         }
         return known;
