@@ -27,7 +27,7 @@ class ConvertCommandTest extends CommandRun {
     void sdfBecomesAWorld() throws IOException {
         Path in = FILES.resolve("sdf/shapes.sdf");
         Path xml = folder.resolve("shapes.xml");
-        assertThat(run("convert", in, xml)).isEqualTo(ExitCodes.FINE);
+        assertThat(run("convert", in, xml)).isEqualTo(ExitCodes.PARTIAL);
         assertThat(err.toString()).isEmpty();
         assertThat(out.toString().lines())
                 .hasSize(6)
@@ -68,9 +68,10 @@ class ConvertCommandTest extends CommandRun {
                 "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
         assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString())
-                .startsWith(sdf + ":1:50: there is no such file or folder below ")
-                .endsWith(
-                        "give the folder that contains the model (got: model://inner_walls)" + System.lineSeparator());
+                .startsWith(sdf + ": nothing in it is solid, so the world would be empty; ")
+                .contains(
+                        sdf + ":1: left out <include> of model://inner_walls: there is no such file or folder below ",
+                        "give the folder that contains the model (got: model://inner_walls)");
         assertThat(run("convert", sdf, xml, "--models", FILES.resolve("sdf"))).isZero();
         assertThat(WorldReader.read(xml).objects()).hasSize(7);
     }
@@ -91,11 +92,11 @@ class ConvertCommandTest extends CommandRun {
         text.append("<actor name='a'/>".repeat(30)).append("</world></sdf>");
         Path sdf = Files.writeString(folder.resolve("w.sdf"), text);
         Path xml = folder.resolve("w.xml");
-        assertThat(run("convert", sdf, xml)).isZero();
+        assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.PARTIAL);
         assertThat(out.toString().lines().filter(line -> line.contains("left out")))
                 .hasSize(20);
         assertThat(out.toString()).contains("... and 10 more");
-        assertThat(run("convert", sdf, xml, "--all")).isZero();
+        assertThat(run("convert", sdf, xml, "--all")).isEqualTo(ExitCodes.PARTIAL);
         assertThat(out.toString().lines().filter(line -> line.contains("left out")))
                 .hasSize(30);
     }
@@ -169,9 +170,15 @@ class ConvertCommandTest extends CommandRun {
         assertThat(out.toString())
                 .contains("model.sdf:2: left out <plane> of ground_plane::link::c: it is infinite ground, at height")
                 .doesNotContain("skipped");
-        // Any other that is not there is refused as before.
+        // Any other that is not there is left out, and that is told by the exit code.
         Files.writeString(sdf, Files.readString(sdf).replace("model://sun", "model://moon"));
-        assertThat(run("check", sdf)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(run("check", sdf)).isEqualTo(ExitCodes.FINDINGS);
+        Path xml = folder.resolve("moon.xml");
+        assertThat(run("convert", "--strict", sdf, xml)).isEqualTo(ExitCodes.FINDINGS);
+        assertThat(xml).doesNotExist();
+        assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.PARTIAL);
+        assertThat(out.toString()).contains(sdf + ":2: left out <include> of model://moon: there is no such file");
+        assertThat(xml).exists();
     }
 
     /** What overwrites its own input has lost it where anything was left out. */

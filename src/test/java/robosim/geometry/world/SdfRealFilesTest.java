@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.zip.GZIPInputStream;
@@ -240,19 +239,15 @@ class SdfRealFilesTest {
                 .hasMessageContaining("\"gz:\"");
     }
 
-    /** The addresses are not followed: that is named, and the rest is read. */
+    /** A light and a ground are at the addresses, which are not followed: nothing solid is missing. */
     @Test
-    void whatIsMissingIsNamed() throws Exception {
+    void sunAndGroundAreNotMissing() throws Exception {
         WorldImport read = read(SDF.resolve("turtlebot3_world/turtlebot3_world.world"));
-        assertThat(read.isWhole()).isFalse();
-        List<String> what = new ArrayList<>();
-        for (Skipped each : read.skipped()) {
-            what.add(each.line() + " " + each.what());
-        }
-        assertThat(what)
-                .containsExactly(
-                        "46 <include> of https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane",
-                        "50 <include> of https://fuel.gazebosim.org/1.0/OpenRobotics/models/Sun");
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.remarks())
+                .satisfiesExactly(
+                        ground -> assertThat(ground).contains(":46: left out <include> of https://", "infinite ground"),
+                        sun -> assertThat(sun).contains(":50: left out <include> of https://", "it is a light"));
     }
 
     @Test
@@ -275,10 +270,18 @@ class SdfRealFilesTest {
                   <include><uri>model://turtlebot3_world</uri></include>
                 </world></sdf>
                 """);
-        assertThatThrownBy(() -> read(file))
-                .hasMessageStartingWith(file + ":2:17: there is no such file or folder below ")
-                .hasMessageEndingWith(
-                        "check the name, or give the folder that contains the model (got: model://inner_walls)");
+        assertThat(read(file).skipped())
+                .extracting(Skipped::toString)
+                .satisfiesExactly(
+                        first -> assertThat(first)
+                                .startsWith(file + ":2: left out <include> of model://inner_walls: there is no such file"
+                                        + " or folder below ")
+                                .endsWith("check the name, or give the folder that contains the model"
+                                        + " (got: model://inner_walls)"),
+                        second -> assertThat(second)
+                                .startsWith(file + ":3: left out <include> of model://inner_walls/model.sdf at 10 0 0 0 0"
+                                        + " 0: there is no such file"),
+                        third -> assertThat(third).startsWith(file + ":4: left out <include> of model://turtlebot3"));
         WorldImport read = SdfReader.read(file, List.of(SDF));
         assertThat(read.world().objects()).hasSize(7 + 7 + 15);
         assertThat(read.skipped()).isEmpty();

@@ -40,7 +40,8 @@ import robosim.geometry.world.WorldWriter;
         exitCodeList = {
             ExitCodes.DONE,
             ExitCodes.FINDINGS + ":with --strict: something of IN would be left out, and OUT was not written",
-            ExitCodes.REFUSED
+            ExitCodes.REFUSED,
+            ExitCodes.PARTIAL + ":OUT was written, without the parts of IN that were left out"
         },
         footerHeading = "%nExamples:%n",
         footer = {
@@ -148,7 +149,7 @@ public final class ConvertCommand implements Callable<Integer> {
             WorldWriter.write(world, out);
         }
         printer.println(written(world));
-        return ExitCodes.FINE;
+        return read.isWhole() ? ExitCodes.FINE : ExitCodes.PARTIAL;
     }
 
     private boolean isMesh() {

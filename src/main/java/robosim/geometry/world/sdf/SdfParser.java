@@ -117,10 +117,14 @@ public final class SdfParser extends DefaultHandler {
             // Otherwise a search for the collisions of a link would go through all of its poses, again for each
             // include.
             if (!SdfNames.isRepeated(name) && parent.child(name) != null) {
-                throw refusal(
-                        "<" + parent.name + "> must have only one <" + name + ">; remove this or the other (got: two)");
+                parent.skipped.add(new LeftOut(
+                        file.shown(),
+                        line(),
+                        element.tag(),
+                        "<" + parent.name + "> must have only one <" + name + ">; the first one counts, remove this"));
+            } else {
+                parent.children.add(element);
             }
-            parent.children.add(element);
         }
         open.push(element);
         return element;
