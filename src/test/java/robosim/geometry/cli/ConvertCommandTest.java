@@ -23,18 +23,32 @@ import robosim.geometry.world.WorldReader;
 class ConvertCommandTest extends CommandRun {
     private static final Path FILES = Path.of("src/test/resources/robosim/geometry/world");
 
+    /** A ball, and three things that no world has. */
+    private Path incomplete() throws IOException {
+        return Files.writeString(folder.resolve("incomplete.sdf"), """
+                <sdf version='1.7'><world name='w'>
+                <model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere>
+                </geometry></collision></link></model>
+                <actor name='a'/>
+                <actor name='b'/>
+                <model name='n'><link name='l'><collision name='c'><geometry><image/></geometry></collision></link></model>
+                </world></sdf>
+                """);
+    }
+
     @Test
     void sdfBecomesAWorld() throws IOException {
         Path in = FILES.resolve("sdf/shapes.sdf");
         Path xml = folder.resolve("shapes.xml");
-        assertThat(run("convert", in, xml)).isEqualTo(ExitCodes.PARTIAL);
+        assertThat(run("convert", in, xml)).isEqualTo(ExitCodes.FINE);
         assertThat(err.toString()).isEmpty();
         assertThat(out.toString().lines())
                 .hasSize(6)
                 .contains(
-                        "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
-                        "Wrote " + xml + ": 4 objects, 4 of them moveable; the world is 4 x 4 x 10 m, the objects"
-                                + " reach X -0.5 to 0.5, Y 0 to 1, Z -2 to 3.2");
+                        "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7,"
+                                + " sphere 1")
+                .anySatisfy(line -> assertThat(line)
+                        .startsWith("Wrote " + xml + ": 6 objects, 6 of them moveable; the world is 4 x 4 x "));
         assertThat(WorldReader.read(xml))
                 .isEqualTo(SdfReader.read(in, List.of()).world());
         assertThat(Files.list(folder)).containsExactly(xml);
@@ -43,7 +57,7 @@ class ConvertCommandTest extends CommandRun {
     @Test
     void strictWritesNothingWhereSomethingIsLeftOut() throws IOException {
         Path xml = Files.writeString(folder.resolve("old.xml"), "old");
-        assertThat(run("convert", "--strict", FILES.resolve("sdf/shapes.sdf"), xml))
+        assertThat(run("convert", "--strict", incomplete(), xml))
                 .isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString()).contains("Wrote nothing: --strict was given, and 3 would be left out");
         assertThat(xml).hasContent("old");
@@ -104,15 +118,15 @@ class ConvertCommandTest extends CommandRun {
     /** The commands that want a world take the file as it is, and tell what is not in the world. */
     @Test
     void otherCommandsTakeTheFilesToo() throws IOException {
-        Path sdf = FILES.resolve("sdf/shapes.sdf");
+        Path sdf = incomplete();
         Path picture = folder.resolve("shapes.svg");
         assertThat(run("render", sdf, "-o", picture)).isZero();
-        assertThat(Files.readString(picture)).contains("capsule");
+        assertThat(Files.readString(picture)).contains("sphere");
         assertThat(err.toString().lines())
                 .hasSize(3)
                 .first()
                 .asString()
-                .startsWith(sdf + ":36: left out <plane> of ground_plane::link::collision: ");
+                .startsWith(sdf + ":4: left out <actor> \"a\": ");
         assertThat(run("check", FILES.resolve("maps/TenByTen.yaml"))).isZero();
         assertThat(err.toString()).isEmpty();
         assertThat(run("check", sdf)).isEqualTo(ExitCodes.FINDINGS);
@@ -126,11 +140,11 @@ class ConvertCommandTest extends CommandRun {
     /** What a file has and its world has not is no world that is fine. */
     @Test
     void checkTellsWhatIsLeftOut() throws IOException {
-        Path sdf = FILES.resolve("sdf/shapes.sdf");
+        Path sdf = incomplete();
         assertThat(run("check", "--json", sdf)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString())
-                .contains("\"valid\":true,\"fine\":false,\"problems\":[],\"skipped\":[{\"file\":\"", "\"line\":36,")
-                .contains("\"what\":\"<plane> of ground_plane::link::collision\",\"reason\":\"");
+                .contains("\"valid\":true,\"fine\":false,\"problems\":[],\"skipped\":[{\"file\":\"", "\"line\":6,")
+                .contains("\"what\":\"<image> of n::l::c\",\"reason\":\"");
         assertThat(err.toString()).isEmpty();
         assertThat(run("check", "--json", FILES.resolve("sdf/inner_walls/model.sdf")))
                 .isZero();

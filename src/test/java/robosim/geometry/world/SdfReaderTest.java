@@ -451,8 +451,8 @@ class SdfReaderTest {
                 "<box><size>1 -1 1</size></box>|<box>: length must be a number from 0",
                 "<box/>|<box> must have <size>",
                 "<cylinder><radius>1</radius></cylinder>|<cylinder> must have <length>",
-                "<plane><normal>0 1 0</normal></plane>|a plane must face straight up, as the ground does; use a box for m::l::c",
-                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|part of a mesh cannot be read alone",
+                "<plane><normal>0 0 0</normal></plane>|<normal> must not be zero",
+                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|a part is read of COLLADA alone",
                 "<mesh><uri>a.obj</uri></mesh>|there is no such file or folder below",
                 "<box><size>1 1 1</size></box><sphere><radius>1</radius></sphere>|<geometry> must contain one shape (got: 2)",
                 "|<geometry> must contain one shape (got: 0)"
@@ -472,9 +472,9 @@ class SdfReaderTest {
             delimiter = '|',
             value = {
                 "<world/>|:1:9: the root of SDFormat must be <sdf> (got: <world>)",
-                "<sdf/>|:1:7: version of <sdf> must be 1.4 to 1.12 (got: none)",
-                "<sdf version='1.3'/>|version of <sdf> must be 1.4 to 1.12 (got: 1.3)",
-                "<sdf version='2.0'/>|version of <sdf> must be 1.4 to 1.12 (got: 2.0)",
+                "<sdf/>|:1:7: version of <sdf> must be 1.0 to 1.12 (got: none)",
+                "<gazebo version='1.3'/>|<sdf> must have a <world> or a <model> (got: none)",
+                "<sdf version='2.0'/>|version of <sdf> must be 1.0 to 1.12 (got: 2.0)",
                 "<sdf version='1.6'/>|<sdf> must have a <world> or a <model> (got: none)",
                 "<!DOCTYPE sdf [<!ENTITY x 'y'>]><sdf version='1.6'/>|a document type is not allowed",
                 "<sdf version='1.6'><model name='&x;'/></sdf>|this is not well-formed XML: The entity \"x\" was referenced",

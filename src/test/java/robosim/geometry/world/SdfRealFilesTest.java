@@ -23,6 +23,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -74,7 +75,7 @@ class SdfRealFilesTest {
             assertThat(read.read()).as("%s", kind).containsEntry(kind, count(document, "//" + kind));
         }
         int shapes = 0;
-        for (String shape : List.of("box", "cylinder", "sphere", "capsule", "mesh")) {
+        for (String shape : List.of("box", "cylinder", "sphere", "capsule", "mesh", "cone", "ellipsoid")) {
             int read1 = read.read().getOrDefault(shape, 0);
             long skipped = read.skipped().stream()
                     .filter(each -> each.what().startsWith("<" + shape + ">"))
@@ -82,12 +83,11 @@ class SdfRealFilesTest {
             assertThat(read1 + skipped).as("%s", shape).isEqualTo(count(document, "//collision/geometry/" + shape));
             shapes += read1;
         }
-        for (String shape : List.of("plane", "cone", "ellipsoid")) {
-            assertThat(read.skipped().stream().filter(each -> each.what().startsWith("<" + shape + ">")))
-                    .as("%s", shape)
-                    .hasSize(count(document, "//collision/geometry/" + shape));
-        }
-        assertThat(shapes + read.skipped().size())
+        List<String> ground = read.remarks().stream()
+                .filter(each -> each.contains("left out <plane>"))
+                .toList();
+        assertThat(ground).hasSize(count(document, "//collision/geometry/plane"));
+        assertThat(shapes + read.skipped().size() + ground.size())
                 .isEqualTo(count(document, "//collision"))
                 .isPositive();
         for (String other : List.of("visual", "inertial", "plugin", "light", "joint")) {
@@ -131,8 +131,15 @@ class SdfRealFilesTest {
                         sphere -> assertThat(sphere)
                                 .isEqualTo(new SphereObject(new Point(0, 0.5, -1.5), 0.5).moveable("sphere")),
                         capsule -> assertThat(capsule)
-                                .isEqualTo(new CapsuleObject(new Point(0, 0.5, 3), 0.2, 0.6).moveable("capsule")));
-        assertThat(read.skipped()).extracting(Skipped::line).containsExactly(36, 225, 253);
+                                .isEqualTo(new CapsuleObject(new Point(0, 0.5, 3), 0.2, 0.6).moveable("capsule")),
+                        ellipsoid -> assertThat(ellipsoid).isInstanceOf(MeshObject.class),
+                        cone -> assertThat(cone).isInstanceOf(MeshObject.class));
+        assertThat(read.skipped()).isEmpty();
+        assertThat(read.remarks())
+                .satisfiesExactlyInAnyOrder(
+                        ground -> assertThat(ground).contains(":36: left out <plane>"),
+                        ellipsoid -> assertThat(ellipsoid).contains(":225: "),
+                        cone -> assertThat(cone).contains(":253: "));
     }
 
     /** Rays at places that the file's numbers give: nine columns of radius 0.15, 1.1 apart. */

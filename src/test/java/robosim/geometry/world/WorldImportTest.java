@@ -156,8 +156,9 @@ class WorldImportTest {
             strings = {
                 "map.pgm| a map is read from its .yaml file, which gives the size of a cell",
                 "map.PNG| a map is read from its .yaml",
-                "robot.urdf| files of this format are not supported; unpack this one, or export it as SDFormat, OBJ or STL (got:"
-                        + " .urdf)",
+                "robot.urdf|1:1: this is not well-formed XML",
+                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, COLLADA,"
+                        + " OBJ or STL (got: .xacro)",
                 "world.sdf.gz| files of this format are not supported; unpack this one",
                 "model.glb| files of this format are not supported",
                 "mesh.dae|1:1: this is not well-formed XML",
@@ -200,7 +201,8 @@ class WorldImportTest {
         assertThat(read.lines(2))
                 .hasSize(5)
                 .startsWith(
-                        "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
+                        "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7,"
+                                + " sphere 1",
                         "Ignored, as irrelevant to solid geometry: inertial 6, light 1, scene 1, visual 7")
                 .last()
                 .isEqualTo("... and 1 more");

@@ -17,6 +17,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.exact.NumberText;
@@ -63,8 +64,8 @@ public final class ConvertCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "IN",
-            description = "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), or a mesh"
-                    + " (.obj, .stl)")
+            description = "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), a robot (.urdf),"
+                    + " or a mesh (.obj, .stl, .dae)")
     private Path in = Path.of("");
 
     @Parameters(
@@ -165,7 +166,7 @@ public final class ConvertCommand implements Callable<Integer> {
 
     private ImportOptions options() {
         try {
-            return new ImportOptions(wallHeight, scale, up, models);
+            return new ImportOptions(wallHeight, scale, up, ModelFolders.with(models));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }

@@ -21,7 +21,7 @@ import robosim.geometry.world.xml.SafeXml;
 
 /** Parses an SDFormat file into elements: those relevant to solid geometry, and counts of the others. */
 public final class SdfParser extends DefaultHandler {
-    private static final int FIRST_VERSION = 4;
+    private static final int FIRST_VERSION = 0;
     private static final int LAST_VERSION = 12;
 
     private final SdfFile file;
@@ -81,8 +81,11 @@ public final class SdfParser extends DefaultHandler {
         }
         SdfElement parent = open.peek();
         if (parent == null) {
-            root = keep(null, name, attributes);
+            root = keep(null, name.equals("gazebo") ? "sdf" : name, attributes);
             checkRoot(root);
+        } else if (name.equals("origin") && attributes.getValue("pose") != null && SdfNames.isRead(parent.name, "pose")) {
+            SdfElement pose = keep(parent, "pose", attributes);
+            pose.text.append(pose.attribute("pose"));
         } else if (SdfNames.isRead(parent.name, name)) {
             keep(parent, name, attributes);
         } else {
@@ -127,6 +130,7 @@ public final class SdfParser extends DefaultHandler {
             }
         }
         open.push(element);
+        SdfOld.complete(element);
         return element;
     }
 
@@ -142,7 +146,7 @@ public final class SdfParser extends DefaultHandler {
     }
 
     private void checkRoot(SdfElement sdf) throws SAXException {
-        if (!sdf.name.equals("sdf")) {
+        if (!sdf.name.equals("sdf") && !sdf.name.equals("gazebo")) {
             throw refusal("the root of SDFormat must be <sdf> (got: <" + sdf.name + ">)");
         }
         String version = sdf.attribute("version");
@@ -181,6 +185,10 @@ public final class SdfParser extends DefaultHandler {
                     "radius",
                     "length",
                     "normal",
+                    "radii",
+                    "point",
+                    "height",
+                    "center",
                     "scale" -> true;
             default -> false;
         };

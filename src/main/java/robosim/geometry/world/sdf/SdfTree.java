@@ -20,13 +20,12 @@ public final class SdfTree {
     private static final Map<String, String> WELL_KNOWN = Map.of(
             "model://sun", "it is a light",
             "model://ground_plane",
-                    "it is infinite ground, and a world has no planes; use a box if robots must collide with it");
+                    "it is infinite ground, which all that stands on it would touch, and what touches cannot move; use a box if something must collide with it");
 
     private final SdfFiles files;
     private final Map<String, Integer> passedOver = new TreeMap<>();
     private final List<LeftOut> skipped = new ArrayList<>();
     private final Set<String> remarks = new LinkedHashSet<>();
-    private final Set<SdfFile> wellKnown = new HashSet<>();
 
     /** The chain of files that are being included. */
     private final Set<SdfFile> open;
@@ -60,13 +59,14 @@ public final class SdfTree {
         return List.copyOf(remarks);
     }
 
-    /** Leaves out a ground plane; Gazebo's own, which most worlds include, is not reported as missing. */
-    void ground(SdfElement plane, String what, String reason) throws FileProblem {
-        if (wellKnown.contains(plane.file)) {
-            remarks.add(new LeftOut(plane.file.shown(), plane.line, what, reason).toString());
-        } else {
-            skip(plane, what, reason);
-        }
+    /** Leaves out a ground plane, which is not reported as missing: everything stands on it. */
+    void ground(SdfElement plane, String what, String reason) {
+        remarks.add(new LeftOut(plane.file.shown(), plane.line, what, reason).toString());
+    }
+
+    /** Something that a user should know of an element that is read. */
+    void remark(SdfElement place, String remark) {
+        remarks.add(place.file.shown() + ":" + place.line + ": " + remark);
     }
 
     /** Reads the scope of a file's only world, or of its models if it has no world. */
@@ -285,9 +285,6 @@ public final class SdfTree {
                 return;
             }
             throw files.missing(uri);
-        }
-        if (WELL_KNOWN.containsKey(address)) {
-            wellKnown.add(root.file);
         }
         if (!open.add(root.file)) {
             throw uri.wrong("a file must not include itself, directly or through others (got: " + address + ")");

@@ -93,11 +93,12 @@ public final class FileKind {
             case "sdf" -> readAs.equals("sdf") ? null : "this is SDFormat; give it a name that ends in .sdf or .world";
             case "world" ->
                 readAs.equals("xml") ? null : "this is a world of this module; give it a name that ends in .xml";
-            case "robot" -> "this is URDF, which is not supported; export it as SDFormat (gz sdf -p does)";
+            case "robot" -> readAs.equals("urdf") ? null : "this is URDF; give it a name that ends in .urdf";
             case "COLLADA" -> readAs.equals("dae") ? null : "this is COLLADA; give it a name that ends in .dae";
             case "svg" -> "this is an image (SVG), which contains no world";
             case "html" -> "this is a web page: what was downloaded is not the file but the page around it";
-            case "gazebo", "gazebo_world" -> "this is a Gazebo world older than SDFormat 1.4; convert it with Gazebo";
+            case "gazebo" -> readAs.equals("sdf") ? null : "this is SDFormat; give it a name that ends in .world";
+            case "gazebo_world" -> "this is a Gazebo world older than SDFormat; convert it with Gazebo";
             default ->
                 readAs.equals("xml") || readAs.equals("sdf") || readAs.equals("dae") ? null : "this is XML, with the root <" + root + ">";
         };
