@@ -12,6 +12,7 @@ module robosim.geometry {
     exports robosim.geometry;
     exports robosim.geometry.collision;
     exports robosim.geometry.junit;
+    exports robosim.geometry.material;
     exports robosim.geometry.model;
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;

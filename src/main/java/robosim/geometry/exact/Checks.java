@@ -50,6 +50,23 @@ public final class Checks {
         return value + 0.0;
     }
 
+    /** Returns a valid size that is not zero. */
+    public static double positive(String argument, double value) {
+        if (!(value > 0 && value <= LIMIT)) {
+            throw new IllegalArgumentException(
+                    argument + " must be a number above 0 and at most 2^100 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    /** Returns a valid share: from 0 to 1. */
+    public static double share(String argument, double value) {
+        if (!(value >= 0 && value <= 1)) {
+            throw new IllegalArgumentException(argument + " must be a number from 0 to 1 (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
     /** Returns a valid angle in degrees: any finite number. */
     public static double angle(String argument, double degrees) {
         if (!Double.isFinite(degrees)) {

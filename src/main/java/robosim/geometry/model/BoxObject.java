@@ -6,6 +6,7 @@ import java.io.Serial;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /** A solid box, placed by its centre; width along its own X, height along Y, length along Z. */
 public final class BoxObject implements GeometryObject {
@@ -58,13 +59,23 @@ public final class BoxObject implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public BoxObject named(String name) {
         return with(tag.named(name), pose);
     }
 
     @Override
     public BoxObject moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public BoxObject withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -129,7 +140,7 @@ public final class BoxObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Box(SerialForms.Place.of(this), width, height, length);
+        return SerialForms.of(this, new SerialForms.Box(SerialForms.Place.of(this), width, height, length));
     }
 
     @Serial

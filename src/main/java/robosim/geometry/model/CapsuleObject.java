@@ -6,6 +6,7 @@ import java.io.Serial;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /**
  * A solid capsule: all points within a radius of a segment along its own Y, placed by its centre. A leg, an arm, a person.
@@ -58,13 +59,23 @@ public final class CapsuleObject implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public CapsuleObject named(String name) {
         return with(tag.named(name), pose);
     }
 
     @Override
     public CapsuleObject moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public CapsuleObject withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -128,7 +139,7 @@ public final class CapsuleObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Capsule(SerialForms.Place.of(this), radius, segment);
+        return SerialForms.of(this, new SerialForms.Capsule(SerialForms.Place.of(this), radius, segment));
     }
 
     @Serial

@@ -6,6 +6,7 @@ import java.io.Serial;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /** A solid cylinder, placed by its centre; its axis is its own Y. */
 public final class CylinderObject implements GeometryObject {
@@ -55,13 +56,23 @@ public final class CylinderObject implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public CylinderObject named(String name) {
         return with(tag.named(name), pose);
     }
 
     @Override
     public CylinderObject moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public CylinderObject withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -120,7 +131,7 @@ public final class CylinderObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Cylinder(SerialForms.Place.of(this), radius, height);
+        return SerialForms.of(this, new SerialForms.Cylinder(SerialForms.Place.of(this), radius, height));
     }
 
     @Serial

@@ -3,11 +3,12 @@ package robosim.geometry.model;
 import java.io.Serializable;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Material;
 
 /**
  * An object of a world: an immutable value. The world, not the value, holds where a moveable object is now.
  *
- * <p>Values compare by name, place, attitude and shape. Serialization goes through small records, so that no object can
+ * <p>Values compare by name, place, attitude, shape and material. Serialization goes through small records, so that no object can
  * be created that its constructor would refuse.
  */
 public sealed interface GeometryObject extends Serializable
@@ -42,6 +43,12 @@ public sealed interface GeometryObject extends Serializable
     /** The place and attitude. */
     Pose pose();
 
+    /**
+     * What its surface looks like, and what sensors feel of it; {@link Material#DEFAULT} unless it was given one. A member of
+     * a group that has the default is made of the group's.
+     */
+    Material material();
+
     /** The place: the middle of a box, cylinder, sphere, capsule or grid; the origin of the own frame of a mesh or group. */
     default Point center() {
         return pose().center();
@@ -70,6 +77,9 @@ public sealed interface GeometryObject extends Serializable
 
     /** This object with a name, as one that a world may move. */
     GeometryObject moveable(String name);
+
+    /** This object of another material. */
+    GeometryObject withMaterial(Material material);
 
     /** This object with another centre and the same attitude. */
     GeometryObject movedTo(Point center);

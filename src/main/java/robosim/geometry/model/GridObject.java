@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.index.cells.ClearanceMap;
 import robosim.geometry.index.cells.PlacedCells;
+import robosim.geometry.material.Material;
 
 /**
  * An occupancy grid: squares of one size in rows and columns, of which the occupied ones are solid boxes of one height. A
@@ -147,6 +148,11 @@ public final class GridObject implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public GridObject named(String name) {
         return with(tag.named(name), pose);
     }
@@ -158,7 +164,12 @@ public final class GridObject implements GeometryObject {
      */
     @Override
     public GridObject moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public GridObject withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -287,7 +298,8 @@ public final class GridObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Grid(SerialForms.Place.of(this), cell, height, columns(), rows(), bytes());
+        return SerialForms.of(
+                this, new SerialForms.Grid(SerialForms.Place.of(this), cell, height, columns(), rows(), bytes()));
     }
 
     @Serial

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /**
  * A surface of triangles and quads; a quad is always the two triangles on its diagonal 0-2, even if its corners are not
@@ -120,6 +121,21 @@ public final class MeshObject implements GeometryObject {
         return new MeshObject(tag, pose, triangles, true, boundingVolume);
     }
 
+    /**
+     * This mesh with places of its faces' corners in a picture, or without if null. It shares its corners and faces with this
+     * one, but not the trees over them.
+     *
+     * @throws IllegalArgumentException if they are not of as many corners as this mesh's faces have
+     */
+    public MeshObject withTextureCoordinates(@Nullable TextureCoordinates coordinates) {
+        return new MeshObject(tag, pose, triangles.with(coordinates), solid, boundingVolume);
+    }
+
+    /** Where the faces' corners lie in a picture; null if that was not given. */
+    public @Nullable TextureCoordinates textureCoordinates() {
+        return triangles.texture();
+    }
+
     @Override
     public @Nullable String name() {
         return tag.name();
@@ -136,13 +152,23 @@ public final class MeshObject implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public MeshObject named(String name) {
         return with(tag.named(name), pose);
     }
 
     @Override
     public MeshObject moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public MeshObject withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -225,8 +251,10 @@ public final class MeshObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Mesh(
-                SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid);
+        return SerialForms.of(
+                this,
+                new SerialForms.Mesh(
+                        SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid));
     }
 
     @Serial

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /**
  * The union of its members, which are given in the group's own frame; groups may hold groups, but no grid.
@@ -112,13 +113,23 @@ public final class ObjectGroup implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public ObjectGroup named(String name) {
         return with(tag.named(name), pose);
     }
 
     @Override
     public ObjectGroup moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public ObjectGroup withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -198,7 +209,7 @@ public final class ObjectGroup implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Group(SerialForms.Place.of(this), members, boundingVolume);
+        return SerialForms.of(this, new SerialForms.Group(SerialForms.Place.of(this), members, boundingVolume));
     }
 
     @Serial

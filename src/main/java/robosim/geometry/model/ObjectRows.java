@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /**
  * Many objects as columns of plain values, for serialization: sizes, names and places to the last bit, with the
@@ -24,6 +25,7 @@ import robosim.geometry.exact.Checks;
  * @param names    by object: null if it has none
  * @param moveable by object
  * @param places   by object: the {@link Pose#PLACE} numbers of its place
+ * @param materials by object: null for the default; all of it null if no object was given one
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared; the numbers are checked on the way out
 public record ObjectRows(
@@ -33,7 +35,8 @@ public record ObjectRows(
         int[] shapeOf,
         @Nullable String[] names,
         boolean[] moveable,
-        double[] places)
+        double[] places,
+        @Nullable Material @Nullable [] materials)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -80,12 +83,17 @@ public record ObjectRows(
         @Nullable String[] names = new String[count];
         boolean[] moveable = new boolean[count];
         double[] places = new double[Pose.PLACE * count];
+        @Nullable Material @Nullable [] materials = null;
         List<GeometryObject> shapes = new ArrayList<>();
         Map<Shape, Integer> seen = new HashMap<>();
         for (int k = 0; k < count; k++) {
             GeometryObject object = objects.get(k);
             names[k] = object.name();
             moveable[k] = object.isMoveable();
+            if (!object.material().isDefault()) {
+                materials = materials == null ? new Material[count] : materials;
+                materials[k] = object.material();
+            }
             object.pose().place(places, Pose.PLACE * k);
             kinds[k] = size(object, sizes, SIZES * k);
             if (kinds[k] == OTHER) {
@@ -95,7 +103,8 @@ public record ObjectRows(
                 });
             }
         }
-        return new ObjectRows(kinds, sizes, shapes.toArray(GeometryObject[]::new), shapeOf, names, moveable, places);
+        return new ObjectRows(
+                kinds, sizes, shapes.toArray(GeometryObject[]::new), shapeOf, names, moveable, places, materials);
     }
 
     private static Shape shape(GeometryObject object) {
@@ -165,12 +174,18 @@ public record ObjectRows(
         checkLength("names", Checks.present("names", names).length, count);
         checkLength("moveable", Checks.present("moveable", moveable).length, count);
         checkLength("places", Checks.present("places", places).length, (long) Pose.PLACE * count);
+        checkLength("materials", materials == null ? count : materials.length, count);
         Checks.present("shapes", shapes);
         List<GeometryObject> objects = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
-            objects.add(object(k, new Tag(names[k], moveable[k]), Pose.checked(places, Pose.PLACE * k)));
+            objects.add(object(k, new Tag(names[k], moveable[k], material(k)), Pose.checked(places, Pose.PLACE * k)));
         }
         return objects;
+    }
+
+    private Material material(int k) {
+        Material material = materials == null ? null : materials[k];
+        return material == null ? Material.DEFAULT : material;
     }
 
     private static void checkLength(String column, long length, long wanted) {

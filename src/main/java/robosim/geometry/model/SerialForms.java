@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /**
  * The serialized forms of objects: records from which the object is created through its constructor, so that no object
@@ -31,7 +32,24 @@ public final class SerialForms {
                 Capsule.class,
                 Mesh.class,
                 Group.class,
-                Grid.class);
+                Grid.class,
+                Textured.class,
+                Surfaced.class);
+    }
+
+    /**
+     * What stands for an object in a stream: its form, and around it what it may have besides. An object that has nothing
+     * besides has the bytes that it always had.
+     */
+    static Object of(GeometryObject object, Serializable form) {
+        Material material = object.material();
+        if (!material.isDefault()) {
+            return new Surfaced(object.withMaterial(Material.DEFAULT), material);
+        }
+        TextureCoordinates texture = object instanceof MeshObject mesh ? mesh.textureCoordinates() : null;
+        return texture == null
+                ? form
+                : new Textured(((MeshObject) object).withTextureCoordinates(null), texture.points(), texture.corners());
     }
 
     static InvalidObjectException formRequired() {
@@ -145,6 +163,31 @@ public final class SerialForms {
         @Serial
         private Object readResolve() {
             return GridObject.of(place.tag(), place.pose(), cell, height, columns, rows, occupied);
+        }
+    }
+
+    /** A mesh with texture coordinates. */
+    record Textured(GeometryObject mesh, double[] points, int[] corners) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            if (mesh instanceof MeshObject surface) {
+                return surface.withTextureCoordinates(new TextureCoordinates(points, corners));
+            }
+            throw new IllegalArgumentException("only a mesh has texture coordinates (got: " + mesh + ")");
+        }
+    }
+
+    /** An object that was given a material. */
+    record Surfaced(GeometryObject object, Material material) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return Checks.present("object", object).withMaterial(material);
         }
     }
 }

@@ -6,6 +6,7 @@ import java.io.Serial;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 
 /** A solid sphere, placed by its centre. It has an attitude too, which defines its forward direction. */
 public final class SphereObject implements GeometryObject {
@@ -52,13 +53,23 @@ public final class SphereObject implements GeometryObject {
     }
 
     @Override
+    public Material material() {
+        return tag.material();
+    }
+
+    @Override
     public SphereObject named(String name) {
         return with(tag.named(name), pose);
     }
 
     @Override
     public SphereObject moveable(String name) {
-        return with(Tag.moveable(name), pose);
+        return with(tag.moveable(name), pose);
+    }
+
+    @Override
+    public SphereObject withMaterial(Material material) {
+        return with(tag.of(material), pose);
     }
 
     @Override
@@ -111,7 +122,7 @@ public final class SphereObject implements GeometryObject {
 
     @Serial
     private Object writeReplace() {
-        return new SerialForms.Sphere(SerialForms.Place.of(this), radius);
+        return SerialForms.of(this, new SerialForms.Sphere(SerialForms.Place.of(this), radius));
     }
 
     @Serial

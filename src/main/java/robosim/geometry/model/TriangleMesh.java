@@ -3,6 +3,7 @@ package robosim.geometry.model;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.index.boxes.BoxTree;
@@ -14,6 +15,8 @@ import robosim.geometry.index.boxes.WideTree;
  * <p>For internal use; users work with {@link MeshObject}.
  */
 public final class TriangleMesh {
+    private static final int[] NO_POINTS = {};
+
     private final double[] coordinates;
     private final int[][] faces;
 
@@ -22,6 +25,11 @@ public final class TriangleMesh {
 
     /** By triangle, the index of its face. */
     private final int[] faceOf;
+
+    private final @Nullable TextureCoordinates texture;
+
+    /** By triangle three points of the texture; empty without one. */
+    private final int[] texturePoints;
 
     private volatile @Nullable BoxTree tree;
 
@@ -53,6 +61,8 @@ public final class TriangleMesh {
         }
         this.coordinates = coordinates;
         this.faces = faces;
+        this.texture = null;
+        this.texturePoints = NO_POINTS;
         this.corners = new int[3 * triangles];
         this.faceOf = new int[triangles];
         int t = 0;
@@ -64,6 +74,45 @@ public final class TriangleMesh {
                 faceOf[t++] = f;
             }
         }
+    }
+
+    private TriangleMesh(TriangleMesh surface, @Nullable TextureCoordinates texture) {
+        this.coordinates = surface.coordinates;
+        this.faces = surface.faces;
+        this.corners = surface.corners;
+        this.faceOf = surface.faceOf;
+        this.texture = texture;
+        this.texturePoints = texture == null ? NO_POINTS : texture.ofTriangles(faces, faceOf.length);
+    }
+
+    /** The same triangles with other texture coordinates. Its trees are built afresh. */
+    TriangleMesh with(@Nullable TextureCoordinates coordinatesOfTexture) {
+        return Objects.equals(texture, coordinatesOfTexture) ? this : new TriangleMesh(this, coordinatesOfTexture);
+    }
+
+    /** Where the faces' corners lie in a picture; null if that was not given. */
+    @Nullable
+    TextureCoordinates texture() {
+        return texture;
+    }
+
+    /** Whether all corners of a triangle have a place in a picture. */
+    public boolean isTextured(int triangle) {
+        return texturePoints.length > 0 && texturePoints[3 * triangle] != TextureCoordinates.NONE;
+    }
+
+    /**
+     * The place of a triangle's corner in a picture.
+     *
+     * @param triangle one that {@linkplain #isTextured is textured}
+     * @param corner   0 to 2
+     * @param axis     0 for u, 1 for v
+     */
+    public double textured(int triangle, int corner, int axis) {
+        if (texture == null || !isTextured(triangle)) {
+            throw new IllegalArgumentException("triangle must be one with texture coordinates (got: " + triangle + ")");
+        }
+        return texture.coordinate(texturePoints[3 * triangle + corner], axis);
     }
 
     private static void checkFace(int f, int[] face, int vertices) {
@@ -300,6 +349,7 @@ public final class TriangleMesh {
     public boolean equals(Object other) {
         return this == other
                 || (other instanceof TriangleMesh that
+                        && Objects.equals(texture, that.texture)
                         && Arrays.equals(coordinates, that.coordinates)
                         && Arrays.deepEquals(faces, that.faces));
     }

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -78,6 +80,8 @@ final class AllowedClasses {
             MeshObject.class,
             ObjectGroup.class,
             GridObject.class,
+            Material.class,
+            ImageTexture.class,
             Object[].class,
             String.class,
             List.of().getClass(),
@@ -87,7 +91,8 @@ final class AllowedClasses {
     private final Set<Class<?>> all = new HashSet<>(MADE);
 
     AllowedClasses(Set<Class<?>> translated) {
-        for (Set<Class<?>> some : List.of(BUNDLES, VALUES, BATCHES, SerialForms.classes(), translated)) {
+        for (Set<Class<?>> some :
+                List.of(BUNDLES, VALUES, BATCHES, SerialForms.classes(), Material.serialClasses(), translated)) {
             for (Class<?> type : some) {
                 named.put(type.getName(), type);
             }

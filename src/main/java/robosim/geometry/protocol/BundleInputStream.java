@@ -8,6 +8,7 @@ import java.io.ObjectStreamClass;
 import java.util.IdentityHashMap;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.ImageTexture;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
@@ -25,6 +26,7 @@ final class BundleInputStream extends ObjectInputStream {
     private final IdentityHashMap<ObjectGroup, Long> groups = new IdentityHashMap<>();
 
     private long parts;
+    private long pixels;
     private long claimedBytes;
     private long references;
     private long referencesBefore;
@@ -42,6 +44,7 @@ final class BundleInputStream extends ObjectInputStream {
     Object readMessage() throws IOException, ClassNotFoundException {
         claimedBytes = 0;
         parts = 0;
+        pixels = 0;
         if (input.afterReset()) {
             referencesBefore = references;
             groups.clear();
@@ -128,7 +131,10 @@ final class BundleInputStream extends ObjectInputStream {
         if (made instanceof List<?> items && !items.isEmpty() && items.get(0) instanceof GeometryObject) {
             add(sum(items));
         } else if (made instanceof MeshObject mesh) {
-            add(partsOf(mesh));
+            // With a material it comes a second time, as the same triangles.
+            add(mesh.material().isDefault() ? partsOf(mesh) : 0);
+        } else if (made instanceof ImageTexture image) {
+            addPixels((long) image.width() * image.height());
         } else if (made instanceof ObjectGroup group) {
             groups.put(group, sum(group.members()));
         }
@@ -150,6 +156,15 @@ final class BundleInputStream extends ObjectInputStream {
             case GRID -> MessageLimits.parts((GridObject) object);
             case GROUP -> groups.getOrDefault((ObjectGroup) object, 1L);
         };
+    }
+
+    /** A picture takes memory for each pixel, and a few bytes can make another one of the same numbers. */
+    private void addPixels(long more) throws IOException {
+        pixels += more;
+        if (pixels > MessageLimits.MAX_PIXELS) {
+            throw new InvalidClassException("a message's pictures must have at most " + MessageLimits.MAX_PIXELS
+                    + " pixels together (got: more)");
+        }
     }
 
     private void add(long more) throws IOException {

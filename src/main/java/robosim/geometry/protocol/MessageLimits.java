@@ -47,6 +47,12 @@ public final class MessageLimits {
      */
     public static final long MAX_PARTS = 16_000_000;
 
+    /**
+     * Maximum number of pixels of all pictures of one message, counted at each that it has. Sixteen of 1024 x 1024 have as
+     * many, of 3 bytes each; one picture is limited by {@link #MAX_ARRAY_LENGTH}, which is 1154 x 1154.
+     */
+    public static final int MAX_PIXELS = 1 << 24;
+
     /** The parts of a grid: a world looks at its occupied cells, and passes over the free ones many times as fast. */
     public static long parts(GridObject grid) {
         return Checks.present("grid", grid).cells().occupied() + (long) grid.columns() * grid.rows() / Byte.SIZE;

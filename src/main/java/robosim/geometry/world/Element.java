@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
 import org.xml.sax.helpers.AttributesImpl;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.xml.Text;
@@ -30,6 +31,19 @@ final class Element {
     @Nullable
     GeometryObject bounds;
 
+    /** The pattern of a material. */
+    @Nullable
+    Texture texture;
+
+    /** The points of a mesh in a picture. */
+    double @Nullable [] uv;
+
+    /** By corner of a mesh's faces, the index of its point. */
+    int @Nullable [] corners;
+
+    /** The pixels of a picture. */
+    int @Nullable [] pixels;
+
     /** The occupied cells of a grid. */
     @Nullable
     BitSet occupied;
@@ -50,7 +64,7 @@ final class Element {
     /** Whether its content is text, that is, numbers. */
     boolean takesText() {
         return switch (name) {
-            case "vertices", "triangles", "quads", "grid" -> true;
+            case "vertices", "triangles", "quads", "grid", "uv", "corners", "image" -> true;
             default -> false;
         };
     }

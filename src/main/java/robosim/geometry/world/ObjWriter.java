@@ -4,10 +4,15 @@ import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.function.LongConsumer;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.image.PngWriter;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -18,6 +23,8 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
+import robosim.geometry.world.mesh.MaterialWriter;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
@@ -27,6 +34,9 @@ import robosim.geometry.world.shared.Rectangles;
  * Writes the surfaces of a world as a Wavefront OBJ file, for display in other programs: world units, Y up, an {@code
  * o} for each object. Boxes and meshes are exact, and the cells of a grid, to within rounding: as boxes of many cells. A cylinder has {@link #SIDES} flat sides, and a sphere or capsule as
  * many around; their corners are on the true surface, so round shapes are slightly too small.
+ *
+ * <p>Where objects were given materials, an MTL file of the same name is written beside it, with a PNG file for each picture.
+ * A checker or stripes, and a picture on anything but a mesh with texture coordinates, are only a colour there.
  */
 public final class ObjWriter {
     /** Number of flat sides of a round shape. */
@@ -39,8 +49,17 @@ public final class ObjWriter {
     /** The number of vertices so far; OBJ counts them over the whole file, from 1. */
     private long vertices;
 
-    private ObjWriter(BufferedWriter out) {
+    /** The number of texture points so far. */
+    private long texturePoints;
+
+    private final MaterialWriter materials;
+
+    /** What the last faces were made of. */
+    private Material last = Material.DEFAULT;
+
+    private ObjWriter(BufferedWriter out, MaterialWriter materials) {
         this.out = out;
+        this.materials = materials;
     }
 
     /**
@@ -54,9 +73,18 @@ public final class ObjWriter {
         Checks.present("file", file);
         Checks.present("progress", progress);
         try {
+            Path named = file.getFileName();
+            String stem = (named == null ? "world" : named.toString()).replaceFirst("\\.[^.]*$", "");
+            MaterialWriter materials = new MaterialWriter(stem);
+            world.objects().forEach(each -> collect(each.object(), Material.DEFAULT, materials));
+            boolean isDevice = Files.exists(file) && !Files.isRegularFile(file);
+            boolean isPlain = isDevice || materials.isPlain();
+            if (!isPlain) {
+                write(materials, file.resolveSibling(stem + ".mtl"));
+            }
             AtomicFileWriter.write(file, to -> {
                 BufferedWriter out = new BufferedWriter(new OutputStreamWriter(to, StandardCharsets.UTF_8));
-                new ObjWriter(out).world(world, progress);
+                new ObjWriter(out, materials).world(world, isPlain ? "" : "mtllib " + stem + ".mtl\n", progress);
                 out.flush();
             });
         } catch (IOException e) {
@@ -64,20 +92,45 @@ public final class ObjWriter {
         }
     }
 
-    private void world(World world, LongConsumer progress) throws IOException {
+    private static void collect(GeometryObject object, Material around, MaterialWriter materials) {
+        Material material = object.material().within(around);
+        if (object instanceof ObjectGroup group) {
+            group.members().forEach(member -> collect(member, material, materials));
+        } else {
+            materials.name(material);
+        }
+    }
+
+    private static void write(MaterialWriter materials, Path library) throws IOException {
+        for (Map.Entry<ImageTexture, String> picture : materials.pictures().entrySet()) {
+            ImageTexture image = picture.getKey();
+            AtomicFileWriter.write(
+                    library.resolveSibling(picture.getValue()),
+                    to -> PngWriter.writeColour(to, image.width(), image.height(), image.pixels()));
+        }
+        AtomicFileWriter.write(library, to -> to.write(materials.text().getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private void world(World world, String library, LongConsumer progress) throws IOException {
         out.write("# " + number(world.width()) + " x " + number(world.height()) + " x " + number(world.length())
                 + ", Y up" + (world.unit() == null ? "" : ", in " + world.unit().symbol()) + "\n");
+        out.write(library);
         long done = 0;
         for (WorldObject each : world.objects()) {
             progress.accept(done++);
             String name = each.object().name();
             out.write("o " + (name == null ? "object_" + done : name.strip().replaceAll("\\s", "_")) + "\n");
-            object(each.object(), Placement.NONE);
+            object(each.object(), Placement.NONE, Material.DEFAULT);
         }
     }
 
-    private void object(GeometryObject object, Placement frame) throws IOException {
+    private void object(GeometryObject object, Placement frame, Material around) throws IOException {
         Pose pose = object.pose();
+        Material material = object.material().within(around);
+        if (object.kind() != GeometryObject.Kind.GROUP && !material.equals(last)) {
+            out.write("usemtl " + materials.name(material) + "\n");
+            last = material;
+        }
         Placement place = frame.then(Placement.turned(pose.center(), pose.rotation()));
         switch (object.kind()) {
             case BOX -> box((BoxObject) object, place);
@@ -87,11 +140,11 @@ public final class ObjWriter {
                 CapsuleObject capsule = (CapsuleObject) object;
                 ball(capsule.radius(), capsule.segment() / 2, place);
             }
-            case MESH -> mesh((MeshObject) object, place);
+            case MESH -> mesh((MeshObject) object, place, material);
             case GRID -> grid((GridObject) object, place);
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
-                    object(member, place);
+                    object(member, place, material);
                 }
             }
         }
@@ -182,14 +235,34 @@ public final class ObjWriter {
         }
     }
 
-    private void mesh(MeshObject mesh, Placement place) throws IOException {
+    private void mesh(MeshObject mesh, Placement place, Material material) throws IOException {
         for (Point vertex : mesh.vertices()) {
             vertex(place, vertex.x(), vertex.y(), vertex.z());
         }
         int count = mesh.vertices().size();
-        for (int[] face : mesh.faces()) {
-            face(count, face);
+        TextureCoordinates texture = mesh.textureCoordinates();
+        if (texture == null || !(material.texture() instanceof ImageTexture)) {
+            for (int[] face : mesh.faces()) {
+                face(count, face);
+            }
+            return;
         }
+        double[] points = texture.points();
+        for (int k = 0; k < points.length; k += 2) {
+            out.write("vt " + number(points[k]) + " " + number(points[k + 1]) + "\n");
+        }
+        int[] corners = texture.corners();
+        int at = 0;
+        for (int[] face : mesh.faces()) {
+            out.write("f");
+            for (int corner : face) {
+                int point = corners[at++];
+                out.write(" " + (vertices - count + corner + 1)
+                        + (point == TextureCoordinates.NONE ? "" : "/" + (texturePoints + point + 1)));
+            }
+            out.write("\n");
+        }
+        texturePoints += points.length / 2;
     }
 
     private void vertex(Placement place, double x, double y, double z) throws IOException {

@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -20,6 +21,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
@@ -31,6 +33,9 @@ import robosim.geometry.world.xml.Text;
 final class ObjectBuilder {
     private final String source;
     private final @Nullable Path base;
+
+    /** What objects are made of. */
+    final WorldMaterials materials;
 
     private final Map<MeshKey, MeshObject> files = new HashMap<>();
     private final Map<MeshObject, MeshObject> meshes = new HashMap<>();
@@ -47,6 +52,7 @@ final class ObjectBuilder {
     ObjectBuilder(String source, @Nullable Path base) {
         this.source = source;
         this.base = base;
+        materials = new WorldMaterials(this, source, base);
     }
 
     /** The world unit, or null if the file does not specify it. */
@@ -63,11 +69,11 @@ final class ObjectBuilder {
         return named(attribute, () -> Unit.length(element.attribute(attribute, otherwise), unit(element)));
     }
 
-    private static double number(Element element, String attribute, String otherwise) {
+    static double number(Element element, String attribute, String otherwise) {
         return named(attribute, () -> Numbers.parse(element.attribute(attribute, otherwise)));
     }
 
-    private static <T> T named(String attribute, Supplier<T> value) {
+    static <T> T named(String attribute, Supplier<T> value) {
         try {
             return value.get();
         } catch (IllegalArgumentException e) {
@@ -110,7 +116,9 @@ final class ObjectBuilder {
             case "grid" -> grid(element);
             default -> mesh(element);
         };
-        return tagged(element, shape.at(pose(element)));
+        Material material = materials.of(element);
+        GeometryObject placed = tagged(element, shape.at(pose(element)));
+        return material == null ? placed : placed.withMaterial(material);
     }
 
     private GridObject grid(Element element) {
@@ -193,7 +201,13 @@ final class ObjectBuilder {
                 throw new IllegalArgumentException("scale applies only to a mesh from a file; remove it (got: "
                         + element.attribute("scale") + ")");
             }
-            return shared(mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, solid));
+            MeshObject mesh = mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, solid);
+            double[] uv = element.uv;
+            int[] corners = element.corners;
+            return shared(
+                    uv == null || corners == null
+                            ? mesh
+                            : mesh.withTextureCoordinates(new TextureCoordinates(uv, corners)));
         }
         if (!element.faces.isEmpty()) {
             throw new IllegalArgumentException(
@@ -201,7 +215,9 @@ final class ObjectBuilder {
         }
         Path path = locate(element, file);
         double scale = number(element, "scale", "1");
-        return shared(fromFile(new MeshKey(path, scale, solid, element.bounds)));
+        MeshObject read = fromFile(new MeshKey(path, scale, solid, element.bounds));
+        Material material = materials.of(element);
+        return shared(MeshFiles.trimmed(material == null ? read : read.withMaterial(material)));
     }
 
     private MeshObject fromFile(MeshKey key) throws FileProblem {
@@ -209,12 +225,14 @@ final class ObjectBuilder {
         if (known == null) {
             MeshKey plain = new MeshKey(key.file, key.scale, false, null);
             if (key.equals(plain)) {
-                known = MeshFiles.read(key.file, key.scale);
+                known = MeshFiles.read(key.file, key.scale, materials.textures);
             } else if (key.bounds == null) {
                 known = fromFile(plain).solid();
             } else {
                 MeshObject surface = fromFile(plain);
-                known = mesh(surface.vertices(), surface.faces(), key.bounds, key.solid);
+                known = mesh(surface.vertices(), surface.faces(), key.bounds, key.solid)
+                        .withTextureCoordinates(surface.textureCoordinates())
+                        .withMaterial(surface.material());
             }
             files.put(key, known);
         }
@@ -256,6 +274,8 @@ final class ObjectBuilder {
             if (!element.broken) {
                 element.occupied = occupied(element);
             }
+        } else if (WorldMaterials.reads(element)) {
+            materials.readText(element);
         } else if (element.takesText()) {
             readNumbers(element);
         }

@@ -31,6 +31,9 @@ final class SchemaErrors {
             Map.entry("boolean", "true or false"),
             Map.entry("name", "text of at most 1000 characters, one of them visible"),
             Map.entry("color", "# and six hexadecimal digits, like #cc8800"),
+            Map.entry(
+                    "rgb", "# and six hexadecimal digits, like #cc8800, or three numbers from 0 to 1, like 0.8 0.5 0"),
+            Map.entry("index", "a whole number of at least 0"),
             Map.entry("unit", "km, m, cm, mm, in or ft"),
             Map.entry("dimension", "PLANAR or SPATIAL"),
             Map.entry("accuracy", "SPHERE, AABB, OBB, DOP or EXACT"));

@@ -127,8 +127,11 @@ final class WorldHandler extends DefaultHandler {
 
     private void checkName(Element element) throws SAXException {
         String name = element.attribute("name");
-        if (element.parent == null || element.parent.parent != null || name == null) {
-            return; // names are unique only directly in the world
+        if (element.parent == null
+                || element.parent.parent != null
+                || name == null
+                || element.name.equals("material")) {
+            return; // names are unique only directly in the world, and those of materials among themselves
         }
         Integer earlier = linesOfNames.putIfAbsent(name, element.line);
         if (earlier != null) {
@@ -222,6 +225,10 @@ final class WorldHandler extends DefaultHandler {
         switch (element.name) {
             case "bounds" -> parent.bounds = element.members.get(0);
             case "sonar" -> parent.sonars.add(builder.sonar(element));
+            case "material" -> builder.materials.define(element);
+            case "checker", "stripes", "image" -> parent.texture = builder.materials.texture(element);
+            case "uv" -> parent.uv = element.uv;
+            case "corners" -> parent.corners = element.corners;
             case "vertices" -> parent.vertices.addAll(element.vertices);
             default -> parent.faces.addAll(element.faces);
         }

@@ -17,6 +17,8 @@ import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.sdf.SdfManifest;
 import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
+import robosim.geometry.world.shared.TextureFiles;
 
 /**
  * A world from a file of any supported format, and a report on the file: what was read, what was ignored because it is
@@ -155,8 +157,9 @@ public record WorldImport(
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
         MeshObject mesh;
         boolean isCollada = MeshFiles.isCollada(file.toString());
+        List<LeftOut> leftOut = new ArrayList<>();
         try {
-            mesh = MeshFiles.read(file, options.scale());
+            mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of(), leftOut)));
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
@@ -177,7 +180,13 @@ public record WorldImport(
                 Dimension.SPATIAL,
                 Accuracy.EXACT,
                 objects);
-        return new WorldImport(world, format, Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length));
+        return new WorldImport(
+                world,
+                format,
+                Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length),
+                Map.of(),
+                leftOut.stream().map(Skipped::of).toList(),
+                List.of());
     }
 
     /**

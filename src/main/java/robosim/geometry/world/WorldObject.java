@@ -4,13 +4,16 @@ import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 
 /**
  * An object of a world file: the object itself, and data that only viewers and environments use.
  *
- * @param object the object with its name and place
- * @param color  for the viewer, {@code #rrggbb} in lower case; null leaves it to the viewer
+ * @param object the object with its name and place, and with its colour as its material unless it has another
+ * @param color  for the viewer, {@code #rrggbb} in lower case; where null is given, that of the object's material, and where
+ *     this is the default's, null, which leaves it to the viewer
  * @param sonars range sensors; only an object with a name can have any, and no grid
  */
 public record WorldObject(GeometryObject object, @Nullable String color, List<SonarRing> sonars) {
@@ -22,6 +25,11 @@ public record WorldObject(GeometryObject object, @Nullable String color, List<So
                 throw new IllegalArgumentException("color must be # and six hexadecimal digits (got: " + color + ")");
             }
             color = color.toLowerCase(Locale.ROOT);
+            if (object.material().isDefault()) {
+                object = object.withMaterial(Material.of(Color.parse(color)));
+            }
+        } else if (!object.material().color().equals(Material.DEFAULT.color())) {
+            color = object.material().color().toString();
         }
         sonars = Checks.list("sonars", sonars);
         if (!sonars.isEmpty() && object.kind() == GeometryObject.Kind.GRID) {
@@ -32,7 +40,7 @@ public record WorldObject(GeometryObject object, @Nullable String color, List<So
         }
     }
 
-    /** An object without a colour of its own or sensors. */
+    /** An object in the colour of its material, without sensors. */
     public WorldObject(GeometryObject object) {
         this(object, null, List.of());
     }

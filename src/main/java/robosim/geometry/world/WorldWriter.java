@@ -5,9 +5,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -18,6 +20,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
@@ -36,6 +39,7 @@ public final class WorldWriter {
 
     private final StringBuilder out = new StringBuilder();
     private final long most;
+    private Map<Material, String> materials = Map.of();
 
     /** @param most maximum number of characters, at which it gives up */
     private WorldWriter(long most) {
@@ -117,6 +121,8 @@ public final class WorldWriter {
         attribute("dimension", world.dimension().name());
         attribute("accuracy", world.accuracy().name());
         out.append(">\n");
+        materials = WorldMaterials.named(world);
+        WorldMaterials.write(materials, this);
         long cells = 0;
         for (WorldObject object : world.objects()) {
             if (object.object() instanceof GridObject grid) {
@@ -144,6 +150,9 @@ public final class WorldWriter {
         size(object);
         if (color != null) {
             attribute("color", color);
+        }
+        if (!WorldMaterials.isToldBy(object.material(), color)) {
+            attribute("material", materials.getOrDefault(object.material(), ""));
         }
         int begin = out.append(">\n").length();
         content(object, depth + 1);
@@ -228,10 +237,14 @@ public final class WorldWriter {
         if (object instanceof MeshObject mesh) {
             bounds(mesh.boundingVolume(), depth);
             surface(mesh, depth);
+            TextureCoordinates coordinates = mesh.textureCoordinates();
+            if (coordinates != null) {
+                WorldMaterials.write(coordinates, depth, this);
+            }
         } else if (object instanceof ObjectGroup group) {
             bounds(group.boundingVolume(), depth);
             for (GeometryObject member : group.members()) {
-                object(member, null, List.of(), depth);
+                object(member, WorldMaterials.colorOf(member), List.of(), depth);
             }
         } else if (object instanceof GridObject grid) {
             BitSet occupied = grid.occupied();
@@ -245,7 +258,7 @@ public final class WorldWriter {
     private void bounds(@Nullable GeometryObject volume, int depth) {
         if (volume != null) {
             indent(depth).append("<bounds>\n");
-            object(volume, null, List.of(), depth + 1);
+            object(volume, WorldMaterials.colorOf(volume), List.of(), depth + 1);
             indent(depth).append("</bounds>\n");
         }
     }
@@ -296,7 +309,26 @@ public final class WorldWriter {
         out.append("/>\n");
     }
 
-    private StringBuilder indent(int depth) {
+    /** Begins a tag. */
+    void open(String tag, int depth) {
+        indent(depth).append('<').append(tag);
+    }
+
+    /** Writes the end of an element. */
+    void close(String tag, int depth) {
+        indent(depth).append("</").append(tag).append(">\n");
+    }
+
+    /** Ends a line. */
+    void line(String end) {
+        out.append(end).append('\n');
+    }
+
+    StringBuilder space() {
+        return out.append(' ');
+    }
+
+    StringBuilder indent(int depth) {
         if (out.length() > most) {
             throw new TooLong();
         }
@@ -307,7 +339,7 @@ public final class WorldWriter {
         attribute(attribute, Decimal.of(value));
     }
 
-    private void attribute(String attribute, String value) {
+    void attribute(String attribute, String value) {
         if (value.length() > Limits.MAX_ATTRIBUTE) {
             throw new IllegalArgumentException(attribute + " must have at most " + Limits.MAX_ATTRIBUTE
                     + " characters (got: " + value.length() + ")");

@@ -57,8 +57,7 @@ class ConvertCommandTest extends CommandRun {
     @Test
     void strictWritesNothingWhereSomethingIsLeftOut() throws IOException {
         Path xml = Files.writeString(folder.resolve("old.xml"), "old");
-        assertThat(run("convert", "--strict", incomplete(), xml))
-                .isEqualTo(ExitCodes.FINDINGS);
+        assertThat(run("convert", "--strict", incomplete(), xml)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString()).contains("Wrote nothing: --strict was given, and 3 would be left out");
         assertThat(xml).hasContent("old");
         assertThat(run("convert", "--strict", FILES.resolve("sdf/inner_walls"), xml))

@@ -36,6 +36,7 @@ final class Snippet {
             import java.util.stream.*;
             import robosim.geometry.*;
             import robosim.geometry.collision.*;
+            import robosim.geometry.material.*;
             import robosim.geometry.model.*;
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 
 class ObjectsTest {
     private static final int[][] TETRAHEDRON = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -45,7 +47,8 @@ class ObjectsTest {
                         .movedTo(new Point(7, 8, 9))
                         .turned(0, 0.1)
                         .turned(0, 0.1),
-                shape.turned(33, 44))) {
+                shape.turned(33, 44),
+                shape.withMaterial(Material.of(Color.BLACK)))) {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
             try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
                 out.writeObject(object);
@@ -76,6 +79,32 @@ class ObjectsTest {
         assertThat(robot).isNotEqualTo(shape);
         robot.rotation()[0] = 17;
         assertThat(robot.rotation()[0]).isEqualTo(1);
+    }
+
+    @ParameterizedTest
+    @MethodSource("shapes")
+    void aMaterialStaysWithItsObject(GeometryObject shape) {
+        Material red = Material.of(Color.parse("#ff0000")).withLabel(3);
+        assertThat(shape.material()).isSameAs(Material.DEFAULT);
+        GeometryObject painted = shape.withMaterial(red);
+        assertThat(painted.material()).isEqualTo(red);
+        assertThat(painted).isNotEqualTo(shape).hasToString(painted.toString());
+        assertThat(painted.toString()).contains("of #ff0000, label 3");
+        assertThat(painted.withMaterial(Material.DEFAULT)).isEqualTo(shape).hasToString(shape.toString());
+        for (GeometryObject changed : List.of(
+                painted.named("n"),
+                painted.moveable("m"),
+                painted.movedTo(new Point(1, 2, 3)),
+                painted.turned(1, 2),
+                painted.oriented(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}),
+                painted.at(Pose.of(new Point(), 5)))) {
+            assertThat(changed.material()).isSameAs(red);
+        }
+        assertThat(painted.moveable("m").withMaterial(Material.DEFAULT).isMoveable())
+                .isTrue();
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> shape.withMaterial(null))
+                .withMessage("material must be given (got: null)");
     }
 
     @Test

@@ -15,15 +15,20 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 
 /** Messages that are small to send and large to read. */
 @Timeout(60)
@@ -57,6 +62,18 @@ class MessageLimitsTest {
         assertThat(MessageTest.readAll(MessageTest.write(deep))).containsExactly(deep);
         refused(MessageTest.write(new InitBundle(List.of(nested(32, 1)))), "nesting");
         refused(MessageTest.write(new InitBundle(List.of(nested(ObjectGroup.MAX_DEPTH, 1)))), "nesting");
+    }
+
+    @Test
+    void aMaterialIsALevelOfItsOwn() throws IOException {
+        GeometryObject deep = BALL;
+        for (int k = 0; k < 19; k++) {
+            deep = new ObjectGroup(List.of(deep)).withMaterial(Material.DEFAULT.withLabel(k + 1));
+        }
+        InitBundle fair = new InitBundle(List.of(deep));
+        assertThat(MessageTest.readAll(MessageTest.write(fair))).containsExactly(fair);
+        GeometryObject deeper = new ObjectGroup(List.of(deep)).withMaterial(Material.DEFAULT.withLabel(20));
+        refused(MessageTest.write(new InitBundle(List.of(deeper))), "nesting");
     }
 
     /** Some 3 kB name 2^25 balls. */
@@ -102,10 +119,62 @@ class MessageLimitsTest {
         assertThat(((InitBundle) fair.get(0)).objects()).hasSize(20);
     }
 
-    /** Writes every array of a type as the first one. */
-    private static byte[] sharing(Bundle bundle, Class<?> type) throws IOException {
+    /** Texture coordinates that share their arrays on the wire: each makes corners of its own for the same triangles. */
+    @Test
+    void texturedMeshesAreCountedByTheirTrianglesToo() throws IOException {
+        int[][] faces = new int[20_000][];
+        Arrays.fill(faces, new int[] {0, 1, 2});
+        MeshObject mesh = new MeshObject(List.of(new Point(), new Point(1, 0, 0), new Point(0, 0, 1)), faces);
+        List<GeometryObject> meshes = new ArrayList<>();
+        for (int k = 0; k < 300; k++) {
+            meshes.add(mesh.withTextureCoordinates(new TextureCoordinates(new double[] {k, 0}, new int[60_000])));
+        }
+        byte[] bytes = sharing(new InitBundle(meshes), int[].class, int[][].class);
+        assertThat(bytes).hasSizeLessThan(3_000_000);
+        assertThat(allocatedBytes(() -> refused(bytes, "parts"))).isLessThan(1_000_000_000);
+        List<GeometryObject> some = meshes.subList(0, 20);
+        List<Bundle> fair = MessageTest.readAll(sharing(new InitBundle(some), int[].class, int[][].class));
+        assertThat(fair).hasSize(1);
+    }
+
+    /** Pictures that share their bytes on the wire, but would each have pixels of their own in memory. */
+    @Test
+    void picturesAreCountedByTheirPixels() throws IOException {
+        ImageTexture image = new ImageTexture(1024, 1024, new int[1 << 20], 1, 1);
+        List<GeometryObject> balls = new ArrayList<>();
+        for (int k = 1; k <= 17; k++) {
+            balls.add(BALL.withMaterial(Material.DEFAULT.withTexture(image.tiled(k, 1))));
+        }
+        byte[] bytes = sharing(new InitBundle(balls), byte[].class);
+        assertThat(bytes).hasSizeLessThan(4_000_000);
+        assertThat(allocatedBytes(() -> refused(bytes, "16777216 pixels"))).isLessThan(200_000_000);
+        InitBundle fair = new InitBundle(balls.subList(0, 16));
+        assertThat(MessageTest.readAll(sharing(fair, byte[].class))).containsExactly(fair);
+        ImageTexture large = new ImageTexture(1155, 1155, new int[1155 * 1155], 1, 1);
+        refused(
+                MessageTest.write(new InitBundle(List.of(BALL.withMaterial(Material.DEFAULT.withTexture(large))))),
+                "an array must have at most 4000000 items");
+    }
+
+    /** One picture of many objects takes its bytes once. */
+    @Test
+    void aMaterialIsSentOnce() throws IOException {
+        Material material = Material.DEFAULT.withTexture(new ImageTexture(100, 100, new int[10_000], 1, 1));
+        List<GeometryObject> balls = new ArrayList<>();
+        for (int k = 0; k < 100; k++) {
+            balls.add(BALL.movedTo(new Point(k, 0, 0)).withMaterial(material));
+        }
+        byte[] bytes = MessageTest.write(new InitBundle(balls));
+        assertThat(bytes).hasSizeLessThan(100_000);
+        List<GeometryObject> read = ((InitBundle) MessageTest.readAll(bytes).get(0)).objects();
+        assertThat(read).isEqualTo(balls);
+        assertThat(read.get(99).material()).isSameAs(read.get(0).material());
+    }
+
+    /** Writes every array of some types as the first one of that type. */
+    private static byte[] sharing(Bundle bundle, Class<?>... types) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        Object[] first = new Object[1];
+        Map<Class<?>, Object> first = new HashMap<>();
         try (ObjectOutputStream out = new ObjectOutputStream(bytes) {
             {
                 enableReplaceObject(true);
@@ -113,11 +182,10 @@ class MessageLimitsTest {
 
             @Override
             protected Object replaceObject(Object object) {
-                if (type.isInstance(object)) {
-                    first[0] = first[0] == null ? object : first[0];
-                    return first[0];
-                }
-                return object;
+                boolean isFace = object instanceof int[] corners && corners.length < 5;
+                return Arrays.asList(types).contains(object.getClass()) && !isFace
+                        ? first.computeIfAbsent(object.getClass(), type -> object)
+                        : object;
             }
         }) {
             out.writeObject(bundle);

@@ -2,6 +2,10 @@ package robosim.geometry.protocol;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -13,13 +17,59 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 
 /** One of everything that can be sent. The stored bytes of the first release hold these: do not change them, add. */
 public final class Samples {
     private Samples() {}
 
-    /** Every shape, named and nameless, static and moveable, upright and turned, with and without bounding volumes. */
+    /**
+     * Every shape, named and nameless, static and moveable, upright and turned, with and without bounding volumes, materials
+     * and texture coordinates.
+     */
     public static List<GeometryObject> everyShape() {
+        List<GeometryObject> shapes = new ArrayList<>(shapesBeforeMaterials());
+        Material all = Material.of(new Color(0.1, 0.25, 1))
+                .withDiffuse(0.5)
+                .withSpecular(0.75)
+                .withShininess(33.3)
+                .withMirror(0.125)
+                .withEmission(Color.parse("#102030"))
+                .withTexture(new Texture.Stripes(Color.BLACK, new Color(0.3, 0.2, 0.1), 0.25, 45))
+                .withReflectance(1)
+                .withLabel(Integer.MAX_VALUE);
+        ImageTexture image = new ImageTexture(2, 2, new int[] {0xff0000, 0x00ff00, 0x0000ff, 0x12abcd}, 0.5, 4);
+        Material picture = Material.DEFAULT.withTexture(image);
+        MeshObject quad = new MeshObject(
+                List.of(new Point(), new Point(1, 0, 0), new Point(1, 0.5, 1), new Point(0, 0, 1)),
+                new int[][] {{0, 1, 2, 3}, {0, 1, 2}});
+        TextureCoordinates corners =
+                new TextureCoordinates(new double[] {0, 0, 1, 0, 1, 0.1, -2, 1}, new int[] {0, 1, 2, 3, -1, 1, 2});
+        BoxObject box = new BoxObject(new Point(11, 0, 0), 1, 2, 3).withMaterial(all);
+        shapes.add(box);
+        shapes.add(new CylinderObject(new Point(11, 0, 4), 0.5, 1)
+                .withMaterial(Material.DEFAULT.withTexture(new Texture.Checker(Color.WHITE, Color.BLACK, 1e-3)))
+                .named("checked"));
+        shapes.add(
+                new SphereObject(new Point(11, 0, 8), 0.5).withMaterial(picture).moveable("picture"));
+        shapes.add(new CapsuleObject(new Point(14, 0, 0), 0.5, 1)
+                .withMaterial(picture)
+                .named("same picture"));
+        shapes.add(quad.withTextureCoordinates(corners));
+        MeshObject poster =
+                quad.withTextureCoordinates(corners).withMaterial(picture).turned(20, 30);
+        shapes.add(new ObjectGroup(List.of(box, poster, box.withMaterial(Material.DEFAULT)))
+                .withMaterial(Material.DEFAULT.withLabel(1))
+                .movedTo(new Point(-30, 0, 0)));
+        shapes.add(shapesBeforeMaterials()
+                .get(shapesBeforeMaterials().size() - 1)
+                .named("painted")
+                .withMaterial(Material.of(Color.parse("#ff8000"))));
+        return List.copyOf(shapes);
+    }
+
+    /** The shapes that there were before materials. */
+    static List<GeometryObject> shapesBeforeMaterials() {
         List<GeometryObject> shapes = new ArrayList<>(shapesBeforeTheGrid());
         byte[] cells = {(byte) 0b1010_0101, 0b11};
         shapes.add(GridObject.of(new Point(6, 0.5, -6), 0.3, 2, 5, 2, cells));

@@ -24,6 +24,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Snapshot;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -33,7 +35,7 @@ import robosim.geometry.sweep.Sweep;
 
 /** What is serializable at all, what of it may cross the wire, and in which form. */
 class SerialClassesTest {
-    private static final Set<Class<?>> ENDS = Set.of(Bundle.class, GeometryObject.class);
+    private static final Set<Class<?>> ENDS = Set.of(Bundle.class, GeometryObject.class, Material.class, Texture.class);
 
     /** Worlds and sweeps go to other machines in streams of an engine's own, windows nowhere. */
     private static final Set<Class<?>> NEVER = Set.of(Snapshot.class, ObjectRows.class, Component.class);
@@ -94,7 +96,7 @@ class SerialClassesTest {
                         .isTrue();
             }
         }
-        assertThat(crossing).isEqualTo(35);
+        assertThat(crossing).isEqualTo(42);
     }
 
     /** An object under its own class's name, as no writer makes it. */
@@ -120,7 +122,7 @@ class SerialClassesTest {
     /** Every class that may cross is in the stored bytes; two are for messages to come. */
     @Test
     void theStoredBytesHoldEveryClass() throws Exception {
-        String stored = new String(StoredBytesTest.stored(StoredBytesTest.WITH_GRIDS), StandardCharsets.ISO_8859_1)
+        String stored = new String(StoredBytesTest.stored(StoredBytesTest.WITH_MATERIALS), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("batches.ser"), StandardCharsets.ISO_8859_1);
         AllowedClasses allowed = new AllowedClasses(Set.of());
         Set<String> missing = new TreeSet<>();

@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test;
 class StoredBytesTest {
     private static final String FIRST = "first-release.ser";
     private static final String WITH_CAPSULES = "with-capsules.ser";
-    static final String WITH_GRIDS = "with-grids.ser";
+    private static final String WITH_GRIDS = "with-grids.ser";
+    static final String WITH_MATERIALS = "with-materials.ser";
 
     @Test
     void theFirstReleasesBytesMeanWhatTheyMeant() throws IOException {
@@ -28,7 +29,20 @@ class StoredBytesTest {
 
     @Test
     void bytesWithGridsMeanWhatTheyMeant() throws IOException {
-        assertThat(MessageTest.readAll(stored(WITH_GRIDS))).isEqualTo(Samples.everyBundle());
+        assertThat(MessageTest.readAll(stored(WITH_GRIDS)))
+                .isEqualTo(Samples.everyBundle(Samples.shapesBeforeMaterials()));
+    }
+
+    @Test
+    void bytesWithMaterialsMeanWhatTheyMeant() throws IOException {
+        assertThat(MessageTest.readAll(stored(WITH_MATERIALS))).isEqualTo(Samples.everyBundle());
+    }
+
+    /** Who knows no materials understands what has none. */
+    @Test
+    void objectsWithoutMaterialsAreWrittenAsEver() throws IOException {
+        Bundle[] bundles = Samples.everyBundle(Samples.shapesBeforeMaterials()).toArray(Bundle[]::new);
+        assertThat(MessageTest.write(bundles)).isEqualTo(stored(WITH_GRIDS));
     }
 
     static byte[] stored(String file) throws IOException {
@@ -43,7 +57,7 @@ class StoredBytesTest {
 
         public static void main(String[] args) throws IOException {
             byte[] bytes = MessageTest.write(Samples.everyBundle().toArray(Bundle[]::new));
-            Files.write(Path.of(args[0], WITH_GRIDS), bytes);
+            Files.write(Path.of(args[0], WITH_MATERIALS), bytes);
         }
     }
 }

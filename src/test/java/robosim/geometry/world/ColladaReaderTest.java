@@ -86,8 +86,7 @@ class ColladaReaderTest {
                 "",
                 TRIANGLES,
                 scene("<node><translate>10 0 0</translate>" + node("<rotate>0 1 0 -90</rotate>") + "</node>")));
-        assertThat(nested.vertices())
-                .containsExactly(new Point(10, 0, 1), new Point(10, 1, 0), new Point(9, 0, 0));
+        assertThat(nested.vertices()).containsExactly(new Point(10, 0, 1), new Point(10, 1, 0), new Point(9, 0, 0));
     }
 
     @Test
@@ -98,8 +97,7 @@ class ColladaReaderTest {
                         + "<p>0 1 2 0 3 1 2</p></polylist>",
                 scene(node("<scale>-1 1 1</scale>"))));
         assertThat(mesh.vertices())
-                .containsExactly(
-                        new Point(-1, 0, 0), new Point(0, 1, 0), new Point(0, 0, 1), new Point(-1, 1, 0));
+                .containsExactly(new Point(-1, 0, 0), new Point(0, 1, 0), new Point(0, 0, 1), new Point(-1, 1, 0));
         assertThat(mesh.faces()).isDeepEqualTo(new int[][] {{0, 2, 1}, {0, 2, 1, 3}});
     }
 
@@ -118,8 +116,7 @@ class ColladaReaderTest {
                 "<polylist>" + input + "<vcount>1 2 3</vcount><p>3 9 3 9 1 9 0 9 1 9 2 9</p></polylist>")) {
             MeshObject mesh = read(dae("", triangle, scene));
             assertThat(mesh.faces()).as(triangle).isDeepEqualTo(new int[][] {{0, 1, 2}});
-            assertThat(mesh.vertices())
-                    .containsExactly(new Point(1, 0, 0), new Point(0, 1, 0), new Point(0, 0, 1));
+            assertThat(mesh.vertices()).containsExactly(new Point(1, 0, 0), new Point(0, 1, 0), new Point(0, 0, 1));
         }
         assertThat(read(dae("", "<tristrips>" + input + "<p>0 9 1 9 2 9 3 9</p></tristrips>", scene))
                         .faces())
@@ -133,7 +130,10 @@ class ColladaReaderTest {
     /** A bow tie of five corners is no polygon that can be cut; simulators draw a fan. */
     @Test
     void aPolygonThatCrossesItselfIsAFan() throws IOException {
-        String text = dae("", "<polygons><input semantic=\"VERTEX\" offset=\"0\"/><p>0 1 2 3 4</p></polygons>", scene(node("")))
+        String text = dae(
+                        "",
+                        "<polygons><input semantic=\"VERTEX\" offset=\"0\"/><p>0 1 2 3 4</p></polygons>",
+                        scene(node("")))
                 .replace("1 0 0 0 1 0 0 0 1\n1 1 0", "0 0 0 2 2 0 2 0 0 0 2 0 1 5 0")
                 .replace("count=\"4\"", "count=\"5\"");
         assertThat(read(text).faces()).isDeepEqualTo(new int[][] {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
@@ -167,7 +167,8 @@ class ColladaReaderTest {
     @Test
     void normalsMayBeNan() throws IOException {
         String normals = "<source id=\"n\"><float_array>nan -1.#IND 0</float_array></source>";
-        assertThat(read(dae("", normals + TRIANGLES, scene(node("")))).vertices()).hasSize(3);
+        assertThat(read(dae("", normals + TRIANGLES, scene(node("")))).vertices())
+                .hasSize(3);
     }
 
     @ParameterizedTest
@@ -218,7 +219,8 @@ class ColladaReaderTest {
         StringBuilder nodes = new StringBuilder("<library_nodes>");
         for (int k = 0; k < 50; k++) {
             nodes.append("<node id=\"n").append(k).append("\">");
-            nodes.append(("<instance_node url=\"#n" + (k + 1) + "\"/>").repeat(2)).append("</node>");
+            nodes.append(("<instance_node url=\"#n" + (k + 1) + "\"/>").repeat(2))
+                    .append("</node>");
         }
         nodes.append("<node id=\"n50\"><instance_geometry url=\"#g\"/></node></library_nodes>");
         String text = dae("", TRIANGLES, nodes + scene("<node><instance_node url=\"#n0\"/></node>"));
@@ -289,8 +291,8 @@ class ColladaReaderTest {
     void aFileIsAWorldAndAPartOfOne() throws IOException {
         Path file = folder.resolve("t.dae");
         Files.writeString(file, dae("<up_axis>Z_UP</up_axis>", TRIANGLES, scene(node(""))));
-        WorldImport read = WorldImport.read(
-                file, new ImportOptions(2, 1, ImportOptions.Up.Z, List.of())); // the file knows better
+        WorldImport read =
+                WorldImport.read(file, new ImportOptions(2, 1, ImportOptions.Up.Z, List.of())); // the file knows better
         assertThat(read.format()).isEqualTo("COLLADA");
         assertThat(read.world().unit()).isEqualTo(Unit.METRE);
         MeshObject mesh = (MeshObject) read.world().objects().get(0).object();

@@ -1,10 +1,15 @@
 package robosim.geometry.world;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -16,6 +21,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 
 /** Worlds with everything that a file can hold, most of it awkward. */
 final class RandomWorlds {
@@ -43,7 +49,7 @@ final class RandomWorlds {
         int count = random.nextInt(8);
         for (int k = 0; k < count; k++) {
             boolean isGrid = random.nextInt(8) == 0;
-            GeometryObject object = isGrid ? grid() : object(0);
+            GeometryObject object = isGrid ? surfaced(grid()) : object(0);
             object = random.nextBoolean() ? object.named(NAMES[random.nextInt(NAMES.length)] + k) : object;
             object = !isGrid && random.nextInt(3) == 0 ? object.moveable("mover " + k) : object;
             String color = random.nextBoolean() ? "#%06x".formatted(random.nextInt(1 << 24)) : null;
@@ -97,6 +103,7 @@ final class RandomWorlds {
             case 4 -> mesh();
             default -> group(depth);
         };
+        shape = surfaced(shape);
         shape = random.nextInt(4) == 0 ? shape : shape.movedTo(new Point(number(), number(), number()));
         return switch (random.nextInt(6)) {
             case 0 -> shape;
@@ -105,6 +112,50 @@ final class RandomWorlds {
             case 3 -> shape.turned(angle(), angle());
             case 4 -> shape.oriented(new double[] {0.8, -0.6, 0, 0.6, 0.8, 1e-10, 0, 0, 1});
             default -> drifted(shape);
+        };
+    }
+
+    private GeometryObject surfaced(GeometryObject object) {
+        return switch (random.nextInt(4)) {
+            case 0 -> object.withMaterial(Material.of(color()));
+            case 1 ->
+                object.withMaterial(Material.of(color())
+                        .withDiffuse(share())
+                        .withSpecular(share())
+                        .withShininess(1 + Math.min(size(), 1e5))
+                        .withMirror(share())
+                        .withEmission(color())
+                        .withTexture(texture())
+                        .withReflectance(share())
+                        .withLabel(random.nextInt(1 << random.nextInt(31))));
+            default -> object;
+        };
+    }
+
+    private double share() {
+        return random.nextBoolean() ? random.nextInt(3) / 2.0 : random.nextDouble();
+    }
+
+    private Color color() {
+        return switch (random.nextInt(3)) {
+            case 0 -> Material.DEFAULT.color();
+            case 1 -> Color.ofPacked(random.nextInt(1 << 24));
+            default -> new Color(share(), share(), 1e-300 * share());
+        };
+    }
+
+    private @Nullable Texture texture() {
+        double size = Math.max(size(), Double.MIN_VALUE);
+        return switch (random.nextInt(4)) {
+            case 0 -> null;
+            case 1 -> new Texture.Checker(color(), color(), size);
+            case 2 -> new Texture.Stripes(color(), color(), size, angle());
+            default -> {
+                int columns = 1 + random.nextInt(5);
+                int rows = 1 + random.nextInt(5);
+                int[] pixels = random.ints(columns * rows, 0, 1 << 24).toArray();
+                yield new ImageTexture(columns, rows, pixels, size, 1.0 / 3);
+            }
         };
     }
 
@@ -139,7 +190,15 @@ final class RandomWorlds {
         }
         @Nullable GeometryObject bounds = random.nextBoolean() ? bounds() : null;
         MeshObject mesh = bounds == null ? new MeshObject(vertices, faces) : new MeshObject(vertices, faces, bounds);
-        return open || random.nextBoolean() ? mesh : mesh.solid();
+        mesh = open || random.nextBoolean() ? mesh : mesh.solid();
+        if (random.nextInt(3) > 0) {
+            return mesh;
+        }
+        double[] points = new double[2 * random.nextInt(5)];
+        Arrays.setAll(points, k -> number());
+        int corners = Arrays.stream(faces).mapToInt(face -> face.length).sum();
+        return mesh.withTextureCoordinates(new TextureCoordinates(
+                points, random.ints(corners, -1, points.length / 2).toArray()));
     }
 
     private GeometryObject bounds() {

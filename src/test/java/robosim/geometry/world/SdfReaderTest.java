@@ -343,7 +343,8 @@ class SdfReaderTest {
                 + "<model name=\"m\"><link name=\"l\"><collision name=\"x\"><pose>1</pose>" + BALL + "</collision>\n"
                 + "<collision name=\"y\">" + BALL + "</collision></link>\n"
                 + "<link name=\"k\"><pose relative_to=\"z\"/><collision name=\"c\">" + BALL + "</collision></link>\n"
-                + "<link name=\"j\"><pose relative_to=\"k\"/><collision name=\"c\">" + BALL + "</collision></link></model>\n"
+                + "<link name=\"j\"><pose relative_to=\"k\"/><collision name=\"c\">" + BALL
+                + "</collision></link></model>\n"
                 + "<model name=\"m\"/>\n"
                 + model("b", "<pose/><pose>9 9 9 0 0 0</pose><static>1</static>" + ball("l", "")));
         assertThat(read.world().objects())
@@ -361,7 +362,8 @@ class SdfReaderTest {
                         "10 <model> \"m\"",
                         "11 <pose>",
                         "6 <collision> \"x\"");
-        assertThat(read.skipped().get(1).reason()).startsWith(folder.toRealPath().resolve("bad.sdf") + ":1:");
+        assertThat(read.skipped().get(1).reason())
+                .startsWith(folder.toRealPath().resolve("bad.sdf") + ":1:");
         assertThat(read.skipped().get(3).reason()).startsWith("there is no such frame in model m");
     }
 
@@ -371,7 +373,11 @@ class SdfReaderTest {
         StringBuilder text = new StringBuilder(ball("right", ""));
         int count = 100_000;
         for (int k = count; k > 0; k--) {
-            text.append("<link name=\"f").append(k).append("\"><pose relative_to=\"f").append(k - 1).append("\"/></link>\n");
+            text.append("<link name=\"f")
+                    .append(k)
+                    .append("\"><pose relative_to=\"f")
+                    .append(k - 1)
+                    .append("\"/></link>\n");
         }
         WorldImport read = read(model("m", text.toString()));
         assertThat(read.skipped()).hasSize(count);
@@ -437,8 +443,9 @@ class SdfReaderTest {
         assertThat(read.world().objects())
                 .extracting(each -> each.object().name())
                 .contains("right");
-        assertThat(read.skipped()).isNotEmpty().allSatisfy(each -> assertThat(each.line())
-                .isEqualTo(2));
+        assertThat(read.skipped())
+                .isNotEmpty()
+                .allSatisfy(each -> assertThat(each.line()).isEqualTo(2));
         assertThat(read.skipped())
                 .extracting(Skipped::reason)
                 .anySatisfy(reason -> assertThat(reason).contains(problem == null ? "" : problem));

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 import robosim.geometry.Geometry;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -123,7 +124,10 @@ class SdfRealFilesTest {
         WorldImport read = read(SDF.resolve("shapes.sdf"));
         assertThat(read.world().unit()).isEqualTo(Unit.METRE);
         assertThat(read.world().objects())
-                .extracting(WorldObject::object)
+                .extracting(WorldObject::color)
+                .containsExactly("#ff0000", "#00ff00", "#0000ff", "#ffff00");
+        assertThat(read.world().objects())
+                .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .satisfiesExactly(
                         box -> assertThat(box).isEqualTo(new BoxObject(new Point(0, 0.5, 0), 1, 1, 1).moveable("box")),
                         cylinder -> assertThat(cylinder)
@@ -154,7 +158,13 @@ class SdfRealFilesTest {
                     .toList();
             assertThat(columns).hasSize(9);
             Geometry geometry = new World(
-                            all.width(), all.height(), all.length(), all.unit(), all.dimension(), all.accuracy(), columns)
+                            all.width(),
+                            all.height(),
+                            all.length(),
+                            all.unit(),
+                            all.dimension(),
+                            all.accuracy(),
+                            columns)
                     .toGeometry();
             double inf = Double.POSITIVE_INFINITY;
             for (double row : new double[] {-1.1, 0, 1.1}) {
@@ -174,7 +184,8 @@ class SdfRealFilesTest {
     /** The outer wall, a mesh in inches of which the file says Y is up, and for which Gazebo takes Z nevertheless. */
     @Test
     void raysAtTheOuterWall() throws Exception {
-        Geometry geometry = read(SDF.resolve("turtlebot3_world/model.sdf")).world().toGeometry();
+        Geometry geometry =
+                read(SDF.resolve("turtlebot3_world/model.sdf")).world().toGeometry();
         double inf = Double.POSITIVE_INFINITY;
         Ray west = new Ray(new Point(-2.4, 0.4, 0.55), new Point(-1, 0, 0));
         Ray east = new Ray(new Point(-3.2, 0.4, 0.55), new Point(1, 0, 0));
@@ -231,7 +242,7 @@ class SdfRealFilesTest {
         List<WorldObject> objects =
                 read(SDF.resolve("export_occupancy_grid.sdf")).world().objects();
         assertThat(objects)
-                .extracting(WorldObject::object)
+                .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .containsExactly(
                         new BoxObject(new Point(-1, 0.5, 1), 0.1, 0.1, 0.1).named("model_with_lidar"),
                         new BoxObject(new Point(1, 0.5, -1), 1, 1, 1).moveable("cube"));
@@ -281,13 +292,15 @@ class SdfRealFilesTest {
                 .extracting(Skipped::toString)
                 .satisfiesExactly(
                         first -> assertThat(first)
-                                .startsWith(file + ":2: left out <include> of model://inner_walls: there is no such file"
-                                        + " or folder below ")
+                                .startsWith(
+                                        file + ":2: left out <include> of model://inner_walls: there is no such file"
+                                                + " or folder below ")
                                 .endsWith("check the name, or give the folder that contains the model"
                                         + " (got: model://inner_walls)"),
                         second -> assertThat(second)
-                                .startsWith(file + ":3: left out <include> of model://inner_walls/model.sdf at 10 0 0 0 0"
-                                        + " 0: there is no such file"),
+                                .startsWith(
+                                        file + ":3: left out <include> of model://inner_walls/model.sdf at 10 0 0 0 0"
+                                                + " 0: there is no such file"),
                         third -> assertThat(third).startsWith(file + ":4: left out <include> of model://turtlebot3"));
         WorldImport read = SdfReader.read(file, List.of(SDF));
         assertThat(read.world().objects()).hasSize(7 + 7 + 15);

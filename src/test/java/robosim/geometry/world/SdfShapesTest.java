@@ -62,7 +62,8 @@ class SdfShapesTest {
         assertThat(mesh.isSolid()).isTrue();
         for (Point vertex : mesh.vertices()) {
             double z = -vertex.z() / 2; // SDFormat's y
-            assertThat(vertex.x() * vertex.x() + vertex.y() * vertex.y() / 9 + z * z).isCloseTo(1, within(1e-14));
+            assertThat(vertex.x() * vertex.x() + vertex.y() * vertex.y() / 9 + z * z)
+                    .isCloseTo(1, within(1e-14));
         }
         Geometry geometry = read.world().toGeometry();
         assertThat(geometry.getRayDistance(new Ray(new Point(0.5, 3.5, 0), new Point(0, -1, 0)), 0, INF, 0))
@@ -72,8 +73,7 @@ class SdfShapesTest {
         assertThat(read.remarks()).singleElement().asString().contains("<ellipsoid> of m::l::c is a solid mesh here");
         assertThat(only(read("0 0 0 0 0 0", "<ellipsoid><radii>2 2 2</radii></ellipsoid>")))
                 .isEqualTo(new SphereObject(new Point(), 2).named("m"));
-        MeshObject cone = (MeshObject)
-                only(read("0 0 0 0 0 0", "<cone><radius>2</radius><length>6</length></cone>"));
+        MeshObject cone = (MeshObject) only(read("0 0 0 0 0 0", "<cone><radius>2</radius><length>6</length></cone>"));
         assertThat(cone.bounds().maxY()).isEqualTo(3);
         assertThat(cone.bounds().minY()).isEqualTo(-3);
         assertThat(cone.bounds().maxX()).isEqualTo(2);
@@ -139,8 +139,14 @@ class SdfShapesTest {
         String mesh = "<mesh id=\"%s\"><source id=\"s%s\"><float_array>%s</float_array></source><vertices id=\"v%s\">"
                 + "<input semantic=\"POSITION\" source=\"#s%s\"/></vertices><triangles>"
                 + "<input semantic=\"VERTEX\" source=\"#v%s\" offset=\"0\"/><p>0 1 2</p></triangles></mesh>";
-        String a = mesh.replace("%s\"><f", "a\"><f").replaceFirst("%s", "a").replaceFirst("%s", "2 2 2 4 2 2 2 6 2").replace("%s", "a");
-        String b = mesh.replace("%s\"><f", "b\"><f").replaceFirst("%s", "b").replaceFirst("%s", "0 0 9 1 0 9 0 1 9").replace("%s", "b");
+        String a = mesh.replace("%s\"><f", "a\"><f")
+                .replaceFirst("%s", "a")
+                .replaceFirst("%s", "2 2 2 4 2 2 2 6 2")
+                .replace("%s", "a");
+        String b = mesh.replace("%s\"><f", "b\"><f")
+                .replaceFirst("%s", "b")
+                .replaceFirst("%s", "0 0 9 1 0 9 0 1 9")
+                .replace("%s", "b");
         file(
                 "two.dae",
                 "<COLLADA><asset><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id=\"ga\">" + a
@@ -156,15 +162,15 @@ class SdfShapesTest {
         String leg = "<submesh><name>leg</name><center>%s</center></submesh>";
         assertThat(((MeshObject) only(read("0 0 0 0 0 0", uri.formatted(leg.formatted("false"))))).vertices())
                 .containsExactly(new Point(2, 2, -2), new Point(4, 2, -2), new Point(2, 2, -6));
-        assertThat(((MeshObject) only(read(
-                                "0 0 0 0 0 0", uri.formatted(leg.formatted("1") + "<scale>2 1 1</scale>"))))
+        assertThat(((MeshObject) only(read("0 0 0 0 0 0", uri.formatted(leg.formatted("1") + "<scale>2 1 1</scale>"))))
                         .vertices())
                 .containsExactly(new Point(-2, 0, 2), new Point(2, 0, 2), new Point(-2, 0, -2));
         assertThat(only(read("0 0 0 0 0 0", uri.formatted("<submesh><name>top</name></submesh>")))
                         .bounds()
                         .minY())
                 .isEqualTo(9);
-        assertThat(read("0 0 0 0 0 0", uri.formatted("<submesh><name>arm</name></submesh>")).skipped())
+        assertThat(read("0 0 0 0 0 0", uri.formatted("<submesh><name>arm</name></submesh>"))
+                        .skipped())
                 .singleElement()
                 .asString()
                 .contains("there is no node or geometry of this name with a face in the <visual_scene> (got: arm)");
@@ -226,7 +232,10 @@ class SdfShapesTest {
         // Its axis lay along the link's X, which a quarter turn took to the base's Y, which is our -Z.
         assertThat(cylinder.bounds().minZ()).isCloseTo(-0.5, within(1e-14));
         assertThat(arm.members().get(3).center()).isEqualTo(new Point(1, 3, 0));
-        assertThat(read.passedOver()).containsEntry("visual", 1).containsEntry("joint", 2).containsEntry("gazebo", 1);
+        assertThat(read.passedOver())
+                .containsEntry("visual", 1)
+                .containsEntry("joint", 2)
+                .containsEntry("gazebo", 1);
         // A package elsewhere, in a workspace that is given.
         Path alone = file("elsewhere/arm.urdf", ROBOT);
         assertThat(WorldImport.read(alone, ImportOptions.DEFAULT).skipped())
@@ -252,8 +261,14 @@ class SdfShapesTest {
         assertThat(read.world().objects()).hasSize(1);
         assertThat(read.skipped())
                 .extracting(each -> each.line() + " " + each.what())
-                .containsExactly("12 <xacro:include>", "12 <joint> \"j\"", "6 <collision> \"collision_2\"", "8 <collision> \"ball\"");
-        assertThat(WorldReader.problems(file("b.urdf", "<sdf version=\"1.6\"/>"))).singleElement().asString().contains(
-                "this is SDFormat");
+                .containsExactly(
+                        "12 <xacro:include>",
+                        "12 <joint> \"j\"",
+                        "6 <collision> \"collision_2\"",
+                        "8 <collision> \"ball\"");
+        assertThat(WorldReader.problems(file("b.urdf", "<sdf version=\"1.6\"/>")))
+                .singleElement()
+                .asString()
+                .contains("this is SDFormat");
     }
 }

@@ -98,13 +98,17 @@ class WorldImportTest {
     /** The reader that gives a world alone warns of what is not in it. */
     @Test
     void whatIsLeftOutIsAWarning() throws IOException {
-        Path file = FILES.resolve("sdf/shapes.sdf");
+        Path file = Files.writeString(
+                folder.resolve("few.sdf"),
+                "<sdf version='1.7'><world name='w'><model name='m'><link name='l'><collision name='c'><geometry>"
+                        + "<sphere><radius>1</radius></sphere></geometry></collision></link></model>\n"
+                        + "<actor name='a'/>" + "<actor/>".repeat(2) + "</world></sdf>");
         WorldReader.read(file);
         assertThat(log.lines())
                 .hasSize(3)
                 .first()
                 .asString()
-                .startsWith("WARNING " + file + ":36: left out <plane> of ground_plane::link::collision: ");
+                .startsWith("WARNING " + file + ":2: left out <actor> \"a\": ");
         Path many = Files.writeString(
                 folder.resolve("many.sdf"),
                 "<sdf version='1.7'><world name='w'><model name='m'><link name='l'><collision name='c'><geometry>"

@@ -127,8 +127,8 @@ class WorldReaderTest {
             delimiter = '|',
             quoteCharacter = '~',
             value = {
-                "<bo/>|2|6|<bo> is not allowed in <world>; allowed here: <box>, <cylinder>, <sphere>, <capsule>, <mesh>, <group>",
-                "<sonar count='1'/>|2|19|<sonar> is not allowed in <world>; allowed here: <box>",
+                "<bo/>|2|6|<bo> is not allowed in <world>; allowed here: <material>, <box>, <cylinder>, <sphere>, <capsule>, <mesh>, <group>",
+                "<sonar count='1'/>|2|19|<sonar> is not allowed in <world>; allowed here: <material>, <box>",
                 "<box xmlns='other'/>|2|21|<box> of the namespace \"other\" is not allowed",
                 "<box width='1' height='1' length='1'>~~<box width='1' height='1' length='1'/></box>|3|39|"
                         + "<box> is not allowed in <box>; allowed here: <sonar>",
@@ -165,7 +165,7 @@ class WorldReaderTest {
                 "<group><bounds/></group>|2|17|<bounds> is not complete; add <box>, <cylinder>, <sphere>",
                 "<group><bounds><mesh/></bounds></group>|2|23|<mesh> is not allowed in <bounds>",
                 "<group><bounds><sphere radius='1'/></bounds><sphere radius='2'/></group>|2|8|boundingVolume must enclose its",
-                "<group><sphere radius='2' color='#ffffff'/></group>|2|44|<sphere> has no attribute color",
+                "<group><sphere radius='2' colour='#ffffff'/></group>|2|45|<sphere> has no attribute colour",
                 "hello|2|14|<world> cannot contain text",
                 "<sphere radius='1'>~~hello</sphere>|3|15|<sphere> cannot contain text",
                 "<mesh/>|2|8|a mesh must have vertices with triangles or quads, or a file (got: neither)",

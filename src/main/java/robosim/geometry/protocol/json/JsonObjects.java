@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -15,6 +16,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 
@@ -23,17 +25,21 @@ final class JsonObjects {
     private static final Fields FIELDS = Fields.of(
             "kind",
             "name moveable center rotation headingDegrees width height length radius vertices faces solid"
-                    + " boundingVolume members segment cell columns rows occupied");
+                    + " boundingVolume members segment cell columns rows occupied material texturePoints textureCorners");
 
     private static final List<String> COMMON =
-            List.of("kind", "name", "moveable", "center", "rotation", "headingDegrees");
+            List.of("kind", "name", "moveable", "center", "rotation", "headingDegrees", "material");
 
     private static final List<Form> FORMS = List.of(
             Form.of(GeometryObject.Kind.BOX, "box", "center width height length", ""),
             Form.of(GeometryObject.Kind.CYLINDER, "cylinder", "center radius height", ""),
             Form.of(GeometryObject.Kind.SPHERE, "sphere", "center radius", ""),
             Form.of(GeometryObject.Kind.CAPSULE, "capsule", "center radius segment", ""),
-            Form.of(GeometryObject.Kind.MESH, "mesh", "vertices faces", "solid boundingVolume"),
+            Form.of(
+                    GeometryObject.Kind.MESH,
+                    "mesh",
+                    "vertices faces",
+                    "solid boundingVolume texturePoints textureCorners"),
             Form.of(GeometryObject.Kind.GROUP, "group", "members", "boundingVolume"),
             Form.of(GeometryObject.Kind.GRID, "grid", "center cell height columns rows occupied", ""));
 
@@ -42,6 +48,7 @@ final class JsonObjects {
     private static final int MAX_CELLS = MessageLimits.MAX_ARRAY_LENGTH * Byte.SIZE;
 
     private final JsonInput in;
+    private final JsonMaterials materials;
     private long parts;
 
     /** The number of parts of the last object or list read. */
@@ -49,6 +56,7 @@ final class JsonObjects {
 
     JsonObjects(JsonInput in) {
         this.in = in;
+        this.materials = new JsonMaterials(in);
     }
 
     /** The current value as a list of objects. */
@@ -112,7 +120,10 @@ final class JsonObjects {
             case 16 -> draft.cell = in.number();
             case 17 -> draft.columns = (int) in.whole(1, MAX_CELLS);
             case 18 -> draft.rows = (int) in.whole(1, MAX_CELLS);
-            default -> draft.occupied = in.base64(1, MessageLimits.MAX_ARRAY_LENGTH);
+            case 19 -> draft.occupied = in.base64(1, MessageLimits.MAX_ARRAY_LENGTH);
+            case 20 -> draft.material = materials.material();
+            case 21 -> draft.texturePoints = texturePoints();
+            default -> draft.textureCorners = textureCorners();
         }
     }
 
@@ -127,6 +138,9 @@ final class JsonObjects {
         }
         if (draft.heading != null && draft.rotation == null) {
             throw in.refused("headingDegrees must come with the rotation that it belongs to (got: no rotation)");
+        }
+        if ((draft.texturePoints == null) != (draft.textureCorners == null)) {
+            throw in.refused("texturePoints and textureCorners must come together (got: one of them)");
         }
     }
 
@@ -156,6 +170,28 @@ final class JsonObjects {
         weight = triangles;
         add(triangles);
         return faces.toArray(int[][]::new);
+    }
+
+    private double[] texturePoints() throws IOException {
+        double[] points = new double[2];
+        int count = 0;
+        in.list();
+        while (in.more(count, MessageLimits.MAX_ARRAY_LENGTH)) {
+            points = count < points.length ? points : Arrays.copyOf(points, 2 * count);
+            points[count++] = in.number();
+        }
+        return Arrays.copyOf(points, count);
+    }
+
+    private int[] textureCorners() throws IOException {
+        int[] corners = new int[4];
+        int count = 0;
+        in.list();
+        while (in.more(count, MessageLimits.MAX_ARRAY_LENGTH)) {
+            corners = count < corners.length ? corners : Arrays.copyOf(corners, 2 * count);
+            corners[count++] = (int) in.whole(TextureCoordinates.NONE, MessageLimits.MAX_ARRAY_LENGTH / 2 - 1L);
+        }
+        return Arrays.copyOf(corners, count);
     }
 
     private int[] face() throws IOException {
@@ -213,9 +249,12 @@ final class JsonObjects {
         private boolean solid;
         private @Nullable GeometryObject boundingVolume;
         private List<GeometryObject> members = List.of();
+        private Material material = Material.DEFAULT;
+        private double @Nullable [] texturePoints;
+        private int @Nullable [] textureCorners;
 
         GeometryObject make() {
-            GeometryObject placed = shape().at(pose());
+            GeometryObject placed = shape().at(pose()).withMaterial(material);
             if (moveable) {
                 if (name == null) {
                     throw new IllegalArgumentException("name must be given for a moveable object (got: none)");
@@ -241,6 +280,9 @@ final class JsonObjects {
             MeshObject surface = boundingVolume == null
                     ? new MeshObject(vertices, faces)
                     : new MeshObject(vertices, faces, boundingVolume);
+            if (texturePoints != null && textureCorners != null) {
+                surface = surface.withTextureCoordinates(new TextureCoordinates(texturePoints, textureCorners));
+            }
             return solid ? surface.solid() : surface;
         }
 

@@ -273,6 +273,7 @@ final class JsonOutput {
                 numbers("headingDegrees", pose.heading(), pose.lostHeading());
             }
         }
+        new JsonMaterialOutput(out).field(object.material());
     }
 
     private void mesh(MeshObject mesh) throws IOException {
@@ -291,6 +292,7 @@ final class JsonOutput {
             out.writeArray(face, 0, face.length);
         }
         out.writeEndArray();
+        new JsonMaterialOutput(out).fields(mesh.textureCoordinates());
         if (mesh.isSolid()) {
             out.writeBooleanField("solid", true);
         }

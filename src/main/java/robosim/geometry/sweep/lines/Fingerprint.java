@@ -7,6 +7,10 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import robosim.geometry.Snapshot;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -16,6 +20,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 
 /** A digest of strings and of numbers by their bits: the same on every JVM. */
 public final class Fingerprint {
@@ -67,6 +72,10 @@ public final class Fingerprint {
             add(number);
         }
         add(object.heading());
+        Material material = object.material();
+        if (!material.equals(Material.of(material.color()))) {
+            add(material);
+        }
         switch (object.kind()) {
             case BOX -> {
                 BoxObject box = (BoxObject) object;
@@ -85,6 +94,35 @@ public final class Fingerprint {
         }
     }
 
+    /** Not of one that is only a colour, which worlds had before there were materials. */
+    private void add(Material material) {
+        add(material.color());
+        add(material.diffuse())
+                .add(material.specular())
+                .add(material.shininess())
+                .add(material.mirror());
+        add(material.emission());
+        add(material.reflectance()).add(material.label());
+        Texture texture = material.texture();
+        add(texture == null ? "" : texture.getClass().getSimpleName());
+        if (texture instanceof Texture.Checker checker) {
+            add(checker.first());
+            add(checker.second());
+            add(checker.size());
+        } else if (texture instanceof Texture.Stripes stripes) {
+            add(stripes.first());
+            add(stripes.second());
+            add(stripes.size()).add(stripes.degrees());
+        } else if (texture instanceof ImageTexture image) {
+            add(image.width()).add(image.height()).add(image.tileWidth()).add(image.tileHeight());
+            digest.update(image.bytes());
+        }
+    }
+
+    private void add(Color color) {
+        add(color.red()).add(color.green()).add(color.blue());
+    }
+
     private void add(GridObject grid) {
         add(grid.cell()).add(grid.height()).add(grid.columns()).add(grid.rows());
         digest.update(grid.bytes());
@@ -96,6 +134,15 @@ public final class Fingerprint {
         for (int[] face : mesh.faces()) {
             add(face.length);
             for (int corner : face) {
+                add(corner);
+            }
+        }
+        TextureCoordinates texture = mesh.textureCoordinates();
+        if (texture != null) {
+            for (double number : texture.points()) {
+                add(number);
+            }
+            for (int corner : texture.corners()) {
                 add(corner);
             }
         }

@@ -137,8 +137,8 @@ final class ColladaFaces {
             return; // a point or an edge
         }
         if (corners.length > Limits.MAX_CORNERS) {
-            throw list.wrong("a polygon must have at most " + Limits.MAX_CORNERS + " corners (got: " + corners.length
-                    + ")");
+            throw list.wrong(
+                    "a polygon must have at most " + Limits.MAX_CORNERS + " corners (got: " + corners.length + ")");
         }
         bounded(list, corners.length - 2);
         int before = faces.size();

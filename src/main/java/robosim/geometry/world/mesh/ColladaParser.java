@@ -38,8 +38,7 @@ final class ColladaParser extends DefaultHandler {
             Map.entry("library_geometries", Set.of("geometry")),
             Map.entry("geometry", Set.of("mesh")),
             Map.entry(
-                    "mesh",
-                    Set.of("source", "vertices", "triangles", "polylist", "polygons", "tristrips", "trifans")),
+                    "mesh", Set.of("source", "vertices", "triangles", "polylist", "polygons", "tristrips", "trifans")),
             Map.entry("source", Set.of("float_array", "technique_common")),
             Map.entry("technique_common", Set.of("accessor")),
             Map.entry("vertices", Set.of("input")),
@@ -66,7 +65,15 @@ final class ColladaParser extends DefaultHandler {
 
     private static final Set<String> OF_PRIMITIVES = Set.of("input", "p", "ph", "vcount");
     private static final Set<String> NUMBERS = Set.of(
-            "float_array", "p", "vcount", "matrix", "translate", "rotate", "scale", "bind_shape_matrix", "lookat",
+            "float_array",
+            "p",
+            "vcount",
+            "matrix",
+            "translate",
+            "rotate",
+            "scale",
+            "bind_shape_matrix",
+            "lookat",
             "skew");
 
     private final String source;

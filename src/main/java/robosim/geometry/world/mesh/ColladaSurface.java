@@ -130,8 +130,7 @@ public final class ColladaSurface {
         for (ColladaElement child : node.children) {
             switch (child.name) {
                 case "node" -> inner.add(new Visit(child, place, visit.depth + 1));
-                case "instance_node" ->
-                    inner.add(new Visit(expected(child, "url", "node"), place, visit.depth + 1));
+                case "instance_node" -> inner.add(new Visit(expected(child, "url", "node"), place, visit.depth + 1));
                 case "instance_geometry" -> geometry(node, expected(child, "url", "geometry"), place);
                 case "instance_controller" -> controller(node, expected(child, "url", "controller"), place);
                 default -> {} // transforms, and what is no shape
@@ -148,8 +147,7 @@ public final class ColladaSurface {
     }
 
     /** A skin in the shape in which it was bound to its skeleton; a morph, which has none, is not shown. */
-    private void controller(ColladaElement node, ColladaElement controller, ColladaTransform place)
-            throws FileProblem {
+    private void controller(ColladaElement node, ColladaElement controller, ColladaTransform place) throws FileProblem {
         ColladaElement skin = controller.child("skin");
         if (skin == null) {
             return;

@@ -78,9 +78,18 @@ final class ColladaTransform {
         double s = Degrees.sin(numbers[3]);
         double v = 1 - c;
         return new ColladaTransform(new double[] {
-            c + x * x * v, x * y * v - z * s, x * z * v + y * s, 0,
-            x * y * v + z * s, c + y * y * v, y * z * v - x * s, 0,
-            x * z * v - y * s, y * z * v + x * s, c + z * z * v, 0
+            c + x * x * v,
+            x * y * v - z * s,
+            x * z * v + y * s,
+            0,
+            x * y * v + z * s,
+            c + y * y * v,
+            y * z * v - x * s,
+            0,
+            x * z * v - y * s,
+            y * z * v + x * s,
+            c + z * z * v,
+            0
         });
     }
 

@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.Locale;
+import robosim.geometry.material.ImageTexture;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.RegularFile;
+import robosim.geometry.world.shared.TextureFiles;
 
 /**
  * What the readers of meshes share: opening a file, the limits of a scale, and the choice of a reader by a file's name.
@@ -34,12 +36,26 @@ public final class MeshFiles {
         return file.toLowerCase(Locale.ROOT).endsWith(".stl");
     }
 
-    /** Reads the surface of a file, in the format given by the ending of its name; OBJ if that is unknown. */
-    public static MeshObject read(Path file, double scale) throws FileProblem {
+    /**
+     * Reads the surface of a file, in the format given by the ending of its name; OBJ if that is unknown. An OBJ file's
+     * materials are read too.
+     */
+    public static MeshObject read(Path file, double scale, TextureFiles textures) throws FileProblem {
         if (isCollada(file.toString())) {
             return read(file, scale, ColladaSurface::read);
         }
-        return read(file, scale, isStl(file.toString()) ? StlSurface::read : ObjSurface::read);
+        return isStl(file.toString()) ? read(file, scale, StlSurface::read) : readObj(file, scale, textures);
+    }
+
+    /** Reads an OBJ file and its materials. */
+    public static MeshObject readObj(Path file, double scale, TextureFiles textures) throws FileProblem {
+        Path folder = file.toAbsolutePath().resolveSibling("");
+        return read(file, scale, (in, source, scaled) -> ObjSurface.read(in, source, scaled, folder, textures));
+    }
+
+    /** A mesh without the texture coordinates that its material has no use for. */
+    public static MeshObject trimmed(MeshObject mesh) {
+        return mesh.material().texture() instanceof ImageTexture ? mesh : mesh.withTextureCoordinates(null);
     }
 
     public static MeshObject read(Path file, double scale, Format format) throws FileProblem {

@@ -7,28 +7,33 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.world.shared.Bounded;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.shared.TextureFiles;
 
-/** The surface of a Wavefront OBJ file while it is read: its vertices and its faces, with polygons cut. */
+/** The surface of a Wavefront OBJ file while it is read: its vertices, and its faces with polygons cut. */
 public final class ObjSurface {
     private static final Set<String> PASSED_OVER = Set.of(
             "vn",
-            "vt",
             "vp",
             "o",
             "g",
             "s",
             "mg",
-            "mtllib",
-            "usemtl",
             "usemap",
             "maplib",
             "l",
@@ -45,7 +50,8 @@ public final class ObjSurface {
 
     private final double scale;
     private final List<Point> vertices = new ArrayList<>();
-    private final List<int[]> faces = new ArrayList<>();
+    private final ObjFaces faces = new ObjFaces(vertices);
+    private final List<String> libraries = new ArrayList<>();
     private int line;
     private boolean ended;
 
@@ -53,20 +59,55 @@ public final class ObjSurface {
         this.scale = scale;
     }
 
-    /** Reads a mesh from a stream, which is left open. */
+    /** Reads a mesh from a stream, which is left open; without its materials, which are in other files. */
     public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
+        return read(in, source, scale, null, null);
+    }
+
+    /**
+     * Reads a mesh from a stream, which is left open.
+     *
+     * @param folder   where its material libraries are; one that does not exist is ignored
+     * @param textures where pictures come from
+     */
+    static MeshObject read(
+            InputStream in, String source, double scale, @Nullable Path folder, @Nullable TextureFiles textures)
+            throws FileProblem {
         ObjSurface reader = new ObjSurface(scale);
         try {
             // Latin-1 accepts every byte; everything that is evaluated is ASCII.
             reader.readLines(new BufferedReader(
                     new InputStreamReader(new Bounded(new BufferedInputStream(in)), StandardCharsets.ISO_8859_1)));
-            return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
+            return reader.faces.mesh(
+                    folder == null || textures == null ? null : reader.library(folder, new MaterialLibrary(textures)));
         } catch (FileProblem e) {
             throw e;
         } catch (IOException e) {
             throw new FileProblem(source, reader.line, 0, "the file could not be read: " + e.getMessage(), e);
         } catch (IllegalArgumentException e) {
             throw new FileProblem(source, reader.line, 0, String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    private MaterialLibrary library(Path folder, MaterialLibrary library) throws IOException {
+        for (String names : libraries) {
+            // One name with spaces, or several names.
+            List<String> single = List.of(names);
+            List<String> all = exists(folder, names) ? single : List.of(Numbers.words(names));
+            for (String name : all) {
+                if (exists(folder, name)) {
+                    library.add(Folder.locate(folder, name, "OBJ", "MTL"));
+                }
+            }
+        }
+        return library;
+    }
+
+    private static boolean exists(Path folder, String name) {
+        try {
+            return !name.isBlank() && Files.isRegularFile(folder.resolve(name));
+        } catch (InvalidPathException e) {
+            return false;
         }
     }
 
@@ -84,7 +125,7 @@ public final class ObjSurface {
             statement(text.toString().strip());
             line = end;
         }
-        if (faces.isEmpty()) {
+        if (faces.size() == 0) {
             line = 0;
             throw new IllegalArgumentException("an OBJ file must have at least one face (got: none)");
         }
@@ -123,7 +164,10 @@ public final class ObjSurface {
         String[] words = Numbers.words(text);
         switch (words[0]) {
             case "v" -> vertex(words);
+            case "vt" -> texturePoint(words);
             case "f" -> face(words);
+            case "usemtl" -> faces.use(rest(text));
+            case "mtllib" -> libraries.add(rest(text));
             default -> {
                 if (!PASSED_OVER.contains(words[0])) {
                     throw new IllegalArgumentException("a statement must be v, f or one that does not affect the"
@@ -131,6 +175,25 @@ public final class ObjSurface {
                             + words[0] + ")");
                 }
             }
+        }
+    }
+
+    /** What follows the first word, whose bytes are those of UTF-8. */
+    private static String rest(String text) {
+        byte[] bytes = text.substring(6).strip().getBytes(StandardCharsets.ISO_8859_1);
+        return new String(bytes, StandardCharsets.UTF_8);
+    }
+
+    /** u and v; v is 0 where it is left out. Some programs write what is no number. */
+    private void texturePoint(String[] words) {
+        faces.point(share(words, 1), words.length == 2 ? 0 : share(words, 2));
+    }
+
+    private static double share(String[] words, int at) {
+        try {
+            return words.length <= at ? Double.NaN : Checks.coordinate("vt", Numbers.parse(words[at]));
+        } catch (IllegalArgumentException e) {
+            return Double.NaN;
         }
     }
 
@@ -149,6 +212,7 @@ public final class ObjSurface {
                     "a face must have 3 to " + Limits.MAX_CORNERS + " corners (got: " + corners + ")");
         }
         int[] face = new int[corners];
+        int[] texture = new int[corners];
         for (int k = 0; k < corners; k++) {
             String word = words[k + 1];
             int slash = word.indexOf('/');
@@ -158,11 +222,24 @@ public final class ObjSurface {
                 throw new IllegalArgumentException("a face must use vertices defined before it, from 1 to "
                         + vertices.size() + " or -1 to -" + vertices.size() + " (got: " + index + ")");
             }
+            int second = word.indexOf('/', slash + 1);
+            texture[k] = slash < 0 ? TextureCoordinates.NONE : texturePoint(word, slash + 1, second);
         }
         if (faces.size() + corners - 2 > Limits.MAX_FACES) {
             throw new IllegalArgumentException(
                     "a file must have at most " + Limits.MAX_FACES + " faces, cut into triangles (got: more)");
         }
-        Polygon.cut(vertices, face, faces);
+        faces.add(face, texture);
+    }
+
+    /** The texture point of a corner; {@link TextureCoordinates#NONE} for one that there is not, which harms no shape. */
+    private int texturePoint(String word, int from, int to) {
+        try {
+            int index = Integer.parseInt(word, from, to < 0 ? word.length() : to, 10);
+            int point = index > 0 ? index - 1 : faces.points() + index;
+            return index != 0 && faces.hasPoint(point) ? point : TextureCoordinates.NONE;
+        } catch (NumberFormatException e) {
+            return TextureCoordinates.NONE;
+        }
     }
 }

@@ -16,7 +16,9 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.TextureFiles;
 
 /**
  * Finds the files that an SDFormat file names: relative to it, or in given model folders. Nothing outside their trees
@@ -36,7 +38,10 @@ public final class SdfFiles {
     /** A cache of lookups, found or not: a model may be included a thousand times, and file access is slow. */
     private final Map<Name, Optional<Path>> known = new HashMap<>();
 
+    private @Nullable Map<String, List<Path>> packages;
     private final List<String> remarks = new ArrayList<>();
+    private final List<LeftOut> leftOut = new ArrayList<>();
+    private final TextureFiles textures;
     private long bytes;
 
     private record Name(String uri, Path from) {}
@@ -52,6 +57,17 @@ public final class SdfFiles {
         } catch (IOException e) {
             throw FileProblem.unreadable(main, e);
         }
+        textures = new TextureFiles(folders, leftOut);
+    }
+
+    /** The pictures that its meshes name, from the same folders. */
+    TextureFiles textures() {
+        return textures;
+    }
+
+    /** The pictures of meshes that could not be read. */
+    public List<LeftOut> leftOut() {
+        return leftOut;
     }
 
     /** Remarks about the files, none of which means that something is missing. */
@@ -182,16 +198,31 @@ public final class SdfFiles {
                 return;
             }
         }
-        for (Path folder : List.copyOf(folders)) {
+        for (Path each : packages().getOrDefault(name, List.of())) {
+            candidates.add(each.resolve(rest).normalize());
+        }
+    }
+
+    /** The packages below the given folders by name, looked for once. */
+    private Map<String, List<Path>> packages() throws IOException {
+        if (packages != null) {
+            return packages;
+        }
+        Map<String, List<Path>> found = new HashMap<>();
+        for (Path folder : folders) {
             try (Stream<Path> below = Files.walk(folder, PACKAGE_DEPTH)) {
                 below.limit(MOST_ENTRIES)
-                        .filter(each -> each.endsWith(name) && isPackage(each))
+                        .filter(SdfFiles::isPackage)
                         .sorted()
-                        .forEach(each -> candidates.add(each.resolve(rest).normalize()));
+                        .forEach(each -> found.computeIfAbsent(
+                                        String.valueOf(each.getFileName()), name -> new ArrayList<>())
+                                .add(each));
             } catch (UncheckedIOException e) {
                 throw e.getCause();
             }
         }
+        packages = found;
+        return found;
     }
 
     private static boolean isPackage(Path folder) {
@@ -221,7 +252,9 @@ public final class SdfFiles {
             for (Path folder : folders) {
                 candidates.add(folder.resolve(rest).normalize());
             }
-            if (name.startsWith("package://") && slash > 0 && candidates.stream().noneMatch(Files::exists)) {
+            if (name.startsWith("package://")
+                    && slash > 0
+                    && candidates.stream().noneMatch(Files::exists)) {
                 packages(model, rest.substring(slash + 1), from, candidates);
             }
         }

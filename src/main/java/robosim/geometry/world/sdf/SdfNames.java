@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The relevant elements of SDFormat up to 1.12: which are read, which are irrelevant to solid geometry, and which are
- * relevant but not supported.
+ * relevant but not supported. Of a visual only the material is read; it counts as irrelevant nevertheless.
  */
 public final class SdfNames {
     private static final Set<String> ALL = Set.of();
@@ -17,7 +17,9 @@ public final class SdfNames {
             Map.entry("world", Set.of("model", "include", "frame")),
             Map.entry("model", Set.of("model", "include", "link", "frame", "joint", "pose", "static")),
             Map.entry("include", Set.of("uri", "name", "pose", "static", "placement_frame")),
-            Map.entry("link", Set.of("pose", "collision")),
+            Map.entry("link", Set.of("pose", "collision", "visual")),
+            Map.entry("visual", Set.of("material")),
+            Map.entry("material", Set.of("diffuse", "emissive", "shininess", "specular")),
             Map.entry("collision", Set.of("pose", "geometry")),
             Map.entry("frame", Set.of("pose")),
             Map.entry("joint", Set.of("pose", "child")),
@@ -91,6 +93,8 @@ public final class SdfNames {
             Map.entry(
                     "collision",
                     Set.of("auto_inertia_params", "density", "frame", "laser_retro", "max_contacts", "surface")),
+            Map.entry("visual", ALL),
+            Map.entry("material", ALL),
             Map.entry("mesh", Set.of("convex_decomposition")),
             Map.entry("joint", ALL),
             Map.entry("empty", ALL),
@@ -106,7 +110,8 @@ public final class SdfNames {
     /** Whether an element may have any number of these children; of all others it has at most one. */
     static boolean isRepeated(String child) {
         return switch (child) {
-            case "world", "model", "include", "link", "frame", "joint", "collision", "point" -> true;
+            case "world", "model", "include", "link", "frame", "joint", "collision", "visual", "point" -> true;
+            case "material", "diffuse", "emissive", "shininess", "specular" -> true; // harmless: the first one counts
             default -> false;
         };
     }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.shared.FileProblem;
@@ -117,7 +118,7 @@ public final class SdfObjects {
                 leaveOutMistakes(collision, () -> {
                     String path = path(scope, link, collision);
                     Placement local = local(scope, link, collision);
-                    GeometryObject shape = shape(collision, path, inWorld.then(local));
+                    GeometryObject shape = shape(link, collision, path, inWorld.then(local));
                     if (shape != null) {
                         Placement place = inBody.then(local);
                         body.members.add(placed(collision, shape, place));
@@ -148,7 +149,7 @@ public final class SdfObjects {
                 leaveOutMistakes(collision, () -> {
                     String path = path(scope, link, collision);
                     Placement place = inWorld.then(local(scope, link, collision));
-                    GeometryObject shape = shape(collision, path, place);
+                    GeometryObject shape = shape(link, collision, path, place);
                     if (shape != null) {
                         found.put(collision, placed(collision, shape, place));
                         paths.put(collision, path);
@@ -197,17 +198,25 @@ public final class SdfObjects {
         return from.then(SdfPose.read(pose));
     }
 
-    private @Nullable GeometryObject shape(SdfElement collision, String path, Placement place) throws FileProblem {
+    private @Nullable GeometryObject shape(SdfNode link, SdfElement collision, String path, Placement place)
+            throws FileProblem {
         if (++collisions > Limits.MAX_OBJECTS) {
             throw collision.beyond("a world must have at most " + Limits.MAX_OBJECTS + " collisions (got: more)");
         }
         counts.merge("collision", 1, Integer::sum);
         tree.account(collision);
         GeometryObject shape = shapes.shape(collision, path, place);
-        if (shape != null) {
-            counts.merge(collision.required("geometry").children.get(0).name, 1, Integer::sum);
+        if (shape == null) {
+            return null;
         }
-        return shape;
+        counts.merge(collision.required("geometry").children.get(0).name, 1, Integer::sum);
+        Material material = null;
+        try {
+            material = SdfMaterials.of(link.element, collision);
+        } catch (FileProblem e) { // which costs the colour, and not the shape
+            tree.skip(collision, "<material> of " + path, e);
+        }
+        return material == null ? shape : shape.withMaterial(material);
     }
 
     private static GeometryObject placed(SdfElement collision, GeometryObject shape, Placement place)

@@ -15,6 +15,7 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
@@ -83,23 +84,31 @@ public final class SdfParser extends DefaultHandler {
         if (parent == null) {
             root = keep(null, name.equals("gazebo") ? "sdf" : name, attributes);
             checkRoot(root);
-        } else if (name.equals("origin") && attributes.getValue("pose") != null && SdfNames.isRead(parent.name, "pose")) {
+        } else if (name.equals("origin")
+                && attributes.getValue("pose") != null
+                && SdfNames.isRead(parent.name, "pose")) {
             SdfElement pose = keep(parent, "pose", attributes);
             pose.text.append(pose.attribute("pose"));
         } else if (SdfNames.isRead(parent.name, name)) {
             keep(parent, name, attributes);
+            passOver(parent, name);
         } else {
             outside = 1;
-            if (SdfNames.isPassedOver(parent.name, name)) {
-                if (SdfNames.isCounted(parent.name)) {
-                    parent.passedOver.merge(name, 1, Integer::sum);
-                }
-            } else {
+            if (!passOver(parent, name)) {
                 bounded();
                 parent.skipped.add(
                         new LeftOut(file.shown(), line(), tag(name, attributes), SdfNames.reason(parent.name, name)));
             }
         }
+    }
+
+    /** Counts an element that is irrelevant to solid geometry; answers whether it is. */
+    private static boolean passOver(SdfElement parent, String name) {
+        boolean isPassedOver = SdfNames.isPassedOver(parent.name, name);
+        if (isPassedOver && SdfNames.isCounted(parent.name)) {
+            parent.passedOver.merge(name, 1, Integer::sum);
+        }
+        return isPassedOver;
     }
 
     private SdfElement keep(@Nullable SdfElement parent, String name, Attributes attributes) throws SAXException {
@@ -189,7 +198,11 @@ public final class SdfParser extends DefaultHandler {
                     "point",
                     "height",
                     "center",
-                    "scale" -> true;
+                    "scale",
+                    "diffuse",
+                    "emissive",
+                    "shininess",
+                    "specular" -> true;
             default -> false;
         };
     }

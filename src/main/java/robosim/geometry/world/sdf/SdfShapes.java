@@ -15,6 +15,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
@@ -74,8 +75,8 @@ public final class SdfShapes {
                 case "mesh" -> mesh(shape, owner);
                 case "plane" -> plane(shape, owner, place);
                 case "empty" -> null;
-                case "cone" -> approximate(
-                        shape, owner, SdfSurfaces.cone(shape.number("radius"), shape.number("length")));
+                case "cone" ->
+                    approximate(shape, owner, SdfSurfaces.cone(shape.number("radius"), shape.number("length")));
                 case "ellipsoid" -> ellipsoid(shape, owner);
                 case "polyline" -> SdfSurfaces.polyline(shape);
                 default -> {
@@ -204,9 +205,12 @@ public final class SdfShapes {
         if (known == null) {
             files.count(uri, file);
             known = MeshFiles.isCollada(file.toString())
-                    ? MeshFiles.read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(
-                            in, source, key.name.isEmpty() ? null : key.name))
-                    : MeshFiles.read(file, 1);
+                    ? MeshFiles.read(
+                            file,
+                            1,
+                            (in, source, scale) ->
+                                    ColladaSurface.readInItsAxes(in, source, key.name.isEmpty() ? null : key.name))
+                    : MeshFiles.trimmed(MeshFiles.read(file, 1, files.textures()));
             surfaces.put(key, known);
         }
         return known;
@@ -246,6 +250,7 @@ public final class SdfShapes {
             places.add(SdfPose.place(vertex.x() * scale.x(), vertex.y() * scale.y(), vertex.z() * scale.z()));
         }
         int[][] faces = surface.faces();
+        TextureCoordinates texture = surface.textureCoordinates();
         if (Math.signum(scale.x()) * Math.signum(scale.y()) * Math.signum(scale.z()) < 0) {
             for (int[] face : faces) {
                 // A quad keeps its diagonal, from the first corner to the third.
@@ -253,7 +258,21 @@ public final class SdfShapes {
                 face[1] = face[face.length - 1];
                 face[face.length - 1] = second;
             }
+            texture = texture == null ? null : reversed(texture, faces);
         }
-        return new MeshObject(places, faces);
+        return new MeshObject(places, faces).withTextureCoordinates(texture).withMaterial(surface.material());
+    }
+
+    private static TextureCoordinates reversed(TextureCoordinates texture, int[][] faces) {
+        int[] corners = texture.corners();
+        int at = 0;
+        for (int[] face : faces) {
+            int last = at + face.length - 1;
+            int second = corners[at + 1];
+            corners[at + 1] = corners[last];
+            corners[last] = second;
+            at = last + 1;
+        }
+        return new TextureCoordinates(texture.points(), corners);
     }
 }

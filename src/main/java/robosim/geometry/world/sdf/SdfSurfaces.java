@@ -97,7 +97,8 @@ final class SdfSurfaces {
         }
         int count = points.size();
         if (count < 3 || count > Limits.MAX_CORNERS) {
-            throw shape.wrong("<polyline> must have 3 to " + Limits.MAX_CORNERS + " different points (got: " + count + ")");
+            throw shape.wrong(
+                    "<polyline> must have 3 to " + Limits.MAX_CORNERS + " different points (got: " + count + ")");
         }
         if (doubleArea(points) < 0) {
             Collections.reverse(points);

@@ -17,6 +17,7 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
@@ -80,7 +81,8 @@ final class UrdfParser extends DefaultHandler {
     @Override
     public void startElement(String uri, String local, String name, Attributes attributes) throws SAXException {
         SdfElement parent = open.peek();
-        if (outside > 0 || (parent != null && !READ.getOrDefault(parent.name, Set.of()).contains(name))) {
+        if (outside > 0
+                || (parent != null && !READ.getOrDefault(parent.name, Set.of()).contains(name))) {
             if (outside++ == 0 && parent != null) {
                 passOver(parent, name);
             }

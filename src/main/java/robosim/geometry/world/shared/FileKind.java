@@ -100,7 +100,9 @@ public final class FileKind {
             case "gazebo" -> readAs.equals("sdf") ? null : "this is SDFormat; give it a name that ends in .world";
             case "gazebo_world" -> "this is a Gazebo world older than SDFormat; convert it with Gazebo";
             default ->
-                readAs.equals("xml") || readAs.equals("sdf") || readAs.equals("dae") ? null : "this is XML, with the root <" + root + ">";
+                readAs.equals("xml") || readAs.equals("sdf") || readAs.equals("dae")
+                        ? null
+                        : "this is XML, with the root <" + root + ">";
         };
     }
 }

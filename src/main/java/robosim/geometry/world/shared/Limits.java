@@ -11,6 +11,9 @@ public final class Limits {
     /** Objects of one world, members included. The warehouse has about 2,700. */
     public static final int MAX_OBJECTS = 200_000;
 
+    /** Materials of one world file. A hall with a material for each of its 2,700 objects has as many. */
+    public static final int MAX_MATERIALS = 100_000;
+
     /** Elements of one SDFormat file that are read. A world of 3,000 shapes has about 30,000. */
     public static final int MAX_ELEMENTS = 2_000_000;
 

@@ -22,10 +22,14 @@ class ModelFoldersTest {
         Path share = Files.createDirectories(folder.resolve("install/share"));
         Path given = Files.createDirectories(folder.resolve("given"));
         Map<String, String> environment = Map.of(
-                "GZ_SIM_RESOURCE_PATH", a + File.pathSeparator + folder.resolve("gone") + File.pathSeparator + given,
-                "ROS_PACKAGE_PATH", File.pathSeparator + b + File.pathSeparator + a,
-                "AMENT_PREFIX_PATH", folder.resolve("install").toString(),
-                "OTHER_PATH", folder.toString());
+                "GZ_SIM_RESOURCE_PATH",
+                a + File.pathSeparator + folder.resolve("gone") + File.pathSeparator + given,
+                "ROS_PACKAGE_PATH",
+                File.pathSeparator + b + File.pathSeparator + a,
+                "AMENT_PREFIX_PATH",
+                folder.resolve("install").toString(),
+                "OTHER_PATH",
+                folder.toString());
         assertThat(ModelFolders.with(List.of(given), environment)).containsExactly(given, a, b, share);
         assertThat(ModelFolders.with(List.of(given), Map.of())).containsExactly(given);
     }

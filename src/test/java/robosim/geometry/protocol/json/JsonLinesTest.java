@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -13,6 +14,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -118,6 +123,43 @@ class JsonLinesTest {
     }
 
     @Test
+    void whatAMaterialLeavesOutIsTheDefaults() throws ProtocolException {
+        InitBundle read = (InitBundle) JsonLines.readRequest("{\"type\":\"init\",\"objects\":[" + ball("")
+                + "," + ball("\"color\":\"#FF8000\"") + "," + ball("\"color\":[0.1,0,1],\"label\":7")
+                + "," + ball("\"texture\":{\"size\":2,\"second\":\"#ffffff\",\"first\":[0,0,0],\"kind\":\"checker\"}")
+                + "]}");
+        assertThat(read.objects())
+                .extracting(GeometryObject::material)
+                .containsExactly(
+                        Material.DEFAULT,
+                        Material.of(Color.parse("#ff8000")),
+                        Material.of(new Color(0.1, 0, 1)).withLabel(7),
+                        Material.DEFAULT.withTexture(new Texture.Checker(Color.BLACK, Color.WHITE, 2)));
+    }
+
+    private static String ball(String material) {
+        return "{\"kind\":\"sphere\",\"center\":[0,0,0],\"radius\":1,\"material\":{" + material + "}}";
+    }
+
+    private static String picture(int columns, int rows, int pixels) {
+        return ball("\"texture\":{\"kind\":\"image\",\"columns\":" + columns + ",\"rows\":" + rows + ",\"pixels\":\""
+                + Base64.getEncoder().encodeToString(new byte[3 * pixels]) + "\",\"width\":1,\"height\":1}");
+    }
+
+    @Test
+    void equalPicturesShareTheirPixels() throws ProtocolException {
+        List<GeometryObject> balls = new ArrayList<>();
+        for (int k = 0; k < 3; k++) {
+            ImageTexture image = new ImageTexture(2, 1, new int[] {1, 2}, k / 2 + 1, 1);
+            balls.add(new SphereObject(new Point(), k).withMaterial(Material.DEFAULT.withTexture(image)));
+        }
+        InitBundle read = (InitBundle) JsonLines.readRequest(JsonLines.write(new InitBundle(balls)));
+        assertThat(read.objects()).isEqualTo(balls);
+        assertThat(read.objects().get(1).material().texture())
+                .isSameAs(read.objects().get(0).material().texture());
+    }
+
+    @Test
     void fieldsComeInAnyOrderWithSpaceBetweenThem() throws ProtocolException {
         Bundle read = JsonLines.readRequest("  {\t\"objects\" : [ {\"radius\":2e0,\"center\":[1,-0,1E1],\"name\":\"b\","
                 + "\"kind\":\"sphere\"} ] , \"type\" : \"init\" } \r");
@@ -142,6 +184,7 @@ class JsonLinesTest {
         String box =
                 "{\"type\":\"init\",\"objects\":[{\"kind\":\"box\",\"center\":[0,0,0],\"width\":1,\"height\":1,%s}]}";
         String mesh = "{\"type\":\"init\",\"objects\":[{\"kind\":\"mesh\",\"vertices\":[[0,0,0],[1,0,0],[0,0,1]],%s}]}";
+        String init = "{\"type\":\"init\",\"objects\":[%s]}";
         String sonar = "{\"type\":\"sonars\",\"requests\":[{\"objectName\":\"r\",%s}]}";
         return Stream.of(
                 Arguments.of("", "blank line"),
@@ -207,6 +250,39 @@ class JsonLinesTest {
                 Arguments.of(
                         box.formatted("\"length\":1,\"rotation\":[1,0,0,0,1,0,0,0,-1]"), "rotation must be 9 numbers"),
                 Arguments.of(box.formatted("\"length\":1,\"headingDegrees\":[0,0]"), "rotation that it belongs to"),
+                Arguments.of(init.formatted(ball("\"colour\":1")), "/material/colour: a field must be one of color, "),
+                Arguments.of(
+                        init.formatted(ball("\"color\":\"red\"")),
+                        "at /objects/0/material/color: color must be #rrggbb, six hexadecimal digits (got: red)"),
+                Arguments.of(init.formatted(ball("\"color\":[1,1]")), "/color: must be a list of 3 numbers (got: 2)"),
+                Arguments.of(
+                        init.formatted(ball("\"mirror\":1.5")),
+                        "at /objects/0/material/mirror: mirror must be a number from 0 to 1 (got: 1.5)"),
+                Arguments.of(init.formatted(ball("\"label\":-1")), "/material/label: must be a whole number from 0 to"),
+                Arguments.of(
+                        init.formatted(ball("\"texture\":{\"kind\":\"wood\"}")), "must be checker, stripes or image"),
+                Arguments.of(
+                        init.formatted(ball(
+                                "\"texture\":{\"kind\":\"checker\",\"first\":\"#000000\",\"second\":\"#000000\"}")),
+                        "of kind \"checker\" it must have the field \"size\""),
+                Arguments.of(init.formatted(picture(2, 2, 3)), "bytes must have 3 for each of 2 x 2 pixels (got: 9)"),
+                Arguments.of(
+                        init.formatted(picture(99_999, 99_999, 1)), "at most 67108864 pixels (got: 99999 x 99999)"),
+                Arguments.of(
+                        init.formatted(picture(1155, 1155, 1155 * 1155)),
+                        "/pixels: must have at most 3999999 bytes in base64 (got: more)"),
+                Arguments.of(
+                        mesh.formatted("\"faces\":[[0,1,2]],\"texturePoints\":[0,0]"),
+                        "texturePoints and textureCorners must come together (got: one of them)"),
+                Arguments.of(
+                        mesh.formatted("\"faces\":[[0,1,2]],\"texturePoints\":[0,0],\"textureCorners\":[0,0]"),
+                        "corners must have one index for each corner of the 1 faces, 3 (got: 2)"),
+                Arguments.of(
+                        mesh.formatted("\"faces\":[[0,1,2]],\"texturePoints\":[0,0],\"textureCorners\":[0,0,1]"),
+                        "corners[2] must be -1 or one of the 1 points"),
+                Arguments.of(
+                        mesh.formatted("\"faces\":[[0,1,2]],\"texturePoints\":[0,0],\"textureCorners\":[0,0,-2]"),
+                        "/textureCorners/2: must be a whole number from -1 to"),
                 Arguments.of(mesh.formatted("\"faces\":[]"), "face"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1]]"), "3 or 4 corners (got: 2)"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,3]]"), "at /objects/0: "),

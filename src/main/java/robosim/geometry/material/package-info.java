@@ -1,0 +1,23 @@
+/**
+ * What surfaces look like, and what sensors feel of them: colours, materials and textures.
+ *
+ * <p>Every object of a world has a {@link robosim.geometry.material.Material}; one that was given none has {@link
+ * robosim.geometry.material.Material#DEFAULT}. No query about collisions, moves or distances looks at it.
+ *
+ * <pre>{@code
+ * Material steel = Material.of(Color.parse("#c0c4cc")).withSpecular(0.6).withShininess(80).withMirror(0.2);
+ * Material hazard = Material.DEFAULT
+ *         .withTexture(new Texture.Stripes(Color.parse("#ffd000"), Color.BLACK, 0.2, 45))
+ *         .withReflectance(0.8)
+ *         .withLabel(7);
+ * steel.color();                              // #c0c4cc
+ * hazard.label();                             // 7
+ * hazard.equals(hazard.withMirror(0));        // true
+ * }</pre>
+ *
+ * <p>All types are immutable, compare by value and may be shared between threads.
+ */
+@NullMarked
+package robosim.geometry.material;
+
+import org.jspecify.annotations.NullMarked;
