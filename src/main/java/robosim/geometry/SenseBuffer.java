@@ -69,7 +69,7 @@ public final class SenseBuffer {
 
     /**
      * Which part of an object a ray met: 0 for an object that is no group. The parts of a group are its members that are no
-     * groups themselves, depth first, from 0 on: see {@link robosim.geometry.model.ObjectGroup#part}. Of parts that are
+     * groups themselves, depth first, from 0 on: see {@link robosim.geometry.model.ObjectGroup#parts}. Of parts that are
      * met at the same distance, the first counts.
      *
      * @return -1 if nothing echoes, or where the world's accuracy has one enclosure for the whole group

@@ -64,8 +64,9 @@ public final class ConvertCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "IN",
-            description = "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), a robot (.urdf),"
-                    + " or a mesh (.obj, .stl, .dae)")
+            description =
+                    "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), a robot (.urdf),"
+                            + " or a mesh (.obj, .stl, .dae)")
     private Path in = Path.of("");
 
     @Parameters(
