@@ -125,7 +125,7 @@ class SdfRealFilesTest {
         assertThat(read.world().unit()).isEqualTo(Unit.METRE);
         assertThat(read.world().objects())
                 .extracting(WorldObject::color)
-                .containsExactly("#ff0000", "#00ff00", "#0000ff", "#ffff00");
+                .containsExactly("#ff0000", "#00ff00", "#0000ff", "#ffff00", "#ff00ff", "#ff7800");
         assertThat(read.world().objects())
                 .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .satisfiesExactly(
