@@ -188,7 +188,7 @@ public final class SdfShapes {
         }
         Point scale = shape.vector("scale", new Point(1, 1, 1));
         String center = submesh == null ? "" : submesh.valueOf("center");
-        boolean isCentred = !center.isEmpty() && SdfElement.isTrue(submesh, "<center>", center);
+        boolean isCentred = !center.isEmpty() && SdfElement.isTrue(shape, "<center>", center);
         Scaled key = new Scaled(file, part, isCentred, scale);
         MeshObject known = meshes.get(key);
         if (known == null) {
