@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 
 /** The folders in which commands look for models: those given, then those of the environment. */
 public final class ModelFolders {
@@ -39,14 +40,19 @@ public final class ModelFolders {
     /** Adds the folders of a list that exist; others are no mistake of the user's of this program. */
     private static void add(List<Path> folders, String list, String inner) {
         for (String each : list.split(Pattern.quote(File.pathSeparator), -1)) {
-            try {
-                Path folder = Path.of(each).resolve(inner);
-                if (!each.isBlank() && Files.isDirectory(folder) && !folders.contains(folder)) {
-                    folders.add(folder);
-                }
-            } catch (InvalidPathException e) {
-                continue;
+            Path folder = each.isBlank() ? null : folder(each, inner);
+            if (folder != null && Files.isDirectory(folder) && !folders.contains(folder)) {
+                folders.add(folder);
             }
+        }
+    }
+
+    /** The folder of a name; null if it can be none. */
+    private static @Nullable Path folder(String name, String inner) {
+        try {
+            return Path.of(name).resolve(inner);
+        } catch (InvalidPathException e) {
+            return null;
         }
     }
 }
