@@ -27,6 +27,7 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.xml.GridRuns;
 import robosim.geometry.world.xml.Text;
 
 /** Creates objects from complete elements. Invalid values throw an {@link IllegalArgumentException}. */

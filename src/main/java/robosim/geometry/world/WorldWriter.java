@@ -24,6 +24,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.xml.GridRuns;
 
 /**
  * Writes a world as XML that reads back to an equal one. The same world always gives the same text.
