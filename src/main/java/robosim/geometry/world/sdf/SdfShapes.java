@@ -171,7 +171,7 @@ public final class SdfShapes {
         String name = uri.value();
         SdfElement submesh = shape.child("submesh");
         String part = submesh == null ? "" : submesh.required("name").value();
-        if (!part.isEmpty() && !MeshFiles.isCollada(name)) {
+        if (submesh != null && !part.isEmpty() && !MeshFiles.isCollada(name)) {
             throw submesh.wrong("a part is read of COLLADA alone; save it as a separate file (got: " + name + ")");
         }
         if (!MeshFiles.isNamed(name)) {
