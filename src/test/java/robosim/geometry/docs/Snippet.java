@@ -42,6 +42,7 @@ final class Snippet {
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;
             import robosim.geometry.scenario.*;
+            import robosim.geometry.render.*;
             import robosim.geometry.sensor.*;
             import robosim.geometry.sensor.file.*;
             import robosim.geometry.sweep.*;
