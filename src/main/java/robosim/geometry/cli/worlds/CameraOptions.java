@@ -214,11 +214,10 @@ public final class CameraOptions {
         } catch (NumberFormatException e) {
             // told below
         }
-        throw refused(
-                option + " must be "
-                        + (option.equals("--camera")
-                                ? "overview, top, front, side, four, orbit, robot:NAME or X,Y,Z"
-                                : "X,Y,Z, three numbers")
-                        + " (got: " + text + ")");
+        throw refused(option + " must be "
+                + (option.equals("--camera")
+                        ? "overview, top, front, side, four, orbit, robot:NAME or X,Y,Z"
+                        : "X,Y,Z, three numbers")
+                + " (got: " + text + ")");
     }
 }

@@ -123,8 +123,7 @@ public final class RenderCommand implements Callable<Integer> {
                 }
             }
             Path file = pictures.size() == 1 ? output : numbered(k, pictures.size());
-            AtomicFileWriter.write(
-                    file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), pixels));
+            AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), pixels));
             tell(file);
         }
     }

@@ -46,7 +46,10 @@ final class Studio {
             double rim = RIM * Math.max(width, length);
             double thick = Math.max(rim, (content.maxY() - content.minY()) / 20) / 2;
             geometry.addObjectUnchecked(new BoxObject(
-                            new Point(middle(content).x(), content.minY() - thick / 2, middle(content).z()),
+                            new Point(
+                                    middle(content).x(),
+                                    content.minY() - thick / 2,
+                                    middle(content).z()),
                             width + 2 * rim,
                             thick,
                             length + 2 * rim)
