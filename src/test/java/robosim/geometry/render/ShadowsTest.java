@@ -3,7 +3,6 @@ package robosim.geometry.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -270,8 +269,12 @@ class ShadowsTest {
                 .withLighting(sun(0, -1, 0, 1))
                 .withSamples(16)
                 .render(world, fine);
-        long lit = Arrays.stream(fine.pixels()).filter(pixel -> pixel != 0).count();
-        assertThat(lit).isBetween(80L, 260L);
+        // Beyond 2.01 the floor is no longer below the ceiling.
+        long within = 0;
+        for (int k = 10 * 120; k < 80 * 120; k++) {
+            within += fine.pixels()[k] == 0 ? 0 : 1;
+        }
+        assertThat(within).isBetween(100L, 240L);
         assertThat(fine.pixel(60, 44) + fine.pixel(60, 45)).isPositive();
     }
 

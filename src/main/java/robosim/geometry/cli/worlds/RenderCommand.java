@@ -1,27 +1,41 @@
 package robosim.geometry.cli.worlds;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.image.PngWriter;
+import robosim.geometry.render.ColorFrame;
 import robosim.geometry.viewer.draw.Painter;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.World;
 
-/** Draws a world file. */
+/** Draws a world file: as a camera sees it, or as a plan. */
 @Command(
         name = "render",
-        description = "Draws a world from above.",
+        description = {
+            "Takes a picture of a world, in colour and with shadows, as a .png; or draws its plan from above, as an .svg or"
+                    + " with --plan. Needs no display.",
+            "",
+            "The picture shows heights, also of a PLANAR world, and lays a floor under what stands lowest. An orbit is a"
+                    + " series of pictures, FILE with a number before its ending."
+        },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
@@ -29,7 +43,10 @@ import robosim.geometry.viewer.playback.Pictures;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry render worlds/rooms.xml -o rooms.svg",
-            "  robosim-geometry render worlds/maze.xml --dark -o maze.png",
+            "  robosim-geometry render worlds/rooms.xml -o rooms.png",
+            "  robosim-geometry render worlds/warehouse.xml --camera robot:cart\\ 1 -o from-cart.png",
+            "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
+            "  robosim-geometry render worlds/maze.xml --plan --dark -o maze.png",
             "  robosim-geometry render arena.world --models ~/.gazebo/models -o arena.svg"
         })
 public final class RenderCommand implements Callable<Integer> {
@@ -53,8 +70,15 @@ public final class RenderCommand implements Callable<Integer> {
             description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
     private List<Path> models = new ArrayList<>();
 
-    @Option(names = "--dark", description = "draw a .png on a dark background; an .svg follows its viewer's theme")
+    @Option(names = "--dark", description = "draw the plan on a dark background; an .svg follows its viewer's theme")
     private boolean dark;
+
+    @Option(names = "--plan", description = "draw the plan from above as a .png")
+    private boolean plan;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CameraOptions cameras;
 
     private RenderCommand() {}
 
@@ -65,9 +89,51 @@ public final class RenderCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
         Inputs.file(spec, "WORLD", world);
-        Painter.write(Pictures.of(Inputs.world(spec, world, models), Pictures.title(world)), theme(), output);
-        spec.commandLine().getOut().println("Wrote " + output);
+        World read = Inputs.world(spec, world, models);
+        if (plan || dark || name.endsWith(".svg")) {
+            Painter.write(Pictures.of(read, Pictures.title(world)), theme(), output);
+            tell(output);
+        } else {
+            photograph(read);
+        }
         return 0;
+    }
+
+    private void tell(Path file) {
+        spec.commandLine().getOut().println("Wrote " + file);
+    }
+
+    private void photograph(World read) throws IOException {
+        Studio studio = new Studio(read, cameras.hasFloor());
+        List<List<CameraOptions.Shot>> pictures = cameras.pictures(studio);
+        Snapshot snapshot = studio.snapshot();
+        int[] pixels = new int[cameras.width() * cameras.height()];
+        ColorFrame frame = new ColorFrame();
+        long shots = pictures.stream().mapToLong(List::size).sum();
+        int taken = 0;
+        for (int k = 0; k < pictures.size(); k++) {
+            try (Progress progress = Progress.of(spec.commandLine(), "rendering", 100 * shots)) {
+                for (CameraOptions.Shot shot : pictures.get(k)) {
+                    long before = 100L * taken++;
+                    shot.camera().render(snapshot, frame, percent -> progress.at(before + percent));
+                    for (int row = 0; row < frame.height(); row++) {
+                        int to = (shot.top() + row) * cameras.width() + shot.left();
+                        System.arraycopy(frame.pixels(), row * frame.width(), pixels, to, frame.width());
+                    }
+                }
+            }
+            Path file = pictures.size() == 1 ? output : numbered(k, pictures.size());
+            AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), pixels));
+            tell(file);
+        }
+    }
+
+    /** The file of one of many pictures: a number of as many digits as the last one has, before the ending. */
+    private Path numbered(int k, int count) {
+        String name = String.valueOf(output.getFileName());
+        int digits = Integer.toString(count - 1).length();
+        String number = String.format(Locale.ROOT, "-%0" + digits + "d", k);
+        return output.resolveSibling(name.substring(0, name.length() - 4) + number + name.substring(name.length() - 4));
     }
 
     private Theme theme() {

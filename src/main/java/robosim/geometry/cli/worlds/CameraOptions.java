@@ -1,0 +1,223 @@
+package robosim.geometry.cli.worlds;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.render.ColorCamera;
+import robosim.geometry.render.Lighting;
+import robosim.geometry.render.Sky;
+import robosim.geometry.render.Viewpoints;
+
+/** The options of a picture in three dimensions. */
+public final class CameraOptions {
+    private static final String ROBOT = "robot:";
+
+    private static final double AZIMUTH = -62;
+    private static final double ELEVATION = 38;
+
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Option(
+            names = "--camera",
+            paramLabel = "CAMERA",
+            description = "overview (three-quarter view of all, the default), top, front, side, four (these four in one"
+                    + " picture), orbit (a picture from each of --frames places around), robot:NAME (from a robot), or"
+                    + " X,Y,Z (from a point)")
+    private String camera = "overview";
+
+    @Option(
+            names = "--look-at",
+            paramLabel = "X,Y,Z",
+            description = "the point in the middle of the picture; else the middle of the world")
+    private @Nullable String target;
+
+    @Option(
+            names = "--mount",
+            paramLabel = "X,Y,Z",
+            description = "where the camera is on a robot, in its own frame; else on top of it, looking ahead")
+    private @Nullable String mount;
+
+    @Option(names = "--size", paramLabel = "WxH", description = "size of the picture (default: ${DEFAULT-VALUE})")
+    private String size = "960x640";
+
+    @Option(names = "--fov", paramLabel = "DEGREES", description = "horizontal field of view; else 40, of a robot 80")
+    private @Nullable Double fieldOfView;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            description = "N x N rays for each pixel, for smooth edges (default: ${DEFAULT-VALUE})")
+    private int samples = 3;
+
+    @Option(
+            names = "--sky-rays",
+            paramLabel = "N",
+            description = "rays for each sample that look for the sky, for soft shadows; 0 for none (default:"
+                    + " ${DEFAULT-VALUE})")
+    private int skyRays = 3;
+
+    @Option(
+            names = "--mirrors",
+            paramLabel = "N",
+            description = "how many mirrors a ray may meet (default: ${DEFAULT-VALUE})")
+    private int mirrors = 3;
+
+    @Option(names = "--frames", paramLabel = "N", description = "pictures of an orbit (default: ${DEFAULT-VALUE})")
+    private int frames = 24;
+
+    @Option(names = "--no-floor", description = "lay no floor under the world")
+    private boolean noFloor;
+
+    private CameraOptions() {}
+
+    /** A camera, and where its picture stands in the whole. */
+    record Shot(ColorCamera camera, int left, int top) {}
+
+    boolean hasFloor() {
+        return !noFloor;
+    }
+
+    int width() {
+        return side(0);
+    }
+
+    int height() {
+        return side(1);
+    }
+
+    private int side(int k) {
+        String[] sides = size.split("x", -1);
+        try {
+            return Integer.parseInt(sides.length == 2 ? sides[k] : size);
+        } catch (NumberFormatException e) {
+            throw refused("--size must be WxH, two numbers of pixels (got: " + size + ")");
+        }
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+
+    /** The pictures to take, each made of one shot or of four. */
+    List<List<Shot>> pictures(Studio studio) {
+        try {
+            if (frames < 1 || frames > 10_000) {
+                throw refused("--frames must be from 1 to 10000 (got: " + frames + ")");
+            }
+            return shots(studio);
+        } catch (IllegalArgumentException e) {
+            throw refused(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private List<List<Shot>> shots(Studio studio) {
+        Bounds box = studio.content();
+        if (camera.startsWith(ROBOT)) {
+            return List.of(List.of(new Shot(onRobot(studio, camera.substring(ROBOT.length())), 0, 0)));
+        }
+        switch (camera) {
+            case "orbit" -> {
+                List<List<Shot>> pictures = new ArrayList<>();
+                for (int k = 0; k < frames; k++) {
+                    pictures.add(one(studio, around(box, AZIMUTH + 360.0 * k / frames, ELEVATION)));
+                }
+                return pictures;
+            }
+            case "four" -> {
+                return List.of(four(studio, box));
+            }
+            case "overview", "top", "front", "side" -> {
+                return List.of(one(studio, named(box, camera)));
+            }
+            default -> {
+                Point eye = point("--camera", camera);
+                return List.of(one(studio, Viewpoints.lookAt(eye, target(box))));
+            }
+        }
+    }
+
+    private Pose named(Bounds box, String view) {
+        return switch (view) {
+            case "top" -> around(box, -90, 90);
+            case "front" -> around(box, -90, 12);
+            case "side" -> around(box, 0, 12);
+            default -> around(box, AZIMUTH, ELEVATION);
+        };
+    }
+
+    private Pose around(Bounds box, double azimuth, double elevation) {
+        Pose pose = Viewpoints.around(box, azimuth, elevation, fieldOfView(40), (double) width() / height());
+        return target == null ? pose : Viewpoints.lookAt(pose.center(), target(box));
+    }
+
+    private Point target(Bounds box) {
+        return target == null ? Studio.middle(box) : point("--look-at", target);
+    }
+
+    private double fieldOfView(double usual) {
+        return fieldOfView == null ? usual : fieldOfView;
+    }
+
+    private ColorCamera camera(Studio studio, int width, int height, double usualFieldOfView) {
+        return ColorCamera.of(width, height, fieldOfView(usualFieldOfView))
+                .withSamples(samples)
+                .withMirrors(mirrors)
+                .withLighting(skyRays > 0 ? Lighting.DAY.withSky(Sky.DAY.withStrength(0.8)) : Lighting.DAY)
+                .withSkyRays(skyRays, studio.skyReach())
+                .withThreads(Runtime.getRuntime().availableProcessors());
+    }
+
+    private List<Shot> one(Studio studio, Pose pose) {
+        return List.of(new Shot(camera(studio, width(), height(), 40).at(pose), 0, 0));
+    }
+
+    private List<Shot> four(Studio studio, Bounds box) {
+        List<Shot> shots = new ArrayList<>();
+        for (String view : List.of("top", "front", "side", "overview")) {
+            int left = shots.size() % 2 * (width() / 2);
+            int top = shots.size() / 2 * (height() / 2);
+            int wide = left == 0 ? width() / 2 : width() - left;
+            int high = top == 0 ? height() / 2 : height() - top;
+            shots.add(new Shot(camera(studio, wide, high, 40).at(named(box, view)), left, top));
+        }
+        return shots;
+    }
+
+    private ColorCamera onRobot(Studio studio, String name) {
+        GeometryObject robot = studio.find(name);
+        if (robot == null || !robot.isMoveable()) {
+            throw refused("--camera robot:NAME must name a moveable object of the world, of "
+                    + String.join(", ", studio.carriers()) + " (got: " + name + ")");
+        }
+        double high = robot.bounds().maxY() - robot.center().y();
+        Point place = mount == null ? new Point(0, high, 0) : point("--mount", mount);
+        return camera(studio, width(), height(), 80).on(name, Pose.of(place, 0));
+    }
+
+    private Point point(String option, String text) {
+        String[] numbers = text.split(",", -1);
+        try {
+            if (numbers.length == 3) {
+                return new Point(
+                        Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1]), Double.parseDouble(numbers[2]));
+            }
+        } catch (NumberFormatException e) {
+            // told below
+        }
+        throw refused(option + " must be "
+                + (option.equals("--camera")
+                        ? "overview, top, front, side, four, orbit, robot:NAME or X,Y,Z"
+                        : "X,Y,Z, three numbers")
+                + " (got: " + text + ")");
+    }
+}
