@@ -109,8 +109,8 @@ public final class PngReader {
         } else {
             isOver = is.equals("IEND");
             if (!isOver && (found[0] & 0x20) == 0 && !is.equals("IDAT")) {
-                throw new IOException("a PNG must have no chunk that one must know but IHDR, PLTE, IDAT and IEND (got: "
-                        + is + ")");
+                throw new IOException(
+                        "a PNG must have no chunk that one must know but IHDR, PLTE, IDAT and IEND (got: " + is + ")");
             }
             byte[] skipped = new byte[Math.min(left, 4096)];
             while (left > 0) {
@@ -148,13 +148,12 @@ public final class PngReader {
         }
         bits = header[8];
         type = header[9];
-        boolean isKnown =
-                switch (type) {
-                    case GREY -> bits == 1 || bits == 2 || bits == 4 || bits == 8 || bits == 16;
-                    case INDEXED -> bits == 1 || bits == 2 || bits == 4 || bits == 8;
-                    case COLOUR, GREY_ALPHA, COLOUR_ALPHA -> bits == 8 || bits == 16;
-                    default -> false;
-                };
+        boolean isKnown = switch (type) {
+            case GREY -> bits == 1 || bits == 2 || bits == 4 || bits == 8 || bits == 16;
+            case INDEXED -> bits == 1 || bits == 2 || bits == 4 || bits == 8;
+            case COLOUR, GREY_ALPHA, COLOUR_ALPHA -> bits == 8 || bits == 16;
+            default -> false;
+        };
         if (!isKnown || header[10] != 0 || header[11] != 0) {
             throw new IOException("a PNG must be of a kind that its standard has (got: colour type " + type + " of "
                     + bits + " bits)");
@@ -185,13 +184,12 @@ public final class PngReader {
     }
 
     private int[] readData() throws IOException {
-        int channels =
-                switch (type) {
-                    case GREY, INDEXED -> 1;
-                    case GREY_ALPHA -> 2;
-                    case COLOUR -> 3;
-                    default -> 4;
-                };
+        int channels = switch (type) {
+            case GREY, INDEXED -> 1;
+            case GREY_ALPHA -> 2;
+            case COLOUR -> 3;
+            default -> 4;
+        };
         int length = (int) (((long) width * channels * bits + 7) / 8);
         RowFilter filter = new RowFilter(length, Math.max(1, channels * bits / 8));
         byte[] data = new byte[length];
@@ -261,8 +259,8 @@ public final class PngReader {
             } else if (type == INDEXED) {
                 int index = sample(row, k);
                 if (index >= palette.length) {
-                    throw new IOException("an indexed colour must be in the palette of " + palette.length + " (got: "
-                            + index + ")");
+                    throw new IOException(
+                            "an indexed colour must be in the palette of " + palette.length + " (got: " + index + ")");
                 }
                 pixels[at + k] = palette[index];
             } else {

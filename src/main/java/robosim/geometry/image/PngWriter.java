@@ -60,12 +60,7 @@ public final class PngWriter {
     public static void writeGrey(OutputStream out, int width, int height, byte[] pixels) throws IOException {
         check(width, height, Checks.present("pixels", pixels).length);
         new PngWriter(Checks.present("out", out))
-                .write(
-                        width,
-                        height,
-                        8,
-                        GREY,
-                        (row, into) -> System.arraycopy(pixels, row * width, into, 0, width));
+                .write(width, height, 8, GREY, (row, into) -> System.arraycopy(pixels, row * width, into, 0, width));
     }
 
     /**
@@ -86,8 +81,8 @@ public final class PngWriter {
 
     private static void check(int width, int height, int length) {
         if (width < 1 || height < 1 || (long) width * height > MAX_PIXELS) {
-            throw new IllegalArgumentException("an image must have 1 to " + MAX_PIXELS + " pixels (got: " + width
-                    + " x " + height + ")");
+            throw new IllegalArgumentException(
+                    "an image must have 1 to " + MAX_PIXELS + " pixels (got: " + width + " x " + height + ")");
         }
         if (length < width * height) {
             throw new IllegalArgumentException(

@@ -8,7 +8,6 @@ import robosim.geometry.SenseBuffer.Extra;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.material.Color;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -122,7 +121,8 @@ final class BlockPainter {
         if (carrier == null) {
             world.sense(by.pose(), pattern, RANGE, met);
         } else {
-            world.sense(carrier, by.pose(), pattern, RANGE.withCarrier(by.options().seen()), met);
+            world.sense(
+                    carrier, by.pose(), pattern, RANGE.withCarrier(by.options().seen()), met);
         }
         int count = pattern.size();
         pattern.directions(0, count, directions, 0);

@@ -128,7 +128,8 @@ public final class ColorCamera {
      */
     public ColorCamera withSamples(int count) {
         check("samples", count, 1, MOST_SAMPLES);
-        return new ColorCamera(new FramePlan(plan.width, plan.height, fieldOfView, count), fieldOfView, pose, carrier, options);
+        return new ColorCamera(
+                new FramePlan(plan.width, plan.height, fieldOfView, count), fieldOfView, pose, carrier, options);
     }
 
     /**
@@ -139,8 +140,8 @@ public final class ColorCamera {
      */
     public ColorCamera withMirrors(int depth) {
         check("mirrors", depth, 0, MOST_MIRRORS);
-        return with(new Options(
-                options.lighting, depth, options.skyRays, options.skyReach, options.seen, options.threads));
+        return with(
+                new Options(options.lighting, depth, options.skyRays, options.skyReach, options.seen, options.threads));
     }
 
     /**

@@ -62,7 +62,8 @@ final class Hits {
     }
 
     /** Adds the point at a distance along the ray that was taken last. */
-    void add(double distance, Surface met, int face, double[] normals, int ray, SkyLight sky, int sample, double share) {
+    void add(
+            double distance, Surface met, int face, double[] normals, int ray, SkyLight sky, int sample, double share) {
         int k = count++;
         int at = 3 * k;
         double px = from[at] + distance * way[at];

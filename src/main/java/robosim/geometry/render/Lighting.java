@@ -17,8 +17,8 @@ public record Lighting(Sky sky, List<Light> lights) {
     public static final int MOST_LIGHTS = 256;
 
     /** A clear day, with the sun high on the left behind somebody who looks along -Z. */
-    public static final Lighting DAY = new Lighting(
-            Sky.DAY, List.of(new Light.Sun(new Point(0.5, -1.0, -0.35), Color.parse("#fff3e0"), 0.95)));
+    public static final Lighting DAY =
+            new Lighting(Sky.DAY, List.of(new Light.Sun(new Point(0.5, -1.0, -0.35), Color.parse("#fff3e0"), 0.95)));
 
     /** No light at all. */
     public static final Lighting NONE = new Lighting(Sky.NONE, List.of());

@@ -63,10 +63,15 @@ class RaysAnywhereTest {
 
     @ParameterizedTest
     @CsvSource({
-        "PLANAR, EXACT, 300, 14, 0.25, 40", "SPATIAL, EXACT, 300, 10, 0.25, 40",
-        "PLANAR, EXACT, 200, 10, 0.25, 4", "SPATIAL, EXACT, 200, 9, 0.25, 4",
-        "SPATIAL, EXACT, 250, 3, 4, 12", "SPATIAL, EXACT, 20, 3, 2, 2",
-        "PLANAR, DOP, 80, 18, 0.1, 4", "SPATIAL, OBB, 80, 12, 0.25, 12", "SPATIAL, SPHERE, 60, 12, 0.25, 4"
+        "PLANAR, EXACT, 300, 14, 0.25, 40",
+        "SPATIAL, EXACT, 300, 10, 0.25, 40",
+        "PLANAR, EXACT, 200, 10, 0.25, 4",
+        "SPATIAL, EXACT, 200, 9, 0.25, 4",
+        "SPATIAL, EXACT, 250, 3, 4, 12",
+        "SPATIAL, EXACT, 20, 3, 2, 2",
+        "PLANAR, DOP, 80, 18, 0.1, 4",
+        "SPATIAL, OBB, 80, 12, 0.25, 12",
+        "SPATIAL, SPHERE, 60, 12, 0.25, 4"
     })
     void asOneByOne(Dimension dimension, Accuracy accuracy, int count, double spread, double rise, int oneIn) {
         Geometry world = filled(dimension, accuracy, count, spread, rise, oneIn);
@@ -127,7 +132,9 @@ class RaysAnywhereTest {
     void touchingBlocks() {
         Geometry world = new Geometry(40, 40, 40);
         world.addObject(new BoxObject(new Point(5, 0, 0), 2, 2, 2));
-        double[] rays = {0, 0, 0, 2, 0, 0, 4, 0, 0, 0, 2, 0, 0, Math.nextDown(4.0), 0, 1, 0, 1, 0, 0, 9, 5, 0, 0, 0, 1, 0, 0};
+        double[] rays = {
+            0, 0, 0, 2, 0, 0, 4, 0, 0, 0, 2, 0, 0, Math.nextDown(4.0), 0, 1, 0, 1, 0, 0, 9, 5, 0, 0, 0, 1, 0, 0
+        };
         long[] free = new long[1];
         assertThat(world.freeRays(rays, 4, free)).isEqualTo(1);
         assertThat(free[0]).isEqualTo(0b0010);

@@ -44,7 +44,8 @@ class PngTest {
                 BufferedImage image = ImageIO.read(new ByteArrayInputStream(colour(size[0], size[1], pixels)));
                 assertThat(new int[] {image.getWidth(), image.getHeight()}).isEqualTo(size);
                 for (int k = 0; k < pixels.length; k++) {
-                    assertThat(image.getRGB(k % size[0], k / size[0]) & 0xffffff).isEqualTo(pixels[k]);
+                    assertThat(image.getRGB(k % size[0], k / size[0]) & 0xffffff)
+                            .isEqualTo(pixels[k]);
                 }
             }
         }
@@ -137,9 +138,7 @@ class PngTest {
         refused("GIF89a and more".getBytes(StandardCharsets.US_ASCII), "must be a PNG");
         for (int length = 1; length < whole.length - 16; length++) { // up to its data's end
             byte[] cut = Arrays.copyOf(whole, length);
-            assertThatExceptionOfType(IOException.class)
-                    .as("%d bytes", length)
-                    .isThrownBy(reading(cut));
+            assertThatExceptionOfType(IOException.class).as("%d bytes", length).isThrownBy(reading(cut));
         }
         int[] pixels = PngReader.read(new ByteArrayInputStream(whole)).pixels();
         for (int k = 8; k < whole.length - 16; k++) { // a changed byte is seen, by a checksum at the latest

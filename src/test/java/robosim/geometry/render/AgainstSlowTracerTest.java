@@ -31,7 +31,11 @@ class AgainstSlowTracerTest {
         Point eye = new Point(random.next(-5, 5), random.next(2.5, 5), 6);
         Pose pose = Viewpoints.lookAt(eye, new Point(random.next(-1, 1), 0.5, 0));
         ColorFrame frame = new ColorFrame();
-        ColorCamera.of(WIDTH, HEIGHT, 70).at(pose).withLighting(lighting).withMirrors(2).render(world, frame);
+        ColorCamera.of(WIDTH, HEIGHT, 70)
+                .at(pose)
+                .withLighting(lighting)
+                .withMirrors(2)
+                .render(world, frame);
         SlowTracer slow = new SlowTracer(objects, lighting, 2);
         double[] r = pose.rotation();
         SlowTracer.V forward = new SlowTracer.V(r[0], r[3], r[6]);

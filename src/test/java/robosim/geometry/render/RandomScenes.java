@@ -61,10 +61,11 @@ final class RandomScenes {
             case 2 -> new SphereObject(place, next(0.2, 0.7));
             case 3 -> new CapsuleObject(place, next(0.2, 0.4), next(0.2, 1));
             case 4 -> pyramid().movedTo(place);
-            default -> new ObjectGroup(List.of(
-                            new BoxObject(new Point(0.3, 0, 0), 0.4, 0.5, 0.6).withMaterial(material(kind)),
-                            new SphereObject(new Point(-0.3, 0.2, 0), 0.35)))
-                    .movedTo(place);
+            default ->
+                new ObjectGroup(List.of(
+                                new BoxObject(new Point(0.3, 0, 0), 0.4, 0.5, 0.6).withMaterial(material(kind)),
+                                new SphereObject(new Point(-0.3, 0.2, 0), 0.35)))
+                        .movedTo(place);
         };
     }
 

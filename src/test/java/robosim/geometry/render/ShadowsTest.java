@@ -29,8 +29,7 @@ import robosim.geometry.model.SphereObject;
 
 /** Neither acne nor leaks, however flat the light and however far from the origin. */
 class ShadowsTest {
-    private static final Material WHITE =
-            Material.of(Color.WHITE).withSpecular(0);
+    private static final Material WHITE = Material.of(Color.WHITE).withSpecular(0);
 
     private final SplittableRandom random = new SplittableRandom(7);
 
@@ -87,7 +86,11 @@ class ShadowsTest {
     /** The light is so strong that a lit pixel is white, and one that shadows itself would be black. */
     @ParameterizedTest
     @CsvSource({
-        "0, 0.3, 0.2, 0.1", "0, 1e6, 1e6, -1e6", "1, 0.25, 0.5, 0.75", "1, 1e6, -1e6, 1e6", "2, 0.1, 0.7, 0.3",
+        "0, 0.3, 0.2, 0.1",
+        "0, 1e6, 1e6, -1e6",
+        "1, 0.25, 0.5, 0.75",
+        "1, 1e6, -1e6, 1e6",
+        "2, 0.1, 0.7, 0.3",
         "2, 1e6, 1e6, 1e6"
     })
     void noAcneOnAFloorInGrazingLight(int kind, double x, double y, double z) {
@@ -103,7 +106,9 @@ class ShadowsTest {
                     for (int column = 0; column < 120; column++) {
                         int pixel = frame.pixel(column, row);
                         assertThat(pixel == 0xffffff || isBehindTheFloor(pose, column, row, y, 30))
-                                .as("floor %d, slope %s, turn %d, pixel %d, %d: %x", kind, slope, turn, column, row, pixel)
+                                .as(
+                                        "floor %d, slope %s, turn %d, pixel %d, %d: %x",
+                                        kind, slope, turn, column, row, pixel)
                                 .isTrue();
                         white += pixel & 1;
                     }
@@ -132,18 +137,17 @@ class ShadowsTest {
     void noAcneOnShapes(double far) {
         int lit = 0;
         for (int k = 0; k < 60; k++) {
-            Point place = new Point(
-                    far + random.nextDouble(), random.nextDouble() - far, far * random.nextDouble(-1, 1));
-            GeometryObject object =
-                    switch (k % 5) {
-                        case 0 -> new BoxObject(place, 2, 1.2, 1.7);
-                        case 1 -> new CylinderObject(place, 0.8, 1.4);
-                        case 2 -> new SphereObject(place, 1);
-                        case 3 -> new CapsuleObject(place, 0.6, 1.1);
-                        default -> new ObjectGroup(List.of(
-                                        new SphereObject(new Point(), 1), new SphereObject(new Point(), 0.4)))
-                                .movedTo(place);
-                    };
+            Point place =
+                    new Point(far + random.nextDouble(), random.nextDouble() - far, far * random.nextDouble(-1, 1));
+            GeometryObject object = switch (k % 5) {
+                case 0 -> new BoxObject(place, 2, 1.2, 1.7);
+                case 1 -> new CylinderObject(place, 0.8, 1.4);
+                case 2 -> new SphereObject(place, 1);
+                case 3 -> new CapsuleObject(place, 0.6, 1.1);
+                default ->
+                    new ObjectGroup(List.of(new SphereObject(new Point(), 1), new SphereObject(new Point(), 0.4)))
+                            .movedTo(place);
+            };
             object = object.turned(random.nextDouble(-90, 90), random.nextDouble(-180, 180));
             double angle = random.nextDouble(6.28);
             Point eye = new Point(
@@ -156,13 +160,8 @@ class ShadowsTest {
             // So strong that whatever faces it at all is white: a step from black to white, no black within.
             ColorFrame frame = picture(world, pose, sun(sun.x(), sun.y(), sun.z(), 1e12), 0);
             ColorFrame shape = picture(world, pose, new Lighting(Sky.of(Color.WHITE, 0), List.of()), 0);
-            SenseBuffer met = new SenseBuffer(
-                    Extra.OBJECTS, Extra.NORMALS);
-            world.sense(
-                    pose,
-                    RayPattern.pinhole(120, 90, 80),
-                    SenseOptions.range(0, 100),
-                    met);
+            SenseBuffer met = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS);
+            world.sense(pose, RayPattern.pinhole(120, 90, 80), SenseOptions.range(0, 100), met);
             for (int p = 0; p < 120 * 90; p++) {
                 if (met.object(p) == null) {
                     assertThat(shape.pixels()[p]).isEqualTo(0xffffff); // the sky
@@ -213,7 +212,17 @@ class ShadowsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, 0, 0", "1, 0, 0", "2, 0, 0", "0, 0, 33", "2, 0, 33", "0, 1e6, 0", "1, 1e6, 0", "2, 1e6, 0", "2, 1e6, 71"})
+    @CsvSource({
+        "0, 0, 0",
+        "1, 0, 0",
+        "2, 0, 0",
+        "0, 0, 33",
+        "2, 0, 33",
+        "0, 1e6, 0",
+        "1, 1e6, 0",
+        "2, 1e6, 0",
+        "2, 1e6, 71"
+    })
     void aClosedRoomStaysDark(int kind, double far, double heading) {
         Point middle = new Point(far, -far / 2, far / 3);
         Geometry world = world(room(kind, middle, heading));

@@ -133,7 +133,8 @@ final class SlowTracer {
     }
 
     private static V packed(int rgb) {
-        return new V(decoded((rgb >> 16 & 255) / 255.0), decoded((rgb >> 8 & 255) / 255.0), decoded((rgb & 255) / 255.0));
+        return new V(
+                decoded((rgb >> 16 & 255) / 255.0), decoded((rgb >> 8 & 255) / 255.0), decoded((rgb & 255) / 255.0));
     }
 
     private static double decoded(double c) {
@@ -182,7 +183,8 @@ final class SlowTracer {
             arriving /= far * far;
         }
         if (light instanceof Light.Spot spot) {
-            double angle = Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, -to.dot(V.of(spot.direction()).unit())))));
+            double angle = Math.toDegrees(Math.acos(Math.max(
+                    -1, Math.min(1, -to.dot(V.of(spot.direction()).unit())))));
             double half = spot.degrees() / 2;
             double edge = Math.cos(Math.toRadians(half));
             double full = Math.cos(Math.toRadians(half * 0.75));
