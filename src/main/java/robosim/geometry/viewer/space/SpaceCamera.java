@@ -202,6 +202,11 @@ public final class SpaceCamera {
 
     /** The columns are forward, up and right; also defined where it looks straight down. */
     private double[] rotation() {
+        return rotation(azimuth, elevation);
+    }
+
+    /** The rotation of a camera that is in that direction from what it looks at. */
+    static double[] rotation(double azimuth, double elevation) {
         double ca = Degrees.cos(azimuth);
         double sa = Degrees.sin(azimuth);
         double ce = Degrees.cos(elevation);

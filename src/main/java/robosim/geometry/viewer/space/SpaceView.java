@@ -39,10 +39,15 @@ public record SpaceView(Pose pose, double fieldOfView, int width, int height) {
 
     /** The horizontal field of view of a picture whose longer side covers the usual angle. */
     static double horizontal(int width, int height) {
+        return horizontal(width, height, LONG_SIDE);
+    }
+
+    /** The horizontal field of view of a picture whose longer side covers that angle. */
+    static double horizontal(int width, int height, double longSide) {
         if (width >= height) {
-            return LONG_SIDE;
+            return longSide;
         }
-        double tangent = Degrees.sin(LONG_SIDE / 2) / Degrees.cos(LONG_SIDE / 2) * width / height;
+        double tangent = Degrees.sin(longSide / 2) / Degrees.cos(longSide / 2) * width / height;
         return 2 * Degrees.toDegrees(StrictMath.atan(tangent));
     }
 
