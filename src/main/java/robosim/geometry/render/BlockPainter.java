@@ -20,7 +20,7 @@ final class BlockPainter {
     private final Geometry world;
     private final Surfaces surfaces;
     private final Illuminator illuminator;
-    private final SenseBuffer met = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS);
+    private final SenseBuffer met = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS, Extra.PARTS);
 
     private @Nullable ColorCamera camera;
     private Beam[] beams = new Beam[0];
@@ -149,8 +149,8 @@ final class BlockPainter {
         if (object == null) {
             sky.addSeen(into.way[3 * into.count + 1], weight, light, 3 * sample);
         } else {
-            Surface surface = surfaces.of(object, 0);
-            into.add(met.distances()[ray], surface, -1, met.normals(), ray, sky, sample, weight);
+            Surface surface = surfaces.of(object, met.part(ray));
+            into.add(met.distances()[ray], surface, met.face(ray), met.normals(), ray, sky, sample, weight);
         }
     }
 

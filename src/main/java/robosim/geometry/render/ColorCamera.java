@@ -299,7 +299,7 @@ public final class ColorCamera {
         if (!object.isMoveable()) {
             throw new IllegalArgumentException("carrier must be a moveable object (got: " + carrier + ")");
         }
-        return Surfaces.placed(pose, object.pose());
+        return pose.within(object.pose());
     }
 
     @Override

@@ -6,12 +6,10 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Rotations;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 
 /**
@@ -93,7 +91,7 @@ final class Surfaces {
     private static void place(Entry entry, Pose pose) {
         for (int k = 0; k < entry.parts.length; k++) {
             Pose within = entry.within[k];
-            entry.parts[k].place(within == Pose.ORIGIN ? pose : placed(within, pose));
+            entry.parts[k].place(within == Pose.ORIGIN ? pose : within.within(pose));
         }
     }
 
@@ -123,7 +121,7 @@ final class Surfaces {
             ObjectGroup group, Pose frame, Material material, double size, List<Surface> parts, List<Pose> places) {
         for (GeometryObject member : group.members()) {
             Material own = member.material().within(material);
-            Pose within = frame == Pose.ORIGIN ? member.pose() : placed(member.pose(), frame);
+            Pose within = frame == Pose.ORIGIN ? member.pose() : member.pose().within(frame);
             if (member instanceof ObjectGroup inner) {
                 add(inner, within, own, size, parts, places);
             } else {
@@ -131,20 +129,5 @@ final class Surfaces {
                 places.add(within);
             }
         }
-    }
-
-    /** A pose that is given in the own frame of another one. */
-    static Pose placed(Pose inner, Pose frame) {
-        double[] r = frame.rotation();
-        double[] own = inner.rotation();
-        Point c = inner.center();
-        Point f = frame.center();
-        double[] product = new double[9];
-        Rotations.multiply(r, 0, own, 0, product, 0);
-        Point at = new Point(
-                f.x() + r[0] * c.x() + r[1] * c.y() + r[2] * c.z(),
-                f.y() + r[3] * c.x() + r[4] * c.y() + r[5] * c.z(),
-                f.z() + r[6] * c.x() + r[7] * c.y() + r[8] * c.z());
-        return Pose.of(at, 0).oriented(product);
     }
 }

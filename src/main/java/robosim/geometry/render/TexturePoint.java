@@ -7,6 +7,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TriangleMesh;
 
 /** Where a point of a surface lies in the plane of its texture, as {@link robosim.geometry.material.Texture} defines it. */
 final class TexturePoint {
@@ -100,7 +101,40 @@ final class TexturePoint {
      *
      * @return false if the mesh has none there
      */
-    boolean placeByCorners(MeshObject mesh, int triangle) {
-        return false;
+    boolean placeByCorners(MeshObject object, int triangle) {
+        TriangleMesh mesh = object.triangles();
+        if (triangle < 0 || !mesh.isTextured(triangle)) {
+            return false;
+        }
+        // The shares of the corners are those of areas, seen along the axis that the normal follows most.
+        int away = Math.abs(ny) >= Math.max(Math.abs(nx), Math.abs(nz)) ? 1 : Math.abs(nx) >= Math.abs(nz) ? 0 : 2;
+        int one = (away + 1) % 3;
+        int two = (away + 2) % 3;
+        double pOne = own(one);
+        double pTwo = own(two);
+        double a = area(mesh, triangle, 1, 2, one, two, pOne, pTwo);
+        double b = area(mesh, triangle, 2, 0, one, two, pOne, pTwo);
+        double c = area(mesh, triangle, 0, 1, one, two, pOne, pTwo);
+        double whole = a + b + c;
+        if (whole == 0) {
+            return false;
+        }
+        s = (a * mesh.textured(triangle, 0, 0) + b * mesh.textured(triangle, 1, 0) + c * mesh.textured(triangle, 2, 0))
+                / whole;
+        t = (a * mesh.textured(triangle, 0, 1) + b * mesh.textured(triangle, 1, 1) + c * mesh.textured(triangle, 2, 1))
+                / whole;
+        return true;
+    }
+
+    private double own(int axis) {
+        return axis == 0 ? qx : axis == 1 ? qy : qz;
+    }
+
+    /** Twice the area between the point and two corners. */
+    private static double area(TriangleMesh mesh, int triangle, int i, int j, int one, int two, double p, double q) {
+        int v = mesh.vertex(triangle, i);
+        int w = mesh.vertex(triangle, j);
+        return (mesh.coordinate(v, one) - p) * (mesh.coordinate(w, two) - q)
+                - (mesh.coordinate(w, one) - p) * (mesh.coordinate(v, two) - q);
     }
 }

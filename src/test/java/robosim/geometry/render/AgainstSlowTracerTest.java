@@ -63,7 +63,7 @@ class AgainstSlowTracerTest {
             int got = frame.pixel(pixel % WIDTH, pixel / WIDTH);
             double[] is = {got >> 16, got >> 8 & 255, got & 255};
             assertThat(differ(expected, is))
-                    .as("pixel %d, %d: %s, expected %s", pixel % WIDTH, pixel / WIDTH, is, expected)
+                    .as("pixel %d, %d: %x, expected %s", pixel % WIDTH, pixel / WIDTH, got, Arrays.toString(expected))
                     .isLessThanOrEqualTo(0.51);
         }
         assertThat(doubtful).isLessThan(WIDTH * HEIGHT / 100);

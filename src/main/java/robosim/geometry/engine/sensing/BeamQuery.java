@@ -6,7 +6,9 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -183,6 +185,15 @@ public final class BeamQuery extends BeamSearch {
     /** The triangle or cell of it that the line met; -1 if it has none. */
     int face(AccuracyView view) {
         return cast.face(view.table(hit).leaves(), hitLeaf);
+    }
+
+    /** Which part of an object a leaf is; -1 for a group where one enclosure stands for all of them. */
+    int part(AccuracyView view, int id, int leaf) {
+        LeafTable table = view.table(id);
+        if (table.count(id) > 1) {
+            return leaf - table.first(id);
+        }
+        return view.accuracy != Accuracy.EXACT && objects.value(id) instanceof ObjectGroup ? -1 : 0;
     }
 
     /** A coordinate (0 to 2) of the point on the line at a distance. */

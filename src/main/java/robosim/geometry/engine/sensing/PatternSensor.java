@@ -2,14 +2,11 @@ package robosim.geometry.engine.sensing;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
-import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.PacketSearch;
 import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -240,7 +237,7 @@ public final class PatternSensor {
                 if (wanted.hasParts()) {
                     wanted.part(
                             beam,
-                            hit < 0 ? -1 : part(view, hit, search.leaf(k - from)),
+                            hit < 0 ? -1 : ranging.part(view, hit, search.leaf(k - from)),
                             hit < 0 ? -1 : search.face(view, k - from));
                 }
             }
@@ -291,19 +288,10 @@ public final class PatternSensor {
                 note(wanted, beam, hit);
                 if (wanted.hasParts()) {
                     wanted.part(
-                            beam, hit < 0 ? -1 : part(view, hit, ranging.leaf()), hit < 0 ? -1 : ranging.face(view));
+                            beam, hit < 0 ? -1 : ranging.part(view, hit, ranging.leaf()), hit < 0 ? -1 : ranging.face(view));
                 }
             }
         }
-    }
-
-    /** Which of an object's leaves was hit; -1 for a group where one enclosure stands for all of them. */
-    private int part(AccuracyView view, int id, int leaf) {
-        LeafTable table = view.table(id);
-        if (table.count(id) > 1) {
-            return leaf - table.first(id);
-        }
-        return view.accuracy != Accuracy.EXACT && objects.value(id) instanceof ObjectGroup ? -1 : 0;
     }
 
     /** Notes what was hit, and the normal at hand. */

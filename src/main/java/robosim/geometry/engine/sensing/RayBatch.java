@@ -106,6 +106,13 @@ public final class RayBatch {
             if (out.hasNormals()) {
                 out.normal(k, normalOf(view, hit, distances[k]));
             }
+            if (out.hasParts()) {
+                boolean isMissed = hit < 0;
+                out.part(
+                        k,
+                        isMissed ? -1 : ranging.part(view, hit, ranging.leaf()),
+                        isMissed ? -1 : ranging.face(view));
+            }
         }
         out.filled(count);
     }
