@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
@@ -73,8 +74,8 @@ public final class SdfReader {
             remarks.addAll(files.remarks());
             remarks.addAll(tree.remarks());
             remarks.addAll(found.remarks());
-            List<Skipped> skipped = tree.skipped().stream()
-                    .map(each -> new Skipped(each.source(), each.line(), each.what(), each.reason()))
+            List<Skipped> skipped = Stream.concat(tree.skipped().stream(), files.leftOut().stream())
+                    .map(Skipped::of)
                     .toList();
             return new WorldImport(world, "SDFormat", read, tree.passedOver(), skipped, remarks);
         } catch (FileProblem e) {

@@ -17,6 +17,7 @@ import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.sdf.SdfManifest;
 import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.TextureFiles;
 
 /**
@@ -154,8 +155,9 @@ public record WorldImport(
     /** A mesh at the origin of its own coordinates, in a world with a margin of a quarter of its size. */
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
         MeshObject mesh;
+        List<LeftOut> leftOut = new ArrayList<>();
         try {
-            mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of())));
+            mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of(), leftOut)));
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
@@ -176,7 +178,13 @@ public record WorldImport(
                 Dimension.SPATIAL,
                 Accuracy.EXACT,
                 objects);
-        return new WorldImport(world, format, Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length));
+        return new WorldImport(
+                world,
+                format,
+                Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length),
+                Map.of(),
+                leftOut.stream().map(Skipped::of).toList(),
+                List.of());
     }
 
     /**

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 import robosim.geometry.Geometry;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -124,7 +125,10 @@ class SdfRealFilesTest {
         WorldImport read = read(SDF.resolve("shapes.sdf"));
         assertThat(read.world().unit()).isEqualTo(Unit.METRE);
         assertThat(read.world().objects())
-                .extracting(WorldObject::object)
+                .extracting(WorldObject::color)
+                .containsExactly("#ff0000", "#00ff00", "#0000ff", "#ffff00");
+        assertThat(read.world().objects())
+                .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .satisfiesExactly(
                         box -> assertThat(box).isEqualTo(new BoxObject(new Point(0, 0.5, 0), 1, 1, 1).moveable("box")),
                         cylinder -> assertThat(cylinder)
@@ -192,7 +196,7 @@ class SdfRealFilesTest {
         List<WorldObject> objects =
                 read(SDF.resolve("export_occupancy_grid.sdf")).world().objects();
         assertThat(objects)
-                .extracting(WorldObject::object)
+                .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .containsExactly(
                         new BoxObject(new Point(-1, 0.5, 1), 0.1, 0.1, 0.1).named("model_with_lidar"),
                         new BoxObject(new Point(1, 0.5, -1), 1, 1, 1).moveable("cube"));

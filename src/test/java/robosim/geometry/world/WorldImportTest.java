@@ -199,7 +199,7 @@ class WorldImportTest {
         assertThat(read.lines(2))
                 .hasSize(5)
                 .startsWith(
-                        "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, material 4, model 7, sphere 1",
+                        "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
                         "Ignored, as irrelevant to solid geometry: inertial 6, light 1, scene 1, visual 7")
                 .last()
                 .isEqualTo("... and 1 more");

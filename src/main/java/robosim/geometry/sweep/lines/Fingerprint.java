@@ -72,8 +72,9 @@ public final class Fingerprint {
             add(number);
         }
         add(object.heading());
-        if (!object.material().isDefault()) {
-            add(object.material());
+        Material material = object.material();
+        if (!material.equals(Material.of(material.color()))) {
+            add(material);
         }
         switch (object.kind()) {
             case BOX -> {
@@ -93,7 +94,7 @@ public final class Fingerprint {
         }
     }
 
-    /** An object without a material has the digest that it always had. */
+    /** Not of one that is only a colour, which worlds had before there were materials. */
     private void add(Material material) {
         add(material.color());
         add(material.diffuse())

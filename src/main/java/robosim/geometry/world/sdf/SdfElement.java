@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Numbers;
 
 /** An element of an SDFormat file that is relevant to its geometry; all others are only counted. */

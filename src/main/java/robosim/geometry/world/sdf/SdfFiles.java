@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.TextureFiles;
 
@@ -36,6 +37,7 @@ public final class SdfFiles {
     private final Map<Name, Optional<Path>> known = new HashMap<>();
 
     private final List<String> remarks = new ArrayList<>();
+    private final List<LeftOut> leftOut = new ArrayList<>();
     private final TextureFiles textures;
     private long bytes;
 
@@ -52,12 +54,17 @@ public final class SdfFiles {
         } catch (IOException e) {
             throw FileProblem.unreadable(main, e);
         }
-        textures = new TextureFiles(folders);
+        textures = new TextureFiles(folders, leftOut);
     }
 
     /** The pictures that its meshes name, from the same folders. */
     TextureFiles textures() {
         return textures;
+    }
+
+    /** The pictures of meshes that could not be read. */
+    public List<LeftOut> leftOut() {
+        return leftOut;
     }
 
     /** Remarks about the files, none of which means that something is missing. */

@@ -190,11 +190,7 @@ public final class SdfObjects {
         }
         counts.merge(collision.required("geometry").children.get(0).name, 1, Integer::sum);
         Material material = SdfMaterials.of(link.element, collision);
-        if (material == null) {
-            return shape;
-        }
-        counts.merge("material", 1, Integer::sum);
-        return shape.withMaterial(material);
+        return material == null ? shape : shape.withMaterial(material);
     }
 
     private static GeometryObject placed(SdfElement collision, GeometryObject shape, Placement place)

@@ -15,6 +15,7 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
 
 /** Builds the scopes of a world, with included models in place, and a report of what is not read. */
