@@ -23,7 +23,7 @@ public final class Gallery {
 
     private final SpaceCamera overview = SpaceCamera.usual();
     private final SpaceCamera above = new SpaceCamera(-90, 90);
-    private final SpaceCamera side = new SpaceCamera(30, 15);
+    private final SpaceCamera side = new SpaceCamera(30, 22);
 
     private Arrangement arrangement = Arrangement.ONE;
     private int width = 800;

@@ -192,7 +192,8 @@ public final class SpacePanel extends JComponent {
             canvas.text(12, getHeight() - 12.0, problem, Canvas.Anchor.START, LABEL_SIZE, Palette.REFUSED);
         }
         Card card = viewing.card();
-        if (card != null) {
+        boolean isAlone = getParent() != null && getParent().getComponentCount() == 1;
+        if (card != null && isAlone) { // beside the plan, the plan shows it
             card.paint(MapFrame.screen(getWidth(), getHeight(), 0, 0, 1), canvas);
         }
         page.dispose();
