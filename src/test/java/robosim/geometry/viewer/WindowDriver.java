@@ -93,7 +93,26 @@ final class WindowDriver {
         int wide = red();
         wheel(2, 0, -3);
         expect("the wheel makes it larger", () -> red() > 1.5 * wide);
+        space();
         close(shown);
+    }
+
+    private void space() throws Exception {
+        click("view");
+        expect("the plan has room for another part", () -> find(window.getContentPane(), "space") != null);
+        click("view");
+        expect("in three dimensions the wall is red too", () -> reddish()[0] > 200);
+        Component space = find(window.getContentPane(), "space");
+        Point corner = space.getLocationOnScreen();
+        int x = corner.x + space.getWidth() / 2;
+        int y = corner.y + space.getHeight() / 2;
+        int[] before = reddish();
+        robot.mouseMove(x, y);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseMove(x + 60, y);
+        robot.mouseMove(x + 120, y);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        expect("a drag orbits it", () -> Math.abs(reddish()[1] - before[1]) > 10);
     }
 
     private void recording(StepReader reader) throws Exception {
@@ -221,6 +240,23 @@ final class WindowDriver {
             }
         }
         return count;
+    }
+
+    /** How many pixels are rather red, as in light and shadow, and the mean of their places from the left. */
+    private int[] reddish() {
+        var screen = robot.createScreenCapture(new Rectangle(window.getLocationOnScreen(), window.getSize()));
+        int count = 0;
+        long sum = 0;
+        for (int y = 0; y < screen.getHeight(); y++) {
+            for (int x = 0; x < screen.getWidth(); x++) {
+                int rgb = screen.getRGB(x, y);
+                if ((rgb >> 16 & 0xff) > 100 + (rgb & 0xff)) {
+                    count++;
+                    sum += x;
+                }
+            }
+        }
+        return new int[] {count, count == 0 ? 0 : (int) (sum / count)};
     }
 
     private void pointAt(double worldX, double worldZ) {

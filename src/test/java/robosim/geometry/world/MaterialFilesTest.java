@@ -239,8 +239,10 @@ class MaterialFilesTest {
             image.setRGB(k % 8, k / 8, 0xc08040);
             grey.getRaster().setSample(k % 8, k / 8, 0, 100);
         }
-        assertThat(ImageIO.write(image, "jpeg", folder.resolve("c.jpg").toFile())).isTrue();
-        assertThat(ImageIO.write(grey, "jpeg", folder.resolve("g.jpg").toFile())).isTrue();
+        assertThat(ImageIO.write(image, "jpeg", folder.resolve("c.jpg").toFile()))
+                .isTrue();
+        assertThat(ImageIO.write(grey, "jpeg", folder.resolve("g.jpg").toFile()))
+                .isTrue();
         World world = read("<material name=\"c\"><image file=\"c.jpg\"/></material>"
                 + "<material name=\"g\"><image file=\"g.jpg\"/></material>"
                 + "<box material=\"c\" width=\"1\" height=\"1\" length=\"1\"/>"

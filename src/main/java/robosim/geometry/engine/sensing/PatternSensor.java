@@ -288,7 +288,9 @@ public final class PatternSensor {
                 note(wanted, beam, hit);
                 if (wanted.hasParts()) {
                     wanted.part(
-                            beam, hit < 0 ? -1 : ranging.part(view, hit, ranging.leaf()), hit < 0 ? -1 : ranging.face(view));
+                            beam,
+                            hit < 0 ? -1 : ranging.part(view, hit, ranging.leaf()),
+                            hit < 0 ? -1 : ranging.face(view));
                 }
             }
         }

@@ -109,9 +109,7 @@ public final class RayBatch {
             if (out.hasParts()) {
                 boolean isMissed = hit < 0;
                 out.part(
-                        k,
-                        isMissed ? -1 : ranging.part(view, hit, ranging.leaf()),
-                        isMissed ? -1 : ranging.face(view));
+                        k, isMissed ? -1 : ranging.part(view, hit, ranging.leaf()), isMissed ? -1 : ranging.face(view));
             }
         }
         out.filled(count);

@@ -104,18 +104,16 @@ public final class Gallery {
         return switch (arrangement) {
             case ONE -> List.of(new Cell(0, 0, width, height, ""));
             case OWN -> List.of(new Cell(0, 0, width, height, own));
-            case TWO -> width >= height
-                    ? List.of(
-                            cell(0, 0, right, height, ""),
-                            cell(right + GAP, 0, width - right - GAP, height, own))
-                    : List.of(
-                            cell(0, 0, width, lower, ""),
-                            cell(0, lower + GAP, width, height - lower - GAP, own));
-            case FOUR -> List.of(
-                    cell(0, 0, right, lower, ""),
-                    cell(right + GAP, 0, width - right - GAP, lower, own),
-                    cell(0, lower + GAP, right, height - lower - GAP, "from above"),
-                    cell(right + GAP, lower + GAP, width - right - GAP, height - lower - GAP, "from the side"));
+            case TWO ->
+                width >= height
+                        ? List.of(cell(0, 0, right, height, ""), cell(right + GAP, 0, width - right - GAP, height, own))
+                        : List.of(cell(0, 0, width, lower, ""), cell(0, lower + GAP, width, height - lower - GAP, own));
+            case FOUR ->
+                List.of(
+                        cell(0, 0, right, lower, ""),
+                        cell(right + GAP, 0, width - right - GAP, lower, own),
+                        cell(0, lower + GAP, right, height - lower - GAP, "from above"),
+                        cell(right + GAP, lower + GAP, width - right - GAP, height - lower - GAP, "from the side"));
         };
     }
 

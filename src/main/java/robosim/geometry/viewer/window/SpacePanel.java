@@ -68,11 +68,12 @@ public final class SpacePanel extends JComponent {
 
     /** One thread, which ends when it has had nothing to do for a while. */
     static Executor worker() {
-        ThreadPoolExecutor one = new ThreadPoolExecutor(1, 1, 2, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), work -> {
-            Thread thread = new Thread(work, "viewer-pictures");
-            thread.setDaemon(true);
-            return thread;
-        });
+        ThreadPoolExecutor one =
+                new ThreadPoolExecutor(1, 1, 2, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), work -> {
+                    Thread thread = new Thread(work, "viewer-pictures");
+                    thread.setDaemon(true);
+                    return thread;
+                });
         one.allowCoreThreadTimeOut(true);
         return one;
     }
@@ -98,8 +99,7 @@ public final class SpacePanel extends JComponent {
         }
         GeometryObject picked = viewing.picked();
         String robot = picked != null && picked.isMoveable() ? picked.name() : null;
-        studio.order(
-                moment, gallery.shots(moment, robot), theme == Theme.LIGHT ? Studio.LIGHT : Studio.DARK);
+        studio.order(moment, gallery.shots(moment, robot), theme == Theme.LIGHT ? Studio.LIGHT : Studio.DARK);
     }
 
     private final class Mouse extends MouseAdapter {
@@ -159,9 +159,7 @@ public final class SpacePanel extends JComponent {
         @Override
         public void mouseWheelMoved(MouseWheelEvent event) {
             gallery.zoom(
-                    event.getX(),
-                    event.getY(),
-                    StrictMath.pow(SpaceCamera.STEP, -event.getPreciseWheelRotation()));
+                    event.getX(), event.getY(), StrictMath.pow(SpaceCamera.STEP, -event.getPreciseWheelRotation()));
             order();
         }
     }

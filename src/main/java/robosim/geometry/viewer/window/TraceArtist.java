@@ -52,8 +52,7 @@ final class TraceArtist {
         for (int k = 1; k < trace.size(); k++) {
             if (inFront[k - 1] && inFront[k]) {
                 ink(trace, trace.seen()[k - 1] || trace.seen()[k]);
-                page.draw(new Line2D.Double(
-                        places[2 * k - 2], places[2 * k - 1], places[2 * k], places[2 * k + 1]));
+                page.draw(new Line2D.Double(places[2 * k - 2], places[2 * k - 1], places[2 * k], places[2 * k + 1]));
             }
         }
     }
@@ -77,8 +76,7 @@ final class TraceArtist {
         for (int k = 0; k < trace.size(); k++) {
             if (inFront[k]) {
                 ink(trace, trace.seen()[k]);
-                page.fill(new Ellipse2D.Double(
-                        places[2 * k] - size / 2, places[2 * k + 1] - size / 2, size, size));
+                page.fill(new Ellipse2D.Double(places[2 * k] - size / 2, places[2 * k + 1] - size / 2, size, size));
             }
         }
     }

@@ -122,8 +122,11 @@ public final class TextureFiles {
                     file.toString(), 0, 0, "the picture could not be read; save it as PNG (" + e.getMessage() + ")", e);
         } catch (NoClassDefFoundError e) {
             throw new FileProblem(
-                    file.toString(), 0, 0, "a JPEG needs the module java.desktop; save it as PNG (missing: "
-                            + e.getMessage() + ")", e);
+                    file.toString(),
+                    0,
+                    0,
+                    "a JPEG needs the module java.desktop; save it as PNG (missing: " + e.getMessage() + ")",
+                    e);
         }
     }
 

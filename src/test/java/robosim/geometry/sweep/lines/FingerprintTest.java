@@ -32,7 +32,9 @@ class FingerprintTest {
             if (bundle instanceof InitBundle init) {
                 for (GeometryObject object : init.objects()) {
                     for (GeometryObject each : List.of(
-                            object.material().equals(Material.of(object.material().color()))
+                            object.material()
+                                            .equals(Material.of(
+                                                    object.material().color()))
                                     ? object.withMaterial(Material.DEFAULT)
                                     : object,
                             object.withMaterial(Material.DEFAULT),
