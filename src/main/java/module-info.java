@@ -20,6 +20,8 @@ module robosim.geometry {
     exports robosim.geometry.protocol.json;
     exports robosim.geometry.render;
     exports robosim.geometry.scenario;
+    exports robosim.geometry.sensor;
+    exports robosim.geometry.sensor.file;
     exports robosim.geometry.sweep;
     exports robosim.geometry.world;
     exports robosim.geometry.world.check;

@@ -41,6 +41,8 @@ final class Snippet {
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;
             import robosim.geometry.scenario.*;
+            import robosim.geometry.sensor.*;
+            import robosim.geometry.sensor.file.*;
             import robosim.geometry.sweep.*;
             import robosim.geometry.world.*;
             """;

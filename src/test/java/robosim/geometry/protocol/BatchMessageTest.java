@@ -26,7 +26,8 @@ class BatchMessageTest {
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
-        List<Bundle> bundles = BatchSamples.everyBundle();
+        List<Bundle> bundles = new ArrayList<>(BatchSamples.everyBundle());
+        bundles.addAll(BatchSamples.frames());
         byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
         assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
     }

@@ -25,10 +25,10 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.TextureCoordinates;
 
 /** Materials of world files. */
 class MaterialFilesTest {

@@ -11,6 +11,7 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -20,7 +21,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TextureCoordinates;
 
 /** A digest of strings and of numbers by their bits: the same on every JVM. */
 public final class Fingerprint {
