@@ -63,7 +63,11 @@ final class ViewerPane extends JPanel {
         SPACE;
 
         Parts next() {
-            return values()[(ordinal() + 1) % values().length];
+            return switch (this) {
+                case PLAN -> BOTH;
+                case BOTH -> SPACE;
+                case SPACE -> PLAN;
+            };
         }
     }
 
