@@ -95,8 +95,7 @@ public final class Bumper {
         GeometryObject bumper = shape == null ? body : shape.at(shape.pose().within(body.pose()));
         for (GeometryObject other : world.objects()) {
             if (!name.equals(other.name()) && found.size() < limit) {
-                List<Contact> contacts =
-                        ContactQuery.contacts(bumper, other, world.dimension(), Integer.MAX_VALUE);
+                List<Contact> contacts = ContactQuery.contacts(bumper, other, world.dimension(), Integer.MAX_VALUE);
                 if (!contacts.isEmpty()) {
                     found.add(new Touch(other, contacts));
                 }

@@ -98,7 +98,8 @@ public abstract class RayFrame {
         return cones;
     }
 
-    @SuppressWarnings("ReferenceEquality") // an equal setup makes an equal motion; to compare its rays would take longer
+    @SuppressWarnings(
+            "ReferenceEquality") // an equal setup makes an equal motion; to compare its rays would take longer
     void filled(Setup setup, Dimension ofWorld, long frame) {
         pattern = setup.pattern();
         dimension = ofWorld;

@@ -1,5 +1,6 @@
 package robosim.geometry.viewer.space;
 
+import java.io.Serial;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -75,6 +76,7 @@ public final class Studio {
 
     /** Ends a step that nobody waits for any more. */
     private static final class Superseded extends RuntimeException {
+        @Serial
         private static final long serialVersionUID = 1;
 
         private Superseded() {
@@ -181,6 +183,7 @@ public final class Studio {
         return best;
     }
 
+    @SuppressWarnings("ReferenceEquality") // an equal moment takes longer to find than to trace again
     private void take(Job job) {
         SpaceView view = job.shot.at(job.moment);
         if (view == null) {
@@ -193,8 +196,6 @@ public final class Studio {
         }
         Refinement.Step step = job.step;
         Snapshot world = stage.at(job.moment);
-        int columns = step.squares(view.width());
-        int rows = step.squares(view.height());
         boolean isFirst = job.slot.done == null;
         long begin = System.nanoTime();
         camera(job.shot, step).withLighting(job.lighting).withThreads(threads).render(world, frame, percent -> {
@@ -206,7 +207,7 @@ public final class Studio {
         Picture last = picture(job.slot);
         boolean isSame = last != null && last.view().equals(view) && last.moment() == job.moment;
         List<Trace> traces = isSame && last != null ? last.traces() : Traces.of(job.moment);
-        finish(job, new Picture(frame.pixels().clone(), columns, rows, step, view, job.moment, world, traces));
+        finish(job, new Picture(frame.pixels().clone(), step, view, job.moment, world, traces));
     }
 
     private synchronized @Nullable Picture picture(Slot slot) {
@@ -240,6 +241,7 @@ public final class Studio {
     }
 
     /** Finds of what is drawn over a picture which points are hidden. */
+    @SuppressWarnings("ReferenceEquality") // whether this is the last order, not one that is equal
     private void trace(Job job) {
         Picture last = picture(job.slot);
         if (last == null) {

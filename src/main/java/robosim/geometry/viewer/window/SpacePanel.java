@@ -10,9 +10,8 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.io.Serial;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.WeakHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -43,14 +42,19 @@ public final class SpacePanel extends JComponent {
 
     private static final double LABEL_SIZE = 12;
 
+    /** The most cells. */
+    private static final int MOST_DRAWN = 4;
+
     final transient Gallery gallery = new Gallery();
     private final transient ViewerModel viewing;
     private final transient Runnable changed;
     private final transient Studio studio;
     private Theme theme;
 
-    /** Images of the pictures that were drawn last. */
-    private final transient Map<int[], BufferedImage> images = new WeakHashMap<>();
+    /** The pictures that were drawn last, with their images. */
+    private final transient List<Drawn> drawn = new ArrayList<>();
+
+    private record Drawn(Picture picture, BufferedImage image) {}
 
     SpacePanel(ViewerModel viewing, Theme theme, Runnable changed, Executor worker) {
         this.viewing = viewing;
@@ -223,14 +227,26 @@ public final class SpacePanel extends JComponent {
 
     private void draw(Picture picture, Graphics2D page) {
         page.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-        BufferedImage image = images.computeIfAbsent(picture.pixels(), pixels -> {
-            BufferedImage made = new BufferedImage(picture.columns(), picture.rows(), BufferedImage.TYPE_INT_RGB);
-            made.setRGB(0, 0, picture.columns(), picture.rows(), pixels, 0, picture.columns());
-            return made;
-        });
+        BufferedImage image = image(picture);
         int side = picture.step().side();
         page.translate(picture.left(), picture.top());
         page.drawImage(image, 0, 0, picture.columns() * side, picture.rows() * side, null);
         page.translate(-picture.left(), -picture.top());
+    }
+
+    /** The image of a picture: of the same pixels it is made once. */
+    private BufferedImage image(Picture picture) {
+        for (Drawn each : drawn) {
+            if (picture.hasPixelsOf(each.picture)) {
+                return each.image;
+            }
+        }
+        BufferedImage made = new BufferedImage(picture.columns(), picture.rows(), BufferedImage.TYPE_INT_RGB);
+        made.setRGB(0, 0, picture.columns(), picture.rows(), picture.pixels(), 0, picture.columns());
+        if (drawn.size() >= MOST_DRAWN) {
+            drawn.remove(0);
+        }
+        drawn.add(new Drawn(picture, made));
+        return made;
     }
 }

@@ -84,6 +84,6 @@ final class TraceArtist {
     private void ink(Trace trace, boolean isSeen) {
         double share = trace.share() * (isSeen ? 1 : HIDDEN);
         int alpha = (int) Math.round(255 * share);
-        page.setColor(new Color(trace.ink().in(theme) & 0xffffff | alpha << 24, true));
+        page.setColor(new Color((trace.ink().in(theme) & 0xffffff) | (alpha << 24), true));
     }
 }
