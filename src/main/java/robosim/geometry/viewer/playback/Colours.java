@@ -10,7 +10,8 @@ import robosim.geometry.world.World;
 
 /**
  * The colours that a world file gives its objects. An object with a name keeps its colour wherever it moves and
- * whatever else changes; one without is identified by all its properties but its material.
+ * whatever else changes; one without is identified by all its properties but its material, which
+ * a session may leave out.
  */
 public final class Colours {
     public static final Colours NONE = new Colours();
@@ -28,7 +29,7 @@ public final class Colours {
             if (colour != null && name != null) {
                 colours.named.put(name, colour);
             } else if (colour != null) {
-                colours.nameless.put(bare(thing.object()), colour);
+                colours.nameless.put(thing.object().withMaterial(Material.DEFAULT), colour);
             }
         }
         return colours;
@@ -38,11 +39,6 @@ public final class Colours {
     @Nullable
     public Integer of(GeometryObject object) {
         String name = object.name();
-        return name != null ? named.get(name) : nameless.get(bare(object));
-    }
-
-    /** Without its material, which older recordings and other environments do not send. */
-    private static GeometryObject bare(GeometryObject object) {
-        return object.material().isDefault() ? object : object.withMaterial(Material.DEFAULT);
+        return name != null ? named.get(name) : nameless.get(object.withMaterial(Material.DEFAULT));
     }
 }

@@ -41,7 +41,7 @@ import robosim.geometry.world.WorldObject;
 class ViewerModelTest {
     private static final long SECOND = 1_000_000_000;
 
-    /** As it is in a world file that gives it a colour. */
+    /** The wall of a file that has a colour for it. */
     private static final GeometryObject RED_WALL = Talk.WALL.withMaterial(Material.of(Color.parse("#ff0000")));
 
     static ViewerModel world() {
