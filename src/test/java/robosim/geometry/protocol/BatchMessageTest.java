@@ -104,7 +104,9 @@ class BatchMessageTest {
         public static void main(String[] args) throws IOException {
             byte[] bytes = MessageTest.write(BatchSamples.everyBundle().toArray(Bundle[]::new));
             Files.write(Path.of(args[0], STORED), bytes);
-            Files.write(Path.of(args[0], FRAMES), MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], FRAMES),
+                    MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)));
         }
     }
 }
