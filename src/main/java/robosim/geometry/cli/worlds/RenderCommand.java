@@ -44,7 +44,7 @@ import robosim.geometry.world.World;
         footer = {
             "  robosim-geometry render worlds/rooms.xml -o rooms.svg",
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
-            "  robosim-geometry render worlds/warehouse.xml --camera robot:cart\\ 1 -o from-cart.png",
+            "  robosim-geometry render worlds/rooms.xml --camera orbit --frames 36 -o rooms.png",
             "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
             "  robosim-geometry render worlds/maze.xml --plan --dark -o maze.png",
             "  robosim-geometry render arena.world --models ~/.gazebo/models -o arena.svg"
