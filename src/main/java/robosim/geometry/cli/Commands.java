@@ -16,6 +16,7 @@ import robosim.geometry.cli.terminal.Terminal;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.worlds.CheckCommand;
 import robosim.geometry.cli.worlds.ConvertCommand;
+import robosim.geometry.cli.worlds.ExportCommand;
 import robosim.geometry.cli.worlds.RenderCommand;
 import robosim.geometry.cli.worlds.ViewCommand;
 
@@ -44,6 +45,7 @@ import robosim.geometry.cli.worlds.ViewCommand;
             CheckCommand.class,
             RenderCommand.class,
             ViewCommand.class,
+            ExportCommand.class,
             ConvertCommand.class,
             ServeCommand.class,
             ConnectCommand.class,
