@@ -8,8 +8,8 @@ class Camera {
   constructor(view) { this.view = view; this.kind = 'orbit'; this.fit(); }
 
   fit() {
-    this.yaw = 0.6; this.pitch = 0.72; this.target = [0, -this.view.data.space[1] / 4, 0];
-    this.far = this.view.reach * 1.28; this.topFar = this.view.reach * 1.2; this.look = [0, 0]; this.topTarget = [0, 0, 0];
+    this.yaw = 0.6; this.pitch = 0.72; this.target = [0.035 * this.view.reach, -this.view.data.space[1] / 2, 0.05 * this.view.reach];
+    this.far = this.view.reach * 1.5; this.topFar = this.view.reach * 1.2; this.look = [0, 0]; this.topTarget = [0, 0, 0];
   }
 
   /** The eye, where it looks, and what is up there. */
@@ -26,7 +26,7 @@ class Camera {
     const c = [Math.cos(this.pitch) * Math.sin(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch) * Math.cos(this.yaw)];
     if (this.kind === 'follow' && pose) {
       const back = turned(pose, 3, [-1, 0, 0]), t = add(pose, [0, size * 0.3, 0]), flat = unit([back[0], 0, back[2]]);
-      return { eye: add(t, times(add(flat, [0, 0.55, 0]), size * 7 * this.far / (this.view.reach * 1.28))), target: t, up: [0, 1, 0] };
+      return { eye: add(t, times(add(flat, [0, 0.55, 0]), size * 7 * this.far / (this.view.reach * 1.5))), target: t, up: [0, 1, 0] };
     }
     return { eye: add(this.target, times(c, this.far)), target: this.target, up: [0, 1, 0] };
   }

@@ -31,12 +31,12 @@ float lit(vec4 at) {
 vec3 encoded(vec3 c) { c = max(c, 0.0); return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
 vec3 shaded(vec3 albedo, vec3 n, vec3 at, float light, float gloss) {
   float up = n.y * 0.5 + 0.5;
-  vec3 sky = mix(vec3(0.36, 0.33, 0.30), vec3(0.50, 0.55, 0.62), up);
+  vec3 sky = mix(vec3(0.34, 0.31, 0.28), vec3(0.42, 0.46, 0.52), up);
   float near = mix(0.72, 1.0, smoothstep(0.0, reach * 0.02, at.y - floorAt + (n.y > 0.9 ? reach : 0.0)));
   float facing = max(dot(n, sun), 0.0);
   vec3 half_ = normalize(sun + normalize(eye - at));
   float shine = gloss * pow(max(dot(n, half_), 0.0), 48.0) * step(0.001, facing);
-  return (albedo * (sky * near + vec3(0.78, 0.74, 0.66) * facing * light) + vec3(shine * light)) * mix(1.0, 0.62, night);
+  return (albedo * (sky * near + vec3(0.68, 0.64, 0.57) * facing * light) + vec3(shine * light)) * mix(1.0, 0.62, night);
 }`;
 
 const SOLID = HEAD + `
@@ -81,9 +81,10 @@ void main() {
 /** Lines of a width in pixels. */
 const STROKE_POINTS = HEAD + `
 layout(location=0) in vec2 corner; layout(location=1) in vec3 from; layout(location=2) in vec3 to; layout(location=3) in vec4 color; layout(location=4) in float thick;
-uniform mat4 camera; uniform vec2 screen; out vec4 paint; out float across;
+uniform mat4 camera; uniform vec2 screen; uniform vec3 eye; out vec4 paint;
 void main() {
-  vec4 a = camera * vec4(from, 1.0), b = camera * vec4(to, 1.0);
+  // A little nearer to the eye, so that the floor does not hide what lies on it.
+  vec4 a = camera * vec4(mix(from, eye, 0.002), 1.0), b = camera * vec4(mix(to, eye, 0.002), 1.0);
   float near = 1e-4;
   if (a.w < near && b.w >= near) a = mix(a, b, (near - a.w) / (b.w - a.w));
   else if (b.w < near && a.w >= near) b = mix(b, a, (near - b.w) / (a.w - b.w));
@@ -91,20 +92,18 @@ void main() {
   along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
   vec4 p = mix(a, b, corner.x);
   p.xy += (vec2(-along.y, along.x) * corner.y + along * (corner.x - 0.5)) * (thick + 1.0) / screen * p.w;
-  p.z -= 2e-4 * p.w;
-  across = corner.y * (thick + 1.0);
-  paint = vec4(color.rgb, color.a * 1.0);
+  paint = color;
   gl_Position = p;
 }`;
 
 const PLAIN = HEAD + `
-in vec4 paint; in float across; out vec4 pixel; uniform float flat_;
+in vec4 paint; out vec4 pixel;
 void main() { pixel = vec4(pow(paint.rgb, vec3(1.0 / 2.2)), paint.a); }`;
 
 /** Triangles that one sees through: the beams of sonars. */
 const HAZE_POINTS = HEAD + `
-layout(location=0) in vec3 point; layout(location=1) in vec4 color; uniform mat4 camera; out vec4 paint; out float across;
-void main() { paint = color; across = 0.0; gl_Position = camera * vec4(point, 1.0); }`;
+layout(location=0) in vec3 point; layout(location=1) in vec4 color; uniform mat4 camera; out vec4 paint;
+void main() { paint = color; gl_Position = camera * vec4(point, 1.0); }`;
 
 function program(gl, vertex, fragment) {
   const p = gl.createProgram();

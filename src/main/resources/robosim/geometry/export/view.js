@@ -115,7 +115,7 @@ class View {
 
   put(object, pose, color) {
     for (const { piece, batch, index, arrow } of object)
-      batch.set(index, within(pose, piece.place), arrow && this.gone ? [0, 0, 0, 0] : piece.size, arrow ? [0.94, 0.94, 0.92] : color);
+      batch.set(index, within(pose, piece.place), piece.size, arrow ? [0.94, 0.94, 0.92] : color);
   }
 
   /** Moves everything to where it is at a moment; `frame` may lie between two. */
@@ -141,7 +141,7 @@ class View {
     for (const b of this.recent(frame)) {
       if (b.obstacle < 2) continue;
       const k = b.obstacle - 2;
-      this.instances(k).forEach(({ batch, index }) => batch.tint(index, 0.85 * (1 - (frame - b.frame) / FRESH)));
+      this.instances(k).forEach(({ batch, index }) => batch.tint(index, 0.7 * (1 - (frame - b.frame) / FRESH)));
       this.red.push(k);
     }
   }
@@ -161,7 +161,7 @@ class View {
     corner.forEach((c, k) => this.line(c, corner[(k + 1) % 4], bordered ? [0.6, 0.01, 0.04] : edge, 1, bordered ? 4 : 2));
     if (this.shown.trails) chapter.tracks.forEach((t, k) => this.trail(t, k, up));
     if (this.shown.sonars) chapter.scans.forEach((s, k) => this.scan(s, k, whole));
-    for (const b of chapter.bumps) if (b.frame <= whole && b.frame > whole - TRAIL) this.cross(b, whole, up);
+    for (const b of chapter.bumps) if (b.frame <= whole && b.frame > whole - TRAIL && b.mover !== this.hidden) this.cross(b, whole, up);
     if (this.selected >= 0) this.ring(this.selected, this.shown.dark ? [0.9, 0.9, 0.9] : [0.02, 0.02, 0.02], up);
   }
 
@@ -180,7 +180,7 @@ class View {
   /** The beams of one object's last measurement, from where it measured. */
   scan(scans, k, whole) {
     const at = lastUpTo(scans.frames, whole);
-    if (at < 0 || k === this.hidden && this.selected !== k) return;
+    if (at < 0) return;
     const pose = poseAt(this.chapter.tracks[k], scans.frames[at], [0, 0, 0, 0, 0, 0, 0]);
     this.data.sensors[scans.kinds[at]].forEach((sensor, s) => {
       const distance = scans.distances[scans.starts[at] + s], echo = distance < Infinity;
@@ -281,7 +281,7 @@ class View {
     this.beams.draw();
     use(gl, this.solid, { ...common, alpha: 0.4, gloss: 0, push: 0 });
     this.goals.list.forEach(b => b.draw());
-    use(gl, this.stroke, { camera, screen: [canvas.width / 2, canvas.height / 2] });
+    use(gl, this.stroke, { camera, eye, screen: [canvas.width / 2, canvas.height / 2] });
     this.strokes.draw();
     gl.depthMask(true);
     gl.disable(gl.BLEND);

@@ -35,8 +35,10 @@ class PageDataTest {
     /** Of a rotation told by four numbers of 1/32,768: 2 * sqrt(4) * 2^-16 radians, as entries of a matrix. */
     private static final double ROTATION = 4.0 / 65536;
 
-    static Stream<Path> scenarios() throws IOException {
-        return Files.list(Path.of("worlds", "scenarios")).sorted();
+    static List<Path> scenarios() throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("worlds", "scenarios"))) {
+            return files.sorted().toList();
+        }
     }
 
     private static byte[] data(StateHistory film) {
@@ -241,7 +243,7 @@ class PageDataTest {
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(page.chapters.get(0).scans).hasSize(8).allSatisfy(scans -> assertThat(scans).hasSize(1));
         comparedEvents(film, page);
-        assertThat(page.things).extracting(DecodedPage.Thing::colour).contains(0x0067a8);
+        assertThat(page.things).extracting(DecodedPage.Thing::colour).contains(0x5b6470, 0xe08a1e);
     }
 
     /** The page's own program decodes to the same, where node is there to run it. */
