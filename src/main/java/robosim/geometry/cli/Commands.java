@@ -16,6 +16,7 @@ import robosim.geometry.cli.terminal.Terminal;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.worlds.CheckCommand;
 import robosim.geometry.cli.worlds.ConvertCommand;
+import robosim.geometry.cli.worlds.ExportCommand;
 import robosim.geometry.cli.worlds.RenderCommand;
 import robosim.geometry.cli.worlds.ScanCommand;
 import robosim.geometry.cli.worlds.ViewCommand;
@@ -46,6 +47,7 @@ import robosim.geometry.cli.worlds.ViewCommand;
             RenderCommand.class,
             ScanCommand.class,
             ViewCommand.class,
+            ExportCommand.class,
             ConvertCommand.class,
             ServeCommand.class,
             ConnectCommand.class,

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.export.PageWriter;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
@@ -17,6 +18,7 @@ import robosim.geometry.world.AtomicFileWriter;
 final class Evidence {
     private static final String REPLAY = "replay" + ScenarioReader.ENDING;
     private static final String PICTURE = "last-moments.svg";
+    private static final String PAGE = "last-moments.html";
     private static final String WORDS = "failure.txt";
 
     private final Path folder;
@@ -29,10 +31,12 @@ final class Evidence {
     void clear() throws IOException {
         Files.deleteIfExists(folder.resolve(REPLAY));
         Files.deleteIfExists(folder.resolve(PICTURE));
+        Files.deleteIfExists(folder.resolve(PAGE));
         Files.deleteIfExists(folder.resolve(WORDS));
         int connection = 1;
         while (Files.deleteIfExists(talk(connection))) {
             Files.deleteIfExists(picture(connection));
+            Files.deleteIfExists(page(connection));
             connection++;
         }
         if (Files.isDirectory(folder)) {
@@ -52,6 +56,10 @@ final class Evidence {
         return folder.resolve("connection-" + connection + ".svg");
     }
 
+    private Path page(int connection) {
+        return folder.resolve("connection-" + connection + ".html");
+    }
+
     /**
      * Writes all evidence and returns the lines of the failure message that name it. Throws nothing, so that the
      * failure itself is reported.
@@ -63,6 +71,8 @@ final class Evidence {
             lines += "\n  image:  "
                     + unlessItFails(
                             "drawn", () -> picture(world.scenario(title), world.goals(), folder.resolve(PICTURE)));
+            lines += "\n  page:   "
+                    + unlessItFails("written", () -> page(world.scenario(title), world.goals(), folder.resolve(PAGE)));
         }
         int connection = 0;
         for (byte[] recording : talks.recorded()) {
@@ -89,7 +99,8 @@ final class Evidence {
             return file.toString();
         });
         String image = unlessItFails("drawn", () -> picture(Scenario.read(file), List.of(), picture(connection)));
-        return written + "\n  image:  " + image;
+        String page = unlessItFails("written", () -> page(Scenario.read(file), List.of(), page(connection)));
+        return written + "\n  image:  " + image + "\n  page:   " + page;
     }
 
     private String replay(Scenario scenario) throws IOException {
@@ -103,6 +114,13 @@ final class Evidence {
     private String picture(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
         Files.createDirectories(folder);
         Pictures.lastMoments(scenario, goals, file);
+        return file.toString();
+    }
+
+    /** Writes the whole conversation as a page that plays it in three dimensions. */
+    private String page(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
+        Files.createDirectories(folder);
+        PageWriter.write(scenario, goals, file);
         return file.toString();
     }
 

@@ -107,11 +107,23 @@ class LastMomentsTest {
         assertThat(groups(parse(file), "ping", "")).hasSize(1);
     }
 
+    /** Its goals and its title are in the page's data, which PageDataTest reads. */
+    @Test
+    void aPageIsBesideIt(@TempDir Path folder) throws Exception {
+        Path page = run(Doomed.Failing.class, "lost", folder).resolve("last-moments.html");
+        assertThat(page).content().contains("<!DOCTYPE html>", "<title>").contains("Failing.lost, seed 7</title>");
+        assertThat(run(Doomed.Talking.class, "talks", folder).resolve("connection-1.html"))
+                .content()
+                .contains("<!DOCTYPE html>");
+    }
+
     @Test
     void whatPassesLeavesNone(@TempDir Path folder) throws Exception {
-        Path stale = folder.resolve(Doomed.class.getName() + ".Failing.passes/last-moments.svg");
-        Files.createDirectories(stale.getParent());
-        Files.writeString(stale, "of a run before");
+        for (String name : List.of("last-moments.svg", "last-moments.html", "connection-1.scenario.jsonl", "connection-1.html")) {
+            Path stale = folder.resolve(Doomed.class.getName() + ".Failing.passes").resolve(name);
+            Files.createDirectories(stale.getParent());
+            Files.writeString(stale, "of a run before");
+        }
         Path passed = run(Doomed.Failing.class, "passes", folder);
         assertThat(passed).doesNotExist();
         // The others of the class have failed.

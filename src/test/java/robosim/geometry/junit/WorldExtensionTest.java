@@ -90,7 +90,8 @@ class WorldExtensionTest {
                 .startsWith("robot \"r1\" was to drive 3.5, but is blocked after ")
                 .contains("by box \"wall\" at (4, 0, 0)")
                 .endsWith("\n  seed:   7 (as @Seed(7L) or -Drobosim.seed=7)\n  replay: " + file + "\n  image:  "
-                        + file.resolveSibling("last-moments.svg"));
+                        + file.resolveSibling("last-moments.svg") + "\n  page:   "
+                        + file.resolveSibling("last-moments.html"));
         assertThat(folder(folder, "blocked").resolve("failure.txt")).content().contains("is blocked after");
         Scenario scenario = Scenario.read(file);
         assertThat(scenario.header().title()).endsWith("Failing.blocked, seed 7");
@@ -183,7 +184,8 @@ class WorldExtensionTest {
         Path talk = folder.resolve(Doomed.class.getName() + ".Talking.talks").resolve("connection-1.scenario.jsonl");
         assertThat(Launched.message(results.get("talks")))
                 .startsWith("{\"type\":\"distances\",\"distances\":[3.5]")
-                .endsWith("\n  talk:   " + talk + "\n  image:  " + talk.resolveSibling("connection-1.svg"));
+                .endsWith("\n  talk:   " + talk + "\n  image:  " + talk.resolveSibling("connection-1.svg") + "\n  page:   "
+                        + talk.resolveSibling("connection-1.html"));
         Scenario scenario = Scenario.read(talk);
         assertThat(scenario.steps()).hasSize(2);
         assertThat(Replay.of(scenario)).isEmpty();

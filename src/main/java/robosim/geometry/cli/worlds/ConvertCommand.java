@@ -21,6 +21,7 @@ import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.exact.NumberText;
+import robosim.geometry.export.GlbWriter;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.ImportOptions;
@@ -49,7 +50,7 @@ import robosim.geometry.world.WorldWriter;
             "  robosim-geometry convert map.yaml --wall-height 0.5 map.xml",
             "  robosim-geometry convert arena.world --models ~/.gazebo/models arena.xml",
             "  robosim-geometry convert part.stl --scale 0.001 --up z part.xml",
-            "  robosim-geometry convert worlds/rooms.xml rooms.obj"
+            "  robosim-geometry convert worlds/rooms.xml rooms.glb"
         })
 public final class ConvertCommand implements Callable<Integer> {
     private static final int MOST_LINES = 20;
@@ -72,7 +73,8 @@ public final class ConvertCommand implements Callable<Integer> {
     @Parameters(
             index = "1",
             paramLabel = "OUT",
-            description = "the file to write: a world (.xml), or the triangles of all its objects (.obj)")
+            description = "the file to write: a world (.xml), or for other viewers glTF (.glb) or the triangles of all its"
+                    + " objects (.obj)")
     private Path out = Path.of("");
 
     @Option(
@@ -124,7 +126,7 @@ public final class ConvertCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        boolean asMesh = isMesh();
+        String ending = ending();
         if (!Files.isDirectory(in)) {
             Inputs.file(spec, "IN", in);
         }
@@ -142,27 +144,28 @@ public final class ConvertCommand implements Callable<Integer> {
             return ExitCodes.FINDINGS;
         }
         World world = read.world();
-        if (asMesh) {
-            try (Progress progress =
-                    Progress.of(spec.commandLine(), "objects", world.objects().size())) {
-                ObjWriter.write(world, out, progress::at);
+        try (Progress progress =
+                Progress.of(spec.commandLine(), "objects", world.objects().size())) {
+            switch (ending) {
+                case ".obj" -> ObjWriter.write(world, out, progress::at);
+                case ".glb" -> GlbWriter.write(world, Pictures.title(in), out, progress::at);
+                default -> WorldWriter.write(world, out);
             }
-        } else {
-            WorldWriter.write(world, out);
         }
         printer.println(written(world));
         return read.isWhole() ? ExitCodes.FINE : ExitCodes.PARTIAL;
     }
 
-    private boolean isMesh() {
+    /** How OUT ends. */
+    private String ending() {
         String name = out.toString().toLowerCase(Locale.ROOT);
-        if (!name.endsWith(".xml") && !name.endsWith(".obj")) {
-            throw new ParameterException(spec.commandLine(), "OUT must end in .xml or .obj (got: " + out + ")");
+        if (!name.endsWith(".xml") && !name.endsWith(".obj") && !name.endsWith(".glb")) {
+            throw new ParameterException(spec.commandLine(), "OUT must end in .xml, .glb or .obj (got: " + out + ")");
         }
         if (Files.isDirectory(out)) {
             throw new ParameterException(spec.commandLine(), "OUT must be a file, not a folder (got: " + out + ")");
         }
-        return name.endsWith(".obj");
+        return name.substring(name.length() - 4);
     }
 
     private ImportOptions options() {

@@ -66,7 +66,7 @@ public record Frame(
      * @param heading direction of the refused move, degrees about the vertical from the world's X
      * @param result  what blocked it; null if unknown
      */
-    record Bump(
+    public record Bump(
             GeometryObject mover, double heading, @Nullable MoveResult result) {
         /** What was in the way, in words. */
         String obstacle() {

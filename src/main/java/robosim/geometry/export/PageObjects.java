@@ -1,0 +1,190 @@
+package robosim.geometry.export;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.world.shared.Placement;
+
+/** The objects of a page, each once: what several worlds of a recording have in common is told once. */
+final class PageObjects {
+    private static final int BOX = 0;
+    private static final int CYLINDER = 1;
+    private static final int SPHERE = 2;
+    private static final int CAPSULE = 3;
+    private static final int MESH = 4;
+    private static final int CELLS = 5;
+
+    /** An object as it is painted. */
+    private record Painted(GeometryObject object, int colour) {}
+
+    private final Quanta quanta;
+    private final PageStreams out;
+    private final Map<Painted, Integer> known = new HashMap<>();
+    private final Map<TriangleMesh, Integer> meshes = new HashMap<>();
+
+    /** Each grid of which cells were taken together, in words. */
+    private final List<String> coarse = new ArrayList<>();
+
+    PageObjects(Quanta quanta, PageStreams out) {
+        this.quanta = quanta;
+        this.out = out;
+    }
+
+    List<String> coarse() {
+        return coarse;
+    }
+
+    /**
+     * The number of an object, which is written at its first use.
+     *
+     * @param colour 0xRRGGBB
+     */
+    int number(GeometryObject object, int colour) {
+        GeometryObject placed = object.isMoveable() ? object.at(Pose.ORIGIN) : object;
+        Painted painted = new Painted(placed, colour);
+        Integer number = known.get(painted);
+        if (number == null) {
+            number = known.size();
+            known.put(painted, number);
+            write(painted);
+        }
+        return number;
+    }
+
+    private void write(Painted painted) {
+        GeometryObject object = painted.object;
+        String name = object.name();
+        out.objects.text(name == null ? "" : name);
+        out.objects.octet(object.kind().ordinal());
+        for (int shift = 16; shift >= 0; shift -= 8) {
+            out.objects.octet(painted.colour >> shift);
+        }
+        Pose pose = object.pose();
+        out.objects.real(object.isMoveable() ? 0 : quanta.x(pose.center()));
+        out.objects.real(object.isMoveable() ? 0 : quanta.y(pose.center()));
+        out.objects.real(object.isMoveable() ? 0 : quanta.z(pose.center()));
+        turned(Turned.of(pose));
+        List<Part> parts = new ArrayList<>();
+        collect(object, Placement.NONE, parts);
+        out.objects.count(parts.size());
+        parts.forEach(this::part);
+    }
+
+    /** A shape that is no group, in its object's own frame. */
+    private record Part(GeometryObject shape, Placement place) {}
+
+    private static void collect(GeometryObject object, Placement place, List<Part> parts) {
+        if (object instanceof ObjectGroup group) {
+            for (GeometryObject member : group.members()) {
+                Pose pose = member.pose();
+                collect(member, place.then(Placement.turned(pose.center(), pose.rotation())), parts);
+            }
+        } else {
+            parts.add(new Part(object, place));
+        }
+    }
+
+    private void part(Part part) {
+        boolean placed = part.place != Placement.NONE;
+        int flag = placed ? 8 : 0;
+        GeometryObject shape = part.shape;
+        switch (shape.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) shape;
+                sized(BOX | flag, box.width(), box.height(), box.length());
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) shape;
+                sized(CYLINDER | flag, cylinder.radius(), cylinder.height());
+            }
+            case SPHERE -> sized(SPHERE | flag, ((SphereObject) shape).radius());
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) shape;
+                sized(CAPSULE | flag, capsule.radius(), capsule.segment());
+            }
+            case MESH -> {
+                out.objects.octet(MESH | flag);
+                out.objects.count(mesh((MeshObject) shape));
+            }
+            case GRID -> cells((GridObject) shape, CELLS | flag);
+            case GROUP -> throw new IllegalStateException("a group has been taken apart (got: " + shape + ")");
+        }
+        if (placed) {
+            out.objects.real(quanta.length(part.place.origin().x()));
+            out.objects.real(quanta.length(part.place.origin().y()));
+            out.objects.real(quanta.length(part.place.origin().z()));
+            turned(Turned.of(part.place.pose()));
+        }
+    }
+
+    private void sized(int shape, double... sizes) {
+        out.objects.octet(shape);
+        for (double size : sizes) {
+            out.objects.real(quanta.length(size));
+        }
+    }
+
+    private void turned(Turned turned) {
+        out.objects.real(turned.x());
+        out.objects.real(turned.y());
+        out.objects.real(turned.z());
+        out.objects.real(turned.w());
+    }
+
+    private void cells(GridObject grid, int shape) {
+        GridCells cells = new GridCells(grid);
+        if (cells.together > 1) {
+            coarse.add(grid.columns() + " x " + grid.rows() + " cells are shown in squares of " + cells.together + " x "
+                    + cells.together + " cells");
+        }
+        sized(shape, grid.cell(), grid.height());
+        out.objects.count(grid.columns());
+        out.objects.count(grid.rows());
+        out.objects.count(cells.rectangles.size());
+        int row = 0;
+        for (GridCells.Rectangle each : cells.rectangles) {
+            out.objects.count(each.fromRow() - row);
+            out.objects.count(each.fromColumn());
+            out.objects.count(each.toColumn() - each.fromColumn());
+            out.objects.count(each.toRow() - each.fromRow());
+            row = each.fromRow();
+        }
+    }
+
+    /** The number of a mesh's triangles, which are written at their first use. */
+    private int mesh(MeshObject mesh) {
+        TriangleMesh triangles = mesh.triangles();
+        Integer number = meshes.get(triangles);
+        if (number != null) {
+            return number;
+        }
+        meshes.put(triangles, meshes.size());
+        out.meshes.count(triangles.vertices());
+        for (int axis = 0; axis < 3; axis++) {
+            for (int v = 0; v < triangles.vertices(); v++) {
+                out.meshes.real(quanta.length(triangles.coordinate(v, axis)));
+            }
+        }
+        out.meshes.count(triangles.size());
+        int before = 0;
+        for (int t = 0; t < triangles.size(); t++) {
+            for (int corner = 0; corner < 3; corner++) {
+                int vertex = triangles.vertex(t, corner);
+                out.meshes.signed(vertex - before);
+                before = vertex;
+            }
+        }
+        return meshes.size() - 1;
+    }
+}

@@ -1,0 +1,136 @@
+package robosim.geometry.export;
+
+import java.io.ByteArrayOutputStream;
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.scenario.Scenario;
+import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.world.AtomicFileWriter;
+
+/**
+ * Writes a recording as one HTML file that plays it in three dimensions, in any browser with WebGL 2, without a server
+ * and without a network.
+ */
+public final class PageWriter {
+    /** The page's program, in the order in which it is run. */
+    private static final List<String> SCRIPTS = List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "controls.js");
+
+    private final StateHistory film;
+    private String title = "";
+    private String subtitle = "";
+    private String unit = "";
+    private List<GeometryObject> goals = List.of();
+    private int from;
+    private int to;
+
+    /** A page of all that a history has, which is at least a frame. */
+    public PageWriter(StateHistory film) {
+        this.film = Checks.present("film", film);
+        from = film.first();
+        to = film.size();
+    }
+
+    /**
+     * This with fewer steps.
+     *
+     * @param first the first, from 0
+     * @param end   the last plus one
+     */
+    public PageWriter ofSteps(int first, int end) {
+        if (first < film.first() || first >= end || end > film.size()) {
+            throw new IllegalArgumentException("steps must be among " + film.first() + " to " + (film.size() - 1)
+                    + " (got: " + first + " to " + (end - 1) + ")");
+        }
+        from = first;
+        to = end;
+        return this;
+    }
+
+    /** This with a title. */
+    public PageWriter titled(String newTitle) {
+        title = Checks.present("newTitle", newTitle);
+        return this;
+    }
+
+    /** This with a line below the title and the symbol of the world unit; each may be empty. */
+    public PageWriter described(String newSubtitle, String newUnit) {
+        subtitle = Checks.present("newSubtitle", newSubtitle);
+        unit = Checks.present("newUnit", newUnit);
+        return this;
+    }
+
+    /** This with goals of robots, which are shown in green. */
+    public PageWriter withGoals(List<GeometryObject> newGoals) {
+        goals = Checks.list("newGoals", newGoals);
+        return this;
+    }
+
+    /** Plays a conversation and writes its page. */
+    public static void write(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
+        new PageWriter(Films.of(scenario)).titled(scenario.header().title()).withGoals(goals).write(file);
+    }
+
+    /**
+     * Writes the page; an existing file stays as it was until the new one is complete.
+     *
+     * @return what the page shows less finely than it is, in words; empty if nothing
+     * @throws IOException if the file cannot be written
+     */
+    public List<String> write(Path file) throws IOException {
+        PageData data = new PageData(film, from, to, new PageData.Labels(title, subtitle, unit), goals);
+        String page = page(title, data.toBytes());
+        AtomicFileWriter.write(file, out -> out.write(page.getBytes(StandardCharsets.UTF_8)));
+        return data.coarse();
+    }
+
+    static String page(String title, byte[] data) throws IOException {
+        StringBuilder script = new StringBuilder();
+        for (String name : SCRIPTS) {
+            script.append(resource(name)).append('\n');
+        }
+        return resource("page.html")
+                .replace("%TITLE%", title.replace("&", "&amp;").replace("<", "&lt;"))
+                .replace("%STYLE%", resource("page.css"))
+                .replace("%SCRIPT%", script)
+                .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
+    }
+
+    private static byte[] deflated(byte[] data) {
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION, true);
+        try (DeflaterOutputStream out = new DeflaterOutputStream(packed, deflater)) {
+            out.write(data);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e); // memory does not fail
+        } finally {
+            deflater.end();
+        }
+        return packed.toByteArray();
+    }
+
+    /** A part of the page, without what only its authors need: indentation, and lines that are comments. */
+    private static String resource(String name) throws IOException {
+        try (InputStream in = PageWriter.class.getResourceAsStream(name)) {
+            if (in == null) {
+                throw new FileNotFoundException("a part of the page is missing; use the jar as it was built (missing: "
+                        + name + ")");
+            }
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .map(String::strip)
+                    .filter(line -> !line.startsWith("//") && !line.startsWith("/**"))
+                    .collect(Collectors.joining("\n", "", "\n"));
+        }
+    }
+}
