@@ -24,7 +24,11 @@ import robosim.geometry.world.AtomicFileWriter;
  */
 public final class PageWriter {
     /** The page's program, in the order in which it is run. */
-    private static final List<String> SCRIPTS = List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "controls.js");
+    private static final List<String> SCRIPTS =
+            List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "controls.js");
+
+    /** No quotes, and no slash, which may begin an expression or a comment. */
+    private static final String SIGNS = "=+-*<>{}()[],;:?&|!%";
 
     private final StateHistory film;
     private String title = "";
@@ -78,7 +82,10 @@ public final class PageWriter {
 
     /** Plays a conversation and writes its page. */
     public static void write(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
-        new PageWriter(Films.of(scenario)).titled(scenario.header().title()).withGoals(goals).write(file);
+        new PageWriter(Films.of(scenario))
+                .titled(scenario.header().title())
+                .withGoals(goals)
+                .write(file);
     }
 
     /**
@@ -97,7 +104,7 @@ public final class PageWriter {
     static String page(String title, byte[] data) throws IOException {
         StringBuilder script = new StringBuilder();
         for (String name : SCRIPTS) {
-            script.append(resource(name)).append('\n');
+            script.append(compact(resource(name))).append('\n');
         }
         return resource("page.html")
                 .replace("%TITLE%", title.replace("&", "&amp;").replace("<", "&lt;"))
@@ -119,12 +126,37 @@ public final class PageWriter {
         return packed.toByteArray();
     }
 
+    /** A program without blanks beside signs. What is quoted stays, and so do blanks between two equal signs. */
+    private static String compact(String program) {
+        StringBuilder out = new StringBuilder(program.length());
+        char quote = 0;
+        for (int k = 0; k < program.length(); k++) {
+            char c = program.charAt(k);
+            if (quote == 0 && c == ' ' && k > 0 && k + 1 < program.length()) {
+                char before = out.charAt(out.length() - 1);
+                char after = program.charAt(k + 1);
+                if (before != after && (SIGNS.indexOf(before) >= 0 || SIGNS.indexOf(after) >= 0)) {
+                    continue;
+                }
+            } else if (c == '\\' && quote != 0) {
+                out.append(c).append(program.charAt(++k));
+                continue;
+            } else if (c == quote) {
+                quote = 0;
+            } else if (quote == 0 && (c == '\'' || c == '"' || c == '`')) {
+                quote = c;
+            }
+            out.append(c);
+        }
+        return out.toString();
+    }
+
     /** A part of the page, without what only its authors need: indentation, and lines that are comments. */
     private static String resource(String name) throws IOException {
         try (InputStream in = PageWriter.class.getResourceAsStream(name)) {
             if (in == null) {
-                throw new FileNotFoundException("a part of the page is missing; use the jar as it was built (missing: "
-                        + name + ")");
+                throw new FileNotFoundException(
+                        "a part of the page is missing; use the jar as it was built (missing: " + name + ")");
             }
             return new String(in.readAllBytes(), StandardCharsets.UTF_8)
                     .lines()

@@ -192,7 +192,8 @@ class View {
 
   beam(pose, sensor, length, color, echo) {
     const from = pose.slice(0, 3), half = sensor.width / 2, alpha = echo ? 0.2 : 0.07;
-    const rim = (a, b) => { // a aside, b upwards from the sensor's direction, on a ball around it
+    // a aside, b upwards from the direction of the sensor, on a ball around it
+    const rim = (a, b) => {
       const v = [Math.cos(b) * Math.cos(sensor.bearing + a), Math.sin(b), -Math.cos(b) * Math.sin(sensor.bearing + a)];
       return add(from, times(turned(pose, 3, v), length));
     };
