@@ -98,9 +98,11 @@ class GlbWriterTest {
                     json.get("meshes").get(node.get("mesh").asInt()).get("primitives")) {
                 JsonNode accessor = json.get("accessors")
                         .get(primitive.get("attributes").get("POSITION").asInt());
-                JsonNode view = json.get("bufferViews").get(accessor.get("bufferView").asInt());
+                JsonNode view =
+                        json.get("bufferViews").get(accessor.get("bufferView").asInt());
                 int stride = view.path("byteStride").asInt(12);
-                int at = view.path("byteOffset").asInt() + accessor.path("byteOffset").asInt();
+                int at = view.path("byteOffset").asInt()
+                        + accessor.path("byteOffset").asInt();
                 for (int k = 0; k < accessor.get("count").asInt(); k++) {
                     points.add(new double[] {
                         numbers.getFloat(at + stride * k),
@@ -157,8 +159,12 @@ class GlbWriterTest {
                 + ".then(r => console.log(r.issues.numErrors, r.issues.numWarnings, JSON.stringify(r.issues.messages)));";
         read("rooms.xml");
         Program.Said said = Program.run(
-                folder, 60, Map.of(), List.of(node, "-e", script, folder.resolve("world.glb").toString()));
-        Assumptions.assumeFalse(said.err().contains("Cannot find module"), "no package gltf-validator where NODE_PATH says");
+                folder,
+                60,
+                Map.of(),
+                List.of(node, "-e", script, folder.resolve("world.glb").toString()));
+        Assumptions.assumeFalse(
+                said.err().contains("Cannot find module"), "no package gltf-validator where NODE_PATH says");
         assertThat(said.out().strip()).isEqualTo("0 0 []");
     }
 }
