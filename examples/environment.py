@@ -35,16 +35,22 @@ SIZES = {"box": ["width", "height", "length"], "cylinder": ["radius", "height"],
          "capsule": ["radius", "segment"], "grid": ["cell", "height"]}
 SHAPES = ["box", "cylinder", "sphere", "capsule", "mesh", "group"]
 MOST_CELLS = 1 << 24
-PLACED = ["name", "moveable", "center", "heading", "turned", "rotation"]
+LOOKS = ["color", "diffuse", "specular", "shininess", "mirror", "emission", "reflectance", "label"]
+PLACED = ["name", "moveable", "center", "heading", "turned", "rotation", "material"]
 
 # Of each element: the attributes that it needs, those that it may have, and what may stand in it.
 GRAMMAR = {
-    "world": (["width", "height", "length"], ["unit", "dimension", "accuracy"], SHAPES + ["grid"]),
+    "world": (["width", "height", "length"], ["unit", "dimension", "accuracy"], SHAPES + ["grid", "material"]),
+    # Looks are checked by who draws, and not sent: the robots here go by their sonars.
+    "material": (["name"], LOOKS, ["checker", "stripes", "image"]),
+    "checker": (["first", "second", "size"], [], []),
+    "stripes": (["first", "second", "size"], ["degrees"], []),
+    "image": ([], ["file", "columns", "rows", "width", "height"], []),
     "box": (SIZES["box"], PLACED, []),
     "cylinder": (SIZES["cylinder"], PLACED, []),
     "sphere": (SIZES["sphere"], PLACED, []),
     "capsule": (SIZES["capsule"], PLACED, []),
-    "grid": (SIZES["grid"] + ["columns", "rows"], ["name", "center", "heading", "rotation"], []),
+    "grid": (SIZES["grid"] + ["columns", "rows"], ["name", "center", "heading", "rotation", "material"], []),
     "mesh": ([], PLACED + ["solid", "file", "scale"], ["bounds", "vertices", "triangles", "quads"]),
     "group": ([], PLACED, ["bounds"] + SHAPES),
     "bounds": ([], [], ["box", "cylinder", "sphere"]),
@@ -130,7 +136,7 @@ class Element:
     def check(self):
         """Nothing may stand here that would not be understood."""
         needed, allowed, children = GRAMMAR[self.tag]
-        if self.parent is not None and self.parent.tag == "world":
+        if self.parent is not None and self.parent.tag == "world" and self.tag != "material":
             allowed, children = allowed + ["color"], children + (["sonar"] if self.tag != "grid" else [])
         for name in needed:
             if name not in self.attributes:
@@ -243,6 +249,8 @@ class World:
         self.robots = []
         names = {}
         for element in root.children:
+            if element.tag == "material":
+                continue
             made = self.read(element)
             self.check_border(element, made)
             self.objects.append(made)

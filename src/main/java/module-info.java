@@ -11,6 +11,7 @@ module robosim.geometry {
 
     exports robosim.geometry;
     exports robosim.geometry.collision;
+    exports robosim.geometry.dynamics;
     exports robosim.geometry.junit;
     exports robosim.geometry.material;
     exports robosim.geometry.model;
@@ -20,6 +21,8 @@ module robosim.geometry {
     exports robosim.geometry.protocol.json;
     exports robosim.geometry.render;
     exports robosim.geometry.scenario;
+    exports robosim.geometry.sensor;
+    exports robosim.geometry.sensor.file;
     exports robosim.geometry.sweep;
     exports robosim.geometry.world;
     exports robosim.geometry.world.check;

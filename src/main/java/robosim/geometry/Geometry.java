@@ -7,6 +7,7 @@ import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.motion.Motion;
+import robosim.geometry.engine.motion.Slide;
 import robosim.geometry.engine.motion.TranslationFastPath;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.sensing.BeamQuery;
@@ -99,6 +100,7 @@ public final class Geometry {
     private final ProximityQuery proximity;
     private final Motion motion;
     private final TranslationFastPath fastPath;
+    private final Slide slide;
     private final FreePlaces places;
     private final double[] vector = new double[6];
 
@@ -159,6 +161,7 @@ public final class Geometry {
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(objects, registry.worldBounds, scratch);
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
+        slide = new Slide(registry, motion);
         places = new FreePlaces(registry, motion, scratch);
     }
 
@@ -359,6 +362,26 @@ public final class Geometry {
         MoveResult result = result(all);
         registry.move(id, motion.end());
         return result;
+    }
+
+    /**
+     * Moves an object as {@link #moveToContact} does, and where it is blocked goes on with what is left of the way, along
+     * the plane of the contact or, between two planes, along their edge, but never back against the move asked for; then
+     * turns it as far as that is free. The part of the way into a plane is lost. After it the object overlaps nothing that it did not overlap before. A plane into
+     * which rounding leads again is left by 2<sup>-40</sup> of what is left of the way.
+     *
+     * @param clearance world units; at least 0
+     * @param bends     at how many contacts the way may go on; it ends at the next. From 0, as
+     *                  {@code moveToContact}, to 64
+     */
+    public SlideResult moveAndSlide(String name, Move move, double clearance, int bends) {
+        int id = registry.mover(name);
+        Move asked = Checks.present("move", move);
+        Checks.clearance(clearance);
+        Slide.checkBends(bends);
+        objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
+        slide.make(view, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance, bends);
+        return SlideResult.of(slide, objects);
     }
 
     private MoveResult result(boolean allowed) {

@@ -69,7 +69,7 @@ public final class SenseBuffer {
 
     /**
      * Which part of an object a ray met: 0 for an object that is no group. The parts of a group are its members that are no
-     * groups themselves, depth first, from 0 on: see {@link robosim.geometry.model.ObjectGroup#part}. Of parts that are
+     * groups themselves, depth first, from 0 on: see {@link robosim.geometry.model.ObjectGroup#parts}. Of parts that are
      * met at the same distance, the first counts.
      *
      * @return -1 if nothing echoes, or where the world's accuracy has one enclosure for the whole group
@@ -108,6 +108,14 @@ public final class SenseBuffer {
     private double normal(int beam, int axis) {
         checkHas(Extra.NORMALS, echoes.hasNormals());
         return echoes.normals()[3 * checked(beam) + axis];
+    }
+
+    /**
+     * Where the sensor was in the world when it sensed: X, Y and Z, then the nine numbers of its rotation, row by row,
+     * whose columns are its own axes. The buffer's own array, as with {@link #distances}.
+     */
+    public double[] place() {
+        return echoes.place();
     }
 
     /**

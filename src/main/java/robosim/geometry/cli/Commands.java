@@ -17,6 +17,7 @@ import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.worlds.CheckCommand;
 import robosim.geometry.cli.worlds.ConvertCommand;
 import robosim.geometry.cli.worlds.RenderCommand;
+import robosim.geometry.cli.worlds.ScanCommand;
 import robosim.geometry.cli.worlds.ViewCommand;
 
 /** All commands, and how their failures are reported. */
@@ -43,6 +44,7 @@ import robosim.geometry.cli.worlds.ViewCommand;
             DemoCommand.class,
             CheckCommand.class,
             RenderCommand.class,
+            ScanCommand.class,
             ViewCommand.class,
             ConvertCommand.class,
             ServeCommand.class,

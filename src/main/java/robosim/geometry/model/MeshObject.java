@@ -10,6 +10,7 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.TextureCoordinates;
 
 /**
  * A surface of triangles and quads; a quad is always the two triangles on its diagonal 0-2, even if its corners are not

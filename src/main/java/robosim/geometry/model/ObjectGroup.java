@@ -183,6 +183,34 @@ public final class ObjectGroup implements GeometryObject {
         return List.copyOf(parts);
     }
 
+    /**
+     * What a part is made of: its own material, or where it has none that of the group around it.
+     *
+     * @param part its index in {@link #parts}
+     */
+    public Material material(int part) {
+        Material found = part < 0 ? null : material(part, new int[1], material());
+        if (found == null) {
+            throw new IllegalArgumentException("part must be the index of one of parts() (got: " + part + ")");
+        }
+        return found;
+    }
+
+    private @Nullable Material material(int part, int[] passed, Material around) {
+        for (GeometryObject member : members) {
+            Material own = member.material().within(around);
+            if (member instanceof ObjectGroup inner) {
+                Material found = inner.material(part, passed, own);
+                if (found != null) {
+                    return found;
+                }
+            } else if (passed[0]++ == part) {
+                return own;
+            }
+        }
+        return null;
+    }
+
     /** The bounding volume that was given, in the group's own frame; null if a default is used. */
     public @Nullable GeometryObject boundingVolume() {
         return boundingVolume;

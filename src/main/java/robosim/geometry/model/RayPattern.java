@@ -80,6 +80,28 @@ public final class RayPattern {
     public static RayPattern layers(
             double[] elevationsDegrees, double firstAzimuthDegrees, double stepAzimuthDegrees, int count) {
         int layers = Checks.present("elevationsDegrees", elevationsDegrees).length;
+        return layers(elevationsDegrees, new double[layers], firstAzimuthDegrees, stepAzimuthDegrees, count);
+    }
+
+    /**
+     * Layers of beams that do not stand in one vertical plane: those of row r are turned by a further angle of their own,
+     * as the lasers of many lidars are.
+     *
+     * @param elevationsDegrees from -90 (down) to 90 (up), one for each row
+     * @param offsetsDegrees    what is added to the azimuths of each row
+     * @param count             number of columns; rows times columns are at most {@link #MAX_SIZE}
+     */
+    public static RayPattern layers(
+            double[] elevationsDegrees,
+            double[] offsetsDegrees,
+            double firstAzimuthDegrees,
+            double stepAzimuthDegrees,
+            int count) {
+        int layers = Checks.present("elevationsDegrees", elevationsDegrees).length;
+        if (Checks.present("offsetsDegrees", offsetsDegrees).length != layers) {
+            throw new IllegalArgumentException("offsetsDegrees must have one number for each elevation, " + layers
+                    + " (got: " + offsetsDegrees.length + ")");
+        }
         if (layers == 0) {
             throw new IllegalArgumentException("elevationsDegrees must have at least one number (got: none)");
         }
@@ -96,7 +118,8 @@ public final class RayPattern {
         for (int row = 0; row < layers; row++) {
             double level = Degrees.cos(elevationsDegrees[row]);
             double up = Degrees.sin(elevationsDegrees[row]);
-            pattern.sweep(row, level, up, firstAzimuthDegrees, stepAzimuthDegrees);
+            double first = firstAzimuthDegrees + Checks.angle("an offset", offsetsDegrees[row]);
+            pattern.sweep(row, level, up, first, stepAzimuthDegrees);
         }
         return pattern;
     }
@@ -145,6 +168,49 @@ public final class RayPattern {
             }
         }
         return pattern;
+    }
+
+    /**
+     * One beam through the middle of each pixel of a camera without distortion, given by its intrinsic parameters as ROS
+     * and OpenCV define them: the beam of the pixel in column u and row v, both counted from 0, goes {@code (u - cx) / fx}
+     * to the right and {@code (v - cy) / fy} down for each unit forward. So {@code cx = (width - 1) / 2.0} is the middle of
+     * the image. The order of the beams and their axes are as above.
+     *
+     * @param width  pixels in a row, at least 1
+     * @param height rows, at least 1; all pixels are at most {@link #MAX_SIZE}
+     * @param fx     focal length in widths of a pixel, above 0
+     * @param fy     focal length in heights of a pixel, above 0
+     * @param cx     column of the optical axis
+     * @param cy     row of the optical axis
+     */
+    public static RayPattern pinhole(int width, int height, double fx, double fy, double cx, double cy) {
+        checkSize("width", width, 1, "");
+        checkSize("height", height, width, " rows of " + width + " pixels");
+        checkFocalLength("fx", fx);
+        checkFocalLength("fy", fy);
+        Checks.coordinate("cx", cx);
+        Checks.coordinate("cy", cy);
+        RayPattern pattern = new RayPattern(height, width);
+        double[] out = pattern.directions;
+        int at = 0;
+        for (int row = 0; row < height; row++) {
+            double y = (cy - row) / fy;
+            for (int column = 0; column < width; column++) {
+                double z = (column - cx) / fx;
+                double length = Math.sqrt(1 + y * y + z * z);
+                out[at++] = 1 / length;
+                out[at++] = y / length + 0.0; // no -0.0
+                out[at++] = z / length + 0.0;
+            }
+        }
+        return pattern;
+    }
+
+    // Bounds that no camera meets, within which the tangents of the angles to the axis can be squared.
+    private static void checkFocalLength(String argument, double length) {
+        if (!(length >= 0x1p-100 && length <= Checks.LIMIT)) {
+            throw new IllegalArgumentException(argument + " must be from 2^-100 to 2^100 (got: " + length + ")");
+        }
     }
 
     /**

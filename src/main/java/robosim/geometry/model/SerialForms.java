@@ -8,6 +8,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.TextureCoordinates;
 
 /**
  * The serialized forms of objects: records from which the object is created through its constructor, so that no object

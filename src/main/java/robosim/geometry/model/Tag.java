@@ -36,9 +36,8 @@ record Tag(@Nullable String name, boolean moveable, Material material) {
         return new Tag(name, moveable, newMaterial);
     }
 
-    /** The name and the material, if any, and the place, as text for people. */
+    /** The name, if any, and the place, as text for people. */
     String text(Pose pose) {
-        return (name == null ? "" : " \"" + name + "\"") + (material.isDefault() ? "" : " of " + material) + " at "
-                + pose;
+        return (name == null ? "" : " \"" + name + "\"") + " at " + pose;
     }
 }

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.index.boxes.WideTree;
+import robosim.geometry.material.TextureCoordinates;
 
 /**
  * The triangles of a mesh in its own frame and their tree, shared by all placements of the mesh.

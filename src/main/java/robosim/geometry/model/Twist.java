@@ -1,7 +1,5 @@
 package robosim.geometry.model;
 
-import java.io.Serial;
-import java.io.Serializable;
 import java.util.Arrays;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
@@ -12,7 +10,7 @@ import robosim.geometry.exact.Degrees;
  * place. (A twist with an angular part about one axis; Lynch and Park 2017, 3.3.)
  *
  * <pre>{@code
- * Twist drive = new Twist(0.8, 0, 0, 30);              // 0.8 m/s ahead, in a curve to the left
+ * Twist drive = new Twist(0.8, 0, 0, 30);              // ahead at 0.8 m/s, in a curve to the left
  * Pose later = drive.after(Pose.of(new Point(), 0), 3);
  * later.heading();                                      // 90
  * }</pre>
@@ -22,9 +20,7 @@ import robosim.geometry.exact.Degrees;
  * @param z  world units a second along the own Z: to the right
  * @param ry degrees a second about the own Y, counter-clockwise seen from above
  */
-public record Twist(double x, double y, double z, double ry) implements Serializable {
-    @Serial
-    private static final long serialVersionUID = 1;
+public record Twist(double x, double y, double z, double ry) {
 
     /** Below this many degrees, the chord of an arc is as long as the arc, to the last bit. */
     private static final double STRAIGHT = 1e-7;

@@ -20,9 +20,11 @@ import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 
@@ -64,12 +66,15 @@ final class AllowedClasses {
             BeamPattern.Pinhole.class,
             BeamPattern.Directions.class,
             Numbers.class,
+            Integers.class,
+            ScanMotion.class,
             FreePosesRequest.class,
             FreeEdgesRequest.class,
             BatchAnswerBundle.class,
             SenseAnswer.class,
             FreeAnswer.class,
             NoAnswer.class,
+            int[].class,
             byte[].class);
 
     private static final Set<Class<?>> MADE = Set.of(

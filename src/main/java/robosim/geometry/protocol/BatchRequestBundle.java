@@ -58,9 +58,12 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
     public long workBytes() {
         long bytes = 0;
         for (BatchRequest request : requests) {
-            // A beam's direction, distance and normal: while they are found, as an answer, and as bytes.
+            // A beam's direction, distance, normal and object: while they are found, as an answer, and as bytes.
             boolean isSense = request instanceof SenseRequest;
-            bytes += (isSense ? ((SenseRequest) request).normals() ? 144L : 64L : 1L) * request.size();
+            boolean hasNormals = isSense && ((SenseRequest) request).normals();
+            boolean hasObjects = isSense && ((SenseRequest) request).objects();
+            bytes += (isSense ? 64L : 1L) * request.size();
+            bytes += (hasNormals ? 80L : 0) * request.size() + (hasObjects ? 96L : 0) * request.size();
         }
         return bytes;
     }

@@ -22,6 +22,9 @@ public final class ColorFrame {
     private BlockPainter[] painters = new BlockPainter[0];
     private @Nullable Snapshot snapshot;
 
+    /** An empty frame. */
+    public ColorFrame() {}
+
     /** Makes room, and forgets what was there. */
     void reset(int newWidth, int newHeight) {
         width = 0;

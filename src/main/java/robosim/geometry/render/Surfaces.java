@@ -3,7 +3,6 @@ package robosim.geometry.render;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.material.Material;
@@ -35,7 +34,7 @@ final class Surfaces {
     private final Geometry world;
 
     /** By identity: a world gives the same instance for the same object. */
-    private final Map<GeometryObject, Entry> known = new IdentityHashMap<>();
+    private final IdentityHashMap<GeometryObject, Entry> known = new IdentityHashMap<>();
 
     private long picture;
 
@@ -91,7 +90,7 @@ final class Surfaces {
     private static void place(Entry entry, Pose pose) {
         for (int k = 0; k < entry.parts.length; k++) {
             Pose within = entry.within[k];
-            entry.parts[k].place(within == Pose.ORIGIN ? pose : within.within(pose));
+            entry.parts[k].place(within.equals(Pose.ORIGIN) ? pose : within.within(pose));
         }
     }
 
@@ -121,7 +120,8 @@ final class Surfaces {
             ObjectGroup group, Pose frame, Material material, double size, List<Surface> parts, List<Pose> places) {
         for (GeometryObject member : group.members()) {
             Material own = member.material().within(material);
-            Pose within = frame == Pose.ORIGIN ? member.pose() : member.pose().within(frame);
+            Pose within =
+                    frame.equals(Pose.ORIGIN) ? member.pose() : member.pose().within(frame);
             if (member instanceof ObjectGroup inner) {
                 add(inner, within, own, size, parts, places);
             } else {

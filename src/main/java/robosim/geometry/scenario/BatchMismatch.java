@@ -64,6 +64,9 @@ final class BatchMismatch {
         if (Double.compare(one.distances().get(beam), two.distances().get(beam)) != 0) {
             return false;
         }
+        if (!seen(one, beam).equals(seen(two, beam))) {
+            return false;
+        }
         for (int k = 3 * beam; k < 3 * beam + 3 && k < one.normals().size(); k++) {
             if (Double.compare(one.normals().get(k), two.normals().get(k)) != 0) {
                 return false;
@@ -83,7 +86,7 @@ final class BatchMismatch {
             return item < 0
                     ? "distances"
                     : "for beam " + item + " "
-                            + Mismatch.distance(sense.distances().get(item)) + normal(sense, item);
+                            + Mismatch.distance(sense.distances().get(item)) + normal(sense, item) + seen(sense, item);
         }
         if (answer instanceof FreeAnswer free) {
             return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
@@ -97,6 +100,21 @@ final class BatchMismatch {
                 : " off (" + answer.normals().get(3 * beam) + ", "
                         + answer.normals().get(3 * beam + 1) + ", "
                         + answer.normals().get(3 * beam + 2) + ")";
+    }
+
+    /** What a beam met, as words. */
+    private static String seen(SenseAnswer answer, int beam) {
+        if (answer.objects().size() == 0) {
+            return "";
+        }
+        int object = answer.objects().get(beam);
+        return object < 0
+                ? ""
+                : " at "
+                        + (answer.names().get(object).isEmpty()
+                                ? "an object without a name"
+                                : Text.quoted(answer.names().get(object)))
+                        + ", label " + answer.labels().get(beam);
     }
 
     private static String off(BatchAnswer before, BatchAnswer now, int item) {

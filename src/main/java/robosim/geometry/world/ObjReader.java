@@ -19,7 +19,7 @@ import robosim.geometry.world.shared.TextureFiles;
  * free-form curves and surfaces, which would be lost, are refused.
  *
  * <p>A file's materials are those of its MTL files, if they exist: {@code Kd}, {@code Ks}, {@code Ns}, {@code Ke} and
- * {@code map_Kd}, a PNG image. A mesh has one material: that of most faces. Where the faces have several colours and no
+ * {@code map_Kd}, a PNG or JPEG image, which must exist. A mesh has one material: that of most faces. Where the faces have several colours and no
  * picture, these become a texture; where they have several pictures, that of most faces is kept.
  */
 public final class ObjReader {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
@@ -16,15 +17,15 @@ import robosim.geometry.world.sdf.SdfTree;
 import robosim.geometry.world.shared.FileProblem;
 
 /**
- * Reads the collisions of SDFormat, versions 1.4 to 1.12: worlds, models, nested, included and merged ones, links and
- * frames. docs/importing.md says which parts of the format are read, ignored, left out and refused.
+ * Reads the collisions of SDFormat, versions 1.0 to 1.12: worlds, models, nested, included and merged ones, links and
+ * frames; and those of robots in URDF. docs/importing.md says which parts of the format are read, ignored and left out.
  *
  * <p>A point (x, y, z) of the file is (x, z, -y) in the world, in metres, so that Y is up; the file's X is forward. The
  * world is centred at the file's origin and leaves at least a metre around all objects. A static model becomes one
  * static object for each of its collisions, any other model one moveable object.
  *
- * <p>A file is read completely or not at all. Relevant elements that are not supported are left out and listed in the
- * result.
+ * <p>A mistake costs the part that has it: it is left out and listed in the result, as are relevant elements that are not
+ * supported. The rest is read.
  */
 public final class SdfReader {
     private SdfReader() {}
@@ -33,7 +34,7 @@ public final class SdfReader {
      * Reads a file that contains one world, or only models.
      *
      * @param models folders whose subfolders are models, in addition to the file's own folder, for {@code model://}
-     * @throws WorldException naming file, line and remedy, if the file or one that it includes cannot be read
+     * @throws WorldException naming file, line and remedy, if the file cannot be read, has no world and no model, or exceeds a limit
      */
     public static WorldImport read(Path file, List<Path> models) throws WorldException {
         Checks.present("file", file);
@@ -73,8 +74,8 @@ public final class SdfReader {
             remarks.addAll(files.remarks());
             remarks.addAll(tree.remarks());
             remarks.addAll(found.remarks());
-            List<Skipped> skipped = tree.skipped().stream()
-                    .map(each -> new Skipped(each.source(), each.line(), each.what(), each.reason()))
+            List<Skipped> skipped = Stream.concat(tree.skipped().stream(), files.leftOut().stream())
+                    .map(Skipped::of)
                     .toList();
             return new WorldImport(world, "SDFormat", read, tree.passedOver(), skipped, remarks);
         } catch (FileProblem e) {

@@ -1,6 +1,6 @@
 package robosim.geometry.world;
 
-import robosim.geometry.world.sdf.LeftOut;
+import robosim.geometry.world.shared.LeftOut;
 
 /**
  * A part of a file that was left out of the world although it may be relevant.
@@ -11,6 +11,10 @@ import robosim.geometry.world.sdf.LeftOut;
  * @param reason why it was left out, and what can be done about it
  */
 public record Skipped(String source, int line, String what, String reason) {
+    static Skipped of(LeftOut each) {
+        return new Skipped(each.source(), each.line(), each.what(), each.reason());
+    }
+
     /** As a message: file, line, what and why. */
     @Override
     public String toString() {

@@ -17,6 +17,7 @@ import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.sdf.SdfManifest;
 import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.TextureFiles;
 
 /**
@@ -62,7 +63,7 @@ public record WorldImport(
     /**
      * Reads a file in the format given by the ending of its name: a world of this module ({@code .xml}), a ROS map
      * ({@code .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a
-     * model), or a mesh ({@code .obj}, {@code .stl}). A file with any other name is read as a world of this module.
+     * model), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae}). A file with any other name is read as a world of this module.
      *
      * @throws WorldException naming file, line and remedy, if the file cannot be read, is of no such format, or is
      *     SDFormat that yields no object
@@ -86,7 +87,7 @@ public record WorldImport(
             String readAs = switch (ending) {
                 case "sdf", "world" -> "sdf";
                 case "yaml", "yml" -> "yaml";
-                case "obj", "stl" -> ending;
+                case "obj", "stl", "dae", "urdf" -> ending;
                 default -> "xml";
             };
             String other = e.source().equals(file.toString()) ? FileKind.other(file, readAs) : null;
@@ -101,13 +102,13 @@ public record WorldImport(
             case "pgm", "png" ->
                 throw new WorldException(new FileProblem(
                         file.toString(), 0, 0, "a map is read from its .yaml file, which gives the size of a cell"));
-            case "dae", "gltf", "glb", "fbx", "urdf", "xacro", "gz", "zip" ->
+            case "gltf", "glb", "fbx", "xacro", "gz", "zip" ->
                 throw new WorldException(new FileProblem(
                         file.toString(),
                         0,
                         0,
                         "files of this format are not supported; unpack this one, or export it as SDFormat,"
-                                + " OBJ or STL (got: ." + ending + ")"));
+                                + " COLLADA, OBJ or STL (got: ." + ending + ")"));
             default -> {}
         }
     }
@@ -131,9 +132,10 @@ public record WorldImport(
 
     private static WorldImport read(Path file, String ending, ImportOptions options) throws WorldException {
         return switch (ending) {
-            case "sdf", "world" -> solid(file, SdfReader.read(file, options.models()));
+            case "sdf", "world", "urdf" -> solid(file, SdfReader.read(file, options.models()));
             case "obj" -> mesh(file, "Wavefront OBJ", options);
             case "stl" -> mesh(file, "STL", options);
+            case "dae" -> mesh(file, "COLLADA", options);
             case "yaml", "yml" -> RosMapReader.readImport(file, options.wallHeight());
             default -> {
                 try {
@@ -154,12 +156,14 @@ public record WorldImport(
     /** A mesh at the origin of its own coordinates, in a world with a margin of a quarter of its size. */
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
         MeshObject mesh;
+        boolean isCollada = MeshFiles.isCollada(file.toString());
+        List<LeftOut> leftOut = new ArrayList<>();
         try {
-            mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of())));
+            mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of(), leftOut)));
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
-        if (options.up() == ImportOptions.Up.Z) {
+        if (options.up() == ImportOptions.Up.Z && !isCollada) { // which says itself what is up
             mesh = mesh.turned(-90, 0);
         }
         Path last = file.getFileName();
@@ -172,11 +176,17 @@ public record WorldImport(
                 2 * (reach[0] + margin),
                 2 * (reach[1] + margin),
                 2 * (reach[2] + margin),
-                null,
+                isCollada && options.scale() == 1 ? Unit.METRE : null,
                 Dimension.SPATIAL,
                 Accuracy.EXACT,
                 objects);
-        return new WorldImport(world, format, Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length));
+        return new WorldImport(
+                world,
+                format,
+                Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length),
+                Map.of(),
+                leftOut.stream().map(Skipped::of).toList(),
+                List.of());
     }
 
     /**

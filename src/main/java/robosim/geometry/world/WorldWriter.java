@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -20,10 +21,10 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.xml.GridRuns;
 
 /**
  * Writes a world as XML that reads back to an equal one. The same world always gives the same text.

@@ -61,7 +61,7 @@ class DirectionsTest {
             Map.entry("java.lang.management.", Set.of("net")),
             Map.entry("javax.management.", Set.of("net")),
             Map.entry("javax.xml.", Set.of("world", "viewer")),
-            Map.entry("org.xml.", Set.of("world", "viewer")),
+            Map.entry("org.xml.", Set.of("world", "viewer", "sensor")),
             Map.entry("javax.imageio.", Set.of("world", "viewer")),
             Map.entry("java.awt.image.", Set.of("world", "viewer")),
             Map.entry("java.awt.", Set.of("viewer")),

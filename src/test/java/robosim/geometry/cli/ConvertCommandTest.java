@@ -23,6 +23,19 @@ import robosim.geometry.world.WorldReader;
 class ConvertCommandTest extends CommandRun {
     private static final Path FILES = Path.of("src/test/resources/robosim/geometry/world");
 
+    /** A ball, and three things that no world has. */
+    private Path incomplete() throws IOException {
+        return Files.writeString(folder.resolve("incomplete.sdf"), """
+                <sdf version='1.7'><world name='w'>
+                <model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere>
+                </geometry></collision></link></model>
+                <actor name='a'/>
+                <actor name='b'/>
+                <model name='n'><link name='l'><collision name='c'><geometry><image/></geometry></collision></link></model>
+                </world></sdf>
+                """);
+    }
+
     @Test
     void sdfBecomesAWorld() throws IOException {
         Path in = FILES.resolve("sdf/shapes.sdf");
@@ -32,9 +45,10 @@ class ConvertCommandTest extends CommandRun {
         assertThat(out.toString().lines())
                 .hasSize(6)
                 .contains(
-                        "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
-                        "Wrote " + xml + ": 4 objects, 4 of them moveable; the world is 4 x 4 x 10 m, the objects"
-                                + " reach X -0.5 to 0.5, Y 0 to 1, Z -2 to 3.2");
+                        "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7,"
+                                + " sphere 1")
+                .anySatisfy(line -> assertThat(line)
+                        .startsWith("Wrote " + xml + ": 6 objects, 6 of them moveable; the world is 4 x 4 x "));
         assertThat(WorldReader.read(xml))
                 .isEqualTo(SdfReader.read(in, List.of()).world());
         assertThat(Files.list(folder)).containsExactly(xml);
@@ -43,8 +57,7 @@ class ConvertCommandTest extends CommandRun {
     @Test
     void strictWritesNothingWhereSomethingIsLeftOut() throws IOException {
         Path xml = Files.writeString(folder.resolve("old.xml"), "old");
-        assertThat(run("convert", "--strict", FILES.resolve("sdf/shapes.sdf"), xml))
-                .isEqualTo(ExitCodes.FINDINGS);
+        assertThat(run("convert", "--strict", incomplete(), xml)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString()).contains("Wrote nothing: --strict was given, and 3 would be left out");
         assertThat(xml).hasContent("old");
         assertThat(run("convert", "--strict", FILES.resolve("sdf/inner_walls"), xml))
@@ -68,9 +81,10 @@ class ConvertCommandTest extends CommandRun {
                 "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
         assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString())
-                .startsWith(sdf + ":1:50: there is no such file or folder below ")
-                .endsWith(
-                        "give the folder that contains the model (got: model://inner_walls)" + System.lineSeparator());
+                .startsWith(sdf + ": nothing in it is solid, so the world would be empty; ")
+                .contains(
+                        sdf + ":1: left out <include> of model://inner_walls: there is no such file or folder below ",
+                        "give the folder that contains the model (got: model://inner_walls)");
         assertThat(run("convert", sdf, xml, "--models", FILES.resolve("sdf"))).isZero();
         assertThat(WorldReader.read(xml).objects()).hasSize(7);
     }
@@ -91,11 +105,11 @@ class ConvertCommandTest extends CommandRun {
         text.append("<actor name='a'/>".repeat(30)).append("</world></sdf>");
         Path sdf = Files.writeString(folder.resolve("w.sdf"), text);
         Path xml = folder.resolve("w.xml");
-        assertThat(run("convert", sdf, xml)).isZero();
+        assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.PARTIAL);
         assertThat(out.toString().lines().filter(line -> line.contains("left out")))
                 .hasSize(20);
         assertThat(out.toString()).contains("... and 10 more");
-        assertThat(run("convert", sdf, xml, "--all")).isZero();
+        assertThat(run("convert", sdf, xml, "--all")).isEqualTo(ExitCodes.PARTIAL);
         assertThat(out.toString().lines().filter(line -> line.contains("left out")))
                 .hasSize(30);
     }
@@ -103,15 +117,15 @@ class ConvertCommandTest extends CommandRun {
     /** The commands that want a world take the file as it is, and tell what is not in the world. */
     @Test
     void otherCommandsTakeTheFilesToo() throws IOException {
-        Path sdf = FILES.resolve("sdf/shapes.sdf");
+        Path sdf = incomplete();
         Path picture = folder.resolve("shapes.svg");
         assertThat(run("render", sdf, "-o", picture)).isZero();
-        assertThat(Files.readString(picture)).contains("capsule");
+        assertThat(Files.readString(picture)).contains("sphere");
         assertThat(err.toString().lines())
                 .hasSize(3)
                 .first()
                 .asString()
-                .startsWith(sdf + ":36: left out <plane> of ground_plane::link::collision: ");
+                .startsWith(sdf + ":4: left out <actor> \"a\": ");
         assertThat(run("check", FILES.resolve("maps/TenByTen.yaml"))).isZero();
         assertThat(err.toString()).isEmpty();
         assertThat(run("check", sdf)).isEqualTo(ExitCodes.FINDINGS);
@@ -125,11 +139,11 @@ class ConvertCommandTest extends CommandRun {
     /** What a file has and its world has not is no world that is fine. */
     @Test
     void checkTellsWhatIsLeftOut() throws IOException {
-        Path sdf = FILES.resolve("sdf/shapes.sdf");
+        Path sdf = incomplete();
         assertThat(run("check", "--json", sdf)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString())
-                .contains("\"valid\":true,\"fine\":false,\"problems\":[],\"skipped\":[{\"file\":\"", "\"line\":36,")
-                .contains("\"what\":\"<plane> of ground_plane::link::collision\",\"reason\":\"");
+                .contains("\"valid\":true,\"fine\":false,\"problems\":[],\"skipped\":[{\"file\":\"", "\"line\":6,")
+                .contains("\"what\":\"<image> of n::l::c\",\"reason\":\"");
         assertThat(err.toString()).isEmpty();
         assertThat(run("check", "--json", FILES.resolve("sdf/inner_walls/model.sdf")))
                 .isZero();
@@ -169,9 +183,15 @@ class ConvertCommandTest extends CommandRun {
         assertThat(out.toString())
                 .contains("model.sdf:2: left out <plane> of ground_plane::link::c: it is infinite ground, at height")
                 .doesNotContain("skipped");
-        // Any other that is not there is refused as before.
+        // Any other that is not there is left out, and that is told by the exit code.
         Files.writeString(sdf, Files.readString(sdf).replace("model://sun", "model://moon"));
-        assertThat(run("check", sdf)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(run("check", sdf)).isEqualTo(ExitCodes.FINDINGS);
+        Path xml = folder.resolve("moon.xml");
+        assertThat(run("convert", "--strict", sdf, xml)).isEqualTo(ExitCodes.FINDINGS);
+        assertThat(xml).doesNotExist();
+        assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.PARTIAL);
+        assertThat(out.toString()).contains(sdf + ":2: left out <include> of model://moon: there is no such file");
+        assertThat(xml).exists();
     }
 
     /** What overwrites its own input has lost it where anything was left out. */
@@ -193,7 +213,7 @@ class ConvertCommandTest extends CommandRun {
         Path sdf = Files.writeString(folder.resolve("w.sdf"), """
                 <sdf version="1.6"><world name="w">
                 <model name="m"><static>1</static><link name="l"><collision name="c"><geometry>
-                <mesh><uri>model://m/wall.dae</uri></mesh></geometry></collision></link></model>
+                <mesh><uri>model://m/wall.fbx</uri></mesh></geometry></collision></link></model>
                 <include><uri>https://fuel.gazebosim.org/1.0/a/models/b</uri></include>
                 </world></sdf>
                 """);
@@ -247,7 +267,7 @@ class ConvertCommandTest extends CommandRun {
                 "w.xml|<?xml version='1.0'?><!-- x --><sdf version='1.6'/>|this is SDFormat; give it a name that ends in .sdf",
                 "w.sdf|<world xmlns='urn:robosim:world:1'/>|this is a world of this module; give it a name that ends in .xml",
                 "w.xml|<robot name='r'/>|this is URDF",
-                "w.xml|<COLLADA/>|this is COLLADA",
+                "w.xml|<COLLADA/>|this is COLLADA; give it a name that ends in .dae",
                 "w.world|<!DOCTYPE html><html/>|this is a web page",
                 "w|P5 3 2 255 aaaaaa|this is an image (PNM); a ROS map is read from its .yaml file",
                 "w.yaml|%PDF-1.4|this is a PDF",

@@ -185,7 +185,8 @@ class PythonEnvironmentTest {
                 """);
         Files.writeString(world, """
                 <world xmlns="urn:robosim:world:1" width="20" height="4" length="20" unit="m">
-                  <box center="0 0 -3" width="3" height="1" length="20cm" turned="30 40"/>
+                  <material name="tiles" diffuse="0.8" label="3"><checker first="#ffffff" second="#204060" size="0.5"/></material>
+                  <box center="0 0 -3" width="3" height="1" length="20cm" turned="30 40" material="tiles"/>
                   <mesh center="3 0 0" heading="90" solid="true">
                     <bounds><sphere radius="3"/></bounds>
                     <vertices>0 0 0 1 0 0 0 1 0 0 0 1</vertices>

@@ -17,18 +17,32 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
+import robosim.geometry.SlideResult;
 import robosim.geometry.Snapshot;
+import robosim.geometry.dynamics.AckermannDrive;
+import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.DifferentialDrive;
+import robosim.geometry.dynamics.Drive;
+import robosim.geometry.dynamics.Dynamics;
+import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.Odometry;
+import robosim.geometry.dynamics.OmnidirectionalDrive;
+import robosim.geometry.dynamics.StepResult;
+import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.junit.Goal;
 import robosim.geometry.junit.Robot;
 import robosim.geometry.junit.RobotWorld;
 import robosim.geometry.junit.Scenarios;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
 import robosim.geometry.sweep.Outcome;
 import robosim.geometry.sweep.Result;
 import robosim.geometry.sweep.ScenarioSweep;
@@ -91,6 +105,57 @@ class NullsTest {
             }
         });
         assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void ofMoves() {
+        Geometry world = new Geometry();
+        world.addObject(new SphereObject(new Point(), 1).moveable("ball"));
+        call("name", () -> world.moveAndSlide(null, new Move(), 0, 1));
+        call("move", () -> world.moveAndSlide("ball", null, 0, 1));
+        call("made", () -> new SlideResult(null, 0, new Point(), 1, List.of()));
+        call("left", () -> new SlideResult(new Point(), 0, null, 1, List.of()));
+        call("contacts", () -> new SlideResult(new Point(), 0, new Point(), 1, null));
+        check();
+    }
+
+    @Test
+    void ofDynamics() {
+        Body body = Body.of(1, 1);
+        Twist still = new Twist(0, 0, 0, 0);
+        call("surface", () -> body.withSurface(null));
+        call("shape", () -> Body.ofMass(null, 1));
+        call("shape", () -> Body.ofDensity(null, 1));
+        call("velocity", () -> body.limited(null));
+        call("other", () -> Surface.SMOOTH.against(null));
+        call("velocity", () -> new VelocityDrive(null));
+        call("command", () -> new OmnidirectionalDrive(1, 1, 1, 1, null));
+        for (Drive drive : List.of(
+                new VelocityDrive(still),
+                new ForceDrive(1, 1, 1),
+                new DifferentialDrive(1, 1, 1),
+                new OmnidirectionalDrive(1, 1, 1, 1),
+                new AckermannDrive(1, 1, 1, 1))) {
+            call("now", () -> drive.next(null, body, 1));
+            call("body", () -> drive.next(still, null, 1));
+        }
+        Odometry odometry = new Odometry(1, 1, 1, 1, 1);
+        Geometry flat = new Geometry(9, 9, 9, Dimension.PLANAR, Accuracy.EXACT);
+        flat.addObject(new SphereObject(new Point(), 1).moveable("ball"));
+        Dynamics dynamics = new Dynamics(flat, Surface.SMOOTH);
+        dynamics.add("ball", body);
+        call("world", () -> new Dynamics(null, Surface.SMOOTH));
+        call("ground", () -> new Dynamics(flat, null));
+        call("name", () -> dynamics.add(null, body));
+        call("body", () -> dynamics.add("ball", null));
+        call("name", () -> dynamics.velocity(null));
+        call("velocity", () -> dynamics.setVelocity("ball", null));
+        call("drive", () -> dynamics.drive("ball", null));
+        call("contacts", () -> new StepResult(null, List.of()));
+        call("stopped", () -> new StepResult(List.of(), null));
+        call("had", () -> odometry.measured(null, 1, "cart", 1));
+        call("robot", () -> odometry.measured(still, 1, null, 1));
+        check();
     }
 
     @Test

@@ -37,10 +37,14 @@ final class Snippet {
             import robosim.geometry.*;
             import robosim.geometry.collision.*;
             import robosim.geometry.material.*;
+            import robosim.geometry.dynamics.*;
             import robosim.geometry.model.*;
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;
             import robosim.geometry.scenario.*;
+            import robosim.geometry.render.*;
+            import robosim.geometry.sensor.*;
+            import robosim.geometry.sensor.file.*;
             import robosim.geometry.sweep.*;
             import robosim.geometry.world.*;
             """;

@@ -93,7 +93,9 @@ final class Hostile {
                 seeds.add(one.toByteArray());
                 together.write(bundle);
             }
-            for (Bundle bundle : BatchSamples.everyBundle()) {
+            List<Bundle> batches = new ArrayList<>(BatchSamples.everyBundle());
+            batches.addAll(BatchSamples.frames());
+            for (Bundle bundle : batches) {
                 ByteArrayOutputStream one = new ByteArrayOutputStream();
                 new MessageWriter(one).write(bundle);
                 seeds.add(one.toByteArray());
@@ -119,6 +121,8 @@ final class Hostile {
         }
         lines.add(JsonLines.write(BatchSamples.requests()));
         lines.add(JsonLines.write(new Reply(BatchSamples.answers(), List.of(Problem.of(5, "why")))));
+        lines.add(JsonLines.write(BatchSamples.frames().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.frames().get(1))));
         lines.add(JsonLines.write(new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "why")))));
         lines.add(lines.get(1) + "\n" + lines.get(4) + "\n" + lines.get(1));
         return lines.stream()

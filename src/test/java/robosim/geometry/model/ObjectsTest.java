@@ -88,9 +88,9 @@ class ObjectsTest {
         assertThat(shape.material()).isSameAs(Material.DEFAULT);
         GeometryObject painted = shape.withMaterial(red);
         assertThat(painted.material()).isEqualTo(red);
-        assertThat(painted).isNotEqualTo(shape).hasToString(painted.toString());
-        assertThat(painted.toString()).contains("of #ff0000, label 3");
-        assertThat(painted.withMaterial(Material.DEFAULT)).isEqualTo(shape).hasToString(shape.toString());
+        assertThat(painted).isNotEqualTo(shape);
+        assertThat(painted.withMaterial(Material.DEFAULT)).isEqualTo(shape);
+        assertThat(painted).as("sentences are about shapes").hasToString(shape.toString());
         for (GeometryObject changed : List.of(
                 painted.named("n"),
                 painted.moveable("m"),

@@ -48,6 +48,53 @@ class RayPatternTest {
     }
 
     @Test
+    void layersMayBeTurnedAgainstEachOther() {
+        double[] elevations = {-10, 0, 10};
+        RayPattern turned = RayPattern.layers(elevations, new double[] {1.5, 0, -30}, 20, -2, 50);
+        for (int row = 0; row < 3; row++) {
+            double first = row == 0 ? 21.5 : row == 1 ? 20 : -10;
+            RayPattern alone = RayPattern.layers(new double[] {elevations[row]}, first, -2, 50);
+            for (int k = 0; k < 50; k++) {
+                assertThat(turned.direction(50 * row + k)).isEqualTo(alone.direction(k));
+            }
+        }
+        assertThatThrownBy(() -> RayPattern.layers(elevations, new double[2], 0, 1, 5))
+                .hasMessage("offsetsDegrees must have one number for each elevation, 3 (got: 2)");
+        assertThatThrownBy(() -> RayPattern.layers(elevations, new double[] {0, 0, Double.NaN}, 0, 1, 5))
+                .hasMessageContaining("an offset must be a finite angle");
+    }
+
+    @Test
+    void aPinholeByItsIntrinsics() {
+        RayPattern camera = RayPattern.pinhole(6, 4, 3, 5, 1.5, 2);
+        assertThat(camera.rows()).isEqualTo(4);
+        assertThat(camera.columns()).isEqualTo(6);
+        for (int v = 0; v < 4; v++) {
+            for (int u = 0; u < 6; u++) {
+                int k = 6 * v + u;
+                assertThat(camera.z(k) / camera.x(k)).isCloseTo((u - 1.5) / 3, ROUNDING); // to the right
+                assertThat(-camera.y(k) / camera.x(k)).isCloseTo((v - 2) / 5.0, ROUNDING); // down
+            }
+        }
+        areUnit(camera);
+        // The same camera, by its field of view: 90 degrees over 320 pixels are a focal length of 160.
+        RayPattern wide = RayPattern.pinhole(320, 200, 90);
+        RayPattern same = RayPattern.pinhole(320, 200, 160, 160, 159.5, 99.5);
+        for (int k = 0; k < wide.size(); k++) {
+            assertThat(same.x(k)).isCloseTo(wide.x(k), ROUNDING);
+            assertThat(same.y(k)).isCloseTo(wide.y(k), ROUNDING);
+            assertThat(same.z(k)).isCloseTo(wide.z(k), ROUNDING);
+        }
+        areUnit(RayPattern.pinhole(3, 2, 0x1p-100, 0x1p100, 0x1p100, -0x1p100));
+        assertThatThrownBy(() -> RayPattern.pinhole(3, 2, 0, 1, 1, 1))
+                .hasMessage("fx must be from 2^-100 to 2^100 (got: 0.0)");
+        assertThatThrownBy(() -> RayPattern.pinhole(3, 2, 1, Double.NaN, 1, 1)).hasMessageContaining("fy must be");
+        assertThatThrownBy(() -> RayPattern.pinhole(3, 2, 1, 1, Double.POSITIVE_INFINITY, 1))
+                .hasMessageContaining("cx must be");
+        assertThatThrownBy(() -> RayPattern.pinhole(0, 2, 1, 1, 1, 1)).hasMessageContaining("width must be from 1");
+    }
+
+    @Test
     void aPinholeLooksAlongX() {
         RayPattern camera = RayPattern.pinhole(5, 3, 90);
         assertThat(camera.rows()).isEqualTo(3);

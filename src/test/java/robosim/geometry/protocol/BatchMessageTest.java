@@ -23,10 +23,12 @@ import robosim.geometry.protocol.batch.SenseRequest;
 /** Batches in Java serialization. */
 class BatchMessageTest {
     private static final String STORED = "batches.ser";
+    private static final String FRAMES = "frames.ser";
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
-        List<Bundle> bundles = BatchSamples.everyBundle();
+        List<Bundle> bundles = new ArrayList<>(BatchSamples.everyBundle());
+        bundles.addAll(BatchSamples.frames());
         byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
         assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
     }
@@ -34,6 +36,7 @@ class BatchMessageTest {
     @Test
     void storedBatchesMeanWhatTheyMeant() throws IOException {
         assertThat(MessageTest.readAll(StoredBytesTest.stored(STORED))).isEqualTo(BatchSamples.everyBundle());
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(FRAMES))).isEqualTo(BatchSamples.frames());
     }
 
     private static List<BatchRequest> times(int count, BatchRequest request) {
@@ -101,6 +104,9 @@ class BatchMessageTest {
         public static void main(String[] args) throws IOException {
             byte[] bytes = MessageTest.write(BatchSamples.everyBundle().toArray(Bundle[]::new));
             Files.write(Path.of(args[0], STORED), bytes);
+            Files.write(
+                    Path.of(args[0], FRAMES),
+                    MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)));
         }
     }
 }

@@ -6,9 +6,11 @@ import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 
@@ -56,6 +58,31 @@ public final class BatchSamples {
                 new FreeAnswer(11, new byte[] {(byte) 0x81, 0x05}),
                 new FreeAnswer(0, new byte[0]),
                 new NoAnswer()));
+    }
+
+    /** What came after the stored bytes: frames with objects, and from a robot that moves. */
+    public static List<Bundle> frames() {
+        return List.of(
+                new BatchRequestBundle(List.of(new SenseRequest(
+                        "robot",
+                        Mount.CENTER,
+                        new BeamPattern.Pinhole(2, 1, 1.5),
+                        0,
+                        INFINITY,
+                        0,
+                        false,
+                        false,
+                        true,
+                        new ScanMotion(0.1, -1, 0.5, 1e-300, -7)))),
+                new BatchAnswerBundle(List.of(
+                        new SenseAnswer(
+                                Numbers.of(3, INFINITY, 1),
+                                Numbers.NONE,
+                                List.of("", "wall \u00e9"),
+                                Integers.of(1, -1, 0),
+                                Integers.of(Integer.MAX_VALUE, 0, 7)),
+                        new SenseAnswer(
+                                Numbers.of(2), Numbers.of(0, 1, 0), List.of("a"), Integers.of(0), Integers.of(0)))));
     }
 
     /** The bundles. */

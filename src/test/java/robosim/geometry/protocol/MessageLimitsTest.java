@@ -23,12 +23,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TextureCoordinates;
 
 /** Messages that are small to send and large to read. */
 @Timeout(60)

@@ -93,7 +93,15 @@ final class WindowDriver {
         int wide = red();
         wheel(2, 0, -3);
         expect("the wheel makes it larger", () -> red() > 1.5 * wide);
+        space();
         close(shown);
+    }
+
+    private void space() throws Exception {
+        click("view");
+        expect("the plan has room for another part", () -> find(window.getContentPane(), "space") != null);
+        click("view");
+        expect("in three dimensions the wall is red too", () -> reddish() > 200);
     }
 
     private void recording(StepReader reader) throws Exception {
@@ -218,6 +226,19 @@ final class WindowDriver {
         for (int y = 0; y < screen.getHeight(); y++) {
             for (int x = 0; x < screen.getWidth(); x++) {
                 count += (screen.getRGB(x, y) & 0xffffff) == 0xff0000 ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    /** How many pixels are rather red, as in light and shadow. */
+    private int reddish() {
+        var screen = robot.createScreenCapture(new Rectangle(window.getLocationOnScreen(), window.getSize()));
+        int count = 0;
+        for (int y = 0; y < screen.getHeight(); y++) {
+            for (int x = 0; x < screen.getWidth(); x++) {
+                int rgb = screen.getRGB(x, y);
+                count += (rgb >> 16 & 0xff) > 100 + (rgb & 0xff) ? 1 : 0;
             }
         }
         return count;

@@ -40,6 +40,7 @@ class HostileFilesTest {
         "a.yaml, 'image: ', [, lists and keys must be nested at most 20 deep",
         "b.yaml, 'image: ', '{a: ', lists and keys must be nested at most 20 deep",
         "c.sdf, '<sdf version=\"1.6\">\n', <x>, elements must be nested at most 200 deep",
+        "g.dae, '<COLLADA>\n', <x>, elements must be nested at most 200 deep",
         "d.sdf, '<x>\n', <x>, the root of SDFormat must be <sdf>",
         "e.xml, '<x>\n', <x>, the root",
         "f.xml, '<world xmlns=\"urn:robosim:world:1\" width=\"9\" height=\"9\" length=\"9\">\n', <group>,"
@@ -73,11 +74,17 @@ class HostileFilesTest {
         "xml, UTF-8, '><?x ', m",
         "sdf, UTF-8, ' x=\"', m",
         "sdf, UTF-8, '><![CDATA[', m",
-        "sdf, UTF-8, ' x=\"', '&lt;'"
+        "sdf, UTF-8, ' x=\"', '&lt;'",
+        "dae, UTF-8, ' x=\"', m",
+        "dae, UTF-8, '><!--', m"
     })
     void markupWithoutEnd(String ending, String encoding, String before, String character) throws IOException {
         Path file = folder.resolve("t." + ending);
-        String head = ending.equals("xml") ? WORLD : "<sdf version=\"1.6\"";
+        String head = switch (ending) {
+            case "xml" -> WORLD;
+            case "dae" -> "<COLLADA";
+            default -> "<sdf version=\"1.6\"";
+        };
         try (Writer out = Files.newBufferedWriter(file, Charset.forName(encoding))) {
             out.write("<?xml version=\"1.0\" encoding=\"" + encoding + "\"?>\n");
             out.write(head + before);
@@ -140,7 +147,7 @@ class HostileFilesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"t.xml", "t.sdf", "t.yaml", "t.obj", "t.stl"})
+    @ValueSource(strings = {"t.xml", "t.sdf", "t.yaml", "t.obj", "t.stl", "t.dae"})
     void whatIsNoFileIsNotWaitedFor(String name) throws IOException, InterruptedException {
         Path pipe = folder.resolve(name);
         assumeTrue(isMade(pipe), "pipes with names are a matter of Unix");

@@ -3,6 +3,7 @@ package robosim.geometry.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -11,6 +12,10 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Objects;
+import java.util.zip.CRC32;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,10 +25,10 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.TextureCoordinates;
 
 /** Materials of world files. */
 class MaterialFilesTest {
@@ -225,6 +230,49 @@ class MaterialFilesTest {
                 .hasMessageContaining("the picture could not be read; save it as PNG");
     }
 
+    /** JPEG loses a little of each colour; a single one of 8 x 8 pixels nothing but rounding. */
+    @Test
+    void jpegIsReadToo() throws IOException {
+        BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
+        BufferedImage grey = new BufferedImage(8, 8, BufferedImage.TYPE_BYTE_GRAY);
+        for (int k = 0; k < 64; k++) {
+            image.setRGB(k % 8, k / 8, 0xc08040);
+            grey.getRaster().setSample(k % 8, k / 8, 0, 100);
+        }
+        assertThat(ImageIO.write(image, "jpeg", folder.resolve("c.jpg").toFile()))
+                .isTrue();
+        assertThat(ImageIO.write(grey, "jpeg", folder.resolve("g.jpg").toFile()))
+                .isTrue();
+        World world = read("<material name=\"c\"><image file=\"c.jpg\"/></material>"
+                + "<material name=\"g\"><image file=\"g.jpg\"/></material>"
+                + "<box material=\"c\" width=\"1\" height=\"1\" length=\"1\"/>"
+                + "<box material=\"g\" width=\"1\" height=\"1\" length=\"1\"/>");
+        int pixel = pixel(material(world, 0));
+        assertThat(pixel >> 16).isBetween(0xbe, 0xc2);
+        assertThat(pixel >> 8 & 0xff).isBetween(0x7e, 0x82);
+        assertThat(pixel & 0xff).isBetween(0x3e, 0x42);
+        assertThat(pixel(material(world, 1))).isEqualTo(100 * 0x010101);
+
+        byte[] bytes = Files.readAllBytes(folder.resolve("c.jpg"));
+        Files.write(folder.resolve("c.jpg"), Arrays.copyOf(bytes, bytes.length / 2));
+        assertThatThrownBy(() -> read("<material name=\"c\"><image file=\"c.jpg\"/></material>"))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("c.jpg: the picture could not be read; save it as PNG");
+        int frame = 0;
+        while ((bytes[frame] & 0xff) != 0xff || (bytes[frame + 1] & 0xff) != 0xc0) {
+            frame++;
+        }
+        ByteBuffer.wrap(bytes, frame + 5, 4).putShort((short) 60_000).putShort((short) 60_000);
+        Files.write(folder.resolve("c.jpg"), bytes);
+        assertThatThrownBy(() -> read("<material name=\"c\"><image file=\"c.jpg\"/></material>"))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("at most 67108864 pixels (got: 60000 x 60000)");
+    }
+
+    private static int pixel(Material material) {
+        return ((ImageTexture) Objects.requireNonNull(material.texture())).pixel(3, 3);
+    }
+
     private static byte[] png() throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         PngWriter.writeColour(out, 3, 2, PIXELS);
@@ -234,7 +282,7 @@ class MaterialFilesTest {
     private static byte[] withSize(byte[] png, int width, int height) {
         byte[] changed = png.clone();
         ByteBuffer.wrap(changed, 16, 8).putInt(width).putInt(height);
-        java.util.zip.CRC32 sum = new java.util.zip.CRC32();
+        CRC32 sum = new CRC32();
         sum.update(changed, 12, 17);
         ByteBuffer.wrap(changed, 29, 4).putInt((int) sum.getValue());
         return changed;

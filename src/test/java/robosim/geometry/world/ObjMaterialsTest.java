@@ -19,13 +19,13 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.model.TriangleMesh;
 
 /** Materials and texture coordinates of OBJ files and their MTL files, read and written. */
@@ -207,7 +207,7 @@ class ObjMaterialsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            map_Kd no.png                        | m.mtl:2: map_Kd: there is no such picture in
+            map_Kd no.png                        | m.mtl:2: map_Kd of material a: there is no such picture in
             map_Kd -clamp on -s 1 1 1 no file.png | (got: no file.png)
             map_Kd -o 1 no.png                   | (got: no.png)
             map_Kd                               | a picture must be a path with / relative to the file that names it (got: )
@@ -222,6 +222,26 @@ class ObjMaterialsTest {
         assertThatThrownBy(() -> read("newmtl a\n" + statement + "\n", "usemtl a\nf 1 2 3\n"))
                 .isInstanceOf(WorldException.class)
                 .hasMessageContaining(message);
+    }
+
+    /** What robots meet does not depend on it. */
+    @Test
+    void anImportLeavesOutAPictureByName() throws IOException {
+        file("m.mtl", "newmtl a\nKd 1 0 0\nmap_Kd no.png\n");
+        file("m.obj", "mtllib m.mtl\n" + SQUARE + "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+        WorldImport read = WorldImport.read(folder.resolve("m.obj"), ImportOptions.DEFAULT);
+        assertThat(read.world().objects().get(0).object().material()).isEqualTo(Material.of(new Color(1, 0, 0)));
+        assertThat(read.skipped()).hasSize(1);
+        assertThat(read.skipped().get(0).toString())
+                .contains("m.mtl:3: left out map_Kd of material a: there is no such picture in")
+                .contains("(got: no.png)");
+        file(
+                "m.sdf",
+                "<sdf version='1.9'><model name='m'><static>1</static><link name='l'><collision name='c'><geometry><mesh>"
+                        + "<uri>m.obj</uri></mesh></geometry></collision></link></model></sdf>");
+        WorldImport model = WorldImport.read(folder.resolve("m.sdf"), ImportOptions.DEFAULT);
+        assertThat(model.world().objects().get(0).object().material()).isEqualTo(Material.of(new Color(1, 0, 0)));
+        assertThat(model.skipped()).extracting(Skipped::what).containsExactly("map_Kd of material a");
     }
 
     @Test

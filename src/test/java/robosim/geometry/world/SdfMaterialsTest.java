@@ -63,7 +63,6 @@ class SdfMaterialsTest {
                         .withShininess(30)
                         .withEmission(new Color(0, 0, 1)));
         WorldImport read = read(collision("c") + visual("v", all), true);
-        assertThat(read.read()).containsEntry("material", 1);
         assertThat(read.passedOver()).isEqualTo(java.util.Map.of("visual", 1));
         assertThat(read.isWhole()).isTrue();
         assertThat(read.world().objects().get(0).color()).isEqualTo("#4080ff");

@@ -331,42 +331,124 @@ class SdfReaderTest {
         assertThat(read.read()).doesNotContainKey("actor").containsEntry("collision", 2);
     }
 
+    /** A house of which one thing after another is wrong: each costs itself, and is named once. */
+    @Test
+    void oneBadPartCostsThatPart() throws IOException {
+        file("bad.sdf", "<sdf version=\"1.6\"><model");
+        file("two/model.sdf", "<sdf version=\"1.6\"><model name=\"a\"/><model name=\"b\"/></sdf>");
+        WorldImport read = read(model("a", "<static>1</static>" + ball("l", "")) + "\n"
+                + "<include><uri>model://gone</uri><pose>1 2  3 0 0 0</pose></include>\n"
+                + "<include><uri>bad.sdf</uri></include>\n"
+                + "<include><uri>two</uri></include>\n"
+                + "<model name=\"m\"><link name=\"l\"><collision name=\"x\"><pose>1</pose>" + BALL + "</collision>\n"
+                + "<collision name=\"y\">" + BALL + "</collision></link>\n"
+                + "<link name=\"k\"><pose relative_to=\"z\"/><collision name=\"c\">" + BALL + "</collision></link>\n"
+                + "<link name=\"j\"><pose relative_to=\"k\"/><collision name=\"c\">" + BALL
+                + "</collision></link></model>\n"
+                + "<model name=\"m\"/>\n"
+                + model("b", "<pose/><pose>9 9 9 0 0 0</pose><static>1</static>" + ball("l", "")));
+        assertThat(read.world().objects())
+                .extracting(each -> each.object().name())
+                .containsExactly("a", "m", "b");
+        assertThat(read.world().objects().get(2).object().center()).isEqualTo(new Point());
+        assertThat(read.skipped())
+                .extracting(each -> each.line() + " " + each.what())
+                .containsExactly(
+                        "3 <include> of model://gone at 1 2 3 0 0 0",
+                        "4 <include> of bad.sdf",
+                        "5 <include> of two",
+                        "8 <link> \"k\"",
+                        "8 <link> \"j\"",
+                        "10 <model> \"m\"",
+                        "11 <pose>",
+                        "6 <collision> \"x\"");
+        assertThat(read.skipped().get(1).reason())
+                .startsWith(folder.toRealPath().resolve("bad.sdf") + ":1:");
+        assertThat(read.skipped().get(3).reason()).startsWith("there is no such frame in model m");
+    }
+
+    /** A hundred thousand links, each placed by the one before, and the first by nothing that exists. */
+    @Test
+    void aLongChainFromNowhere() throws IOException {
+        StringBuilder text = new StringBuilder(ball("right", ""));
+        int count = 100_000;
+        for (int k = count; k > 0; k--) {
+            text.append("<link name=\"f")
+                    .append(k)
+                    .append("\"><pose relative_to=\"f")
+                    .append(k - 1)
+                    .append("\"/></link>\n");
+        }
+        WorldImport read = read(model("m", text.toString()));
+        assertThat(read.skipped()).hasSize(count);
+        assertThat(read.world().objects()).hasSize(1);
+    }
+
+    /** Only a file's name is wanted of it. */
+    @Test
+    void aModelConfigIsReadLeniently() throws IOException {
+        String model = "<sdf version=\"1.6\">" + model("m", ball("l", "")) + "</sdf>";
+        file("m/model.sdf", model);
+        file("m/other.sdf", model.replace("\"m\"", "\"other\""));
+        for (String config : List.of(
+                "<model><sdf>other.sdf</sdf></model>",
+                "<model><sdf version=\"two\"> other.sdf </sdf></model>",
+                "<model><sdf version=\"2.0\">other.sdf</sdf><extra/></model>",
+                "<model><sdf version=\"1.5\">other.sdf</sdf></model",
+                "<!-- & --><model><name>A & B</name></model>",
+                "<model><name>A</name></model>",
+                "<model><sdf version=\"1.5\">gone.sdf</sdf></model>",
+                "")) {
+            file("m/model.config", config);
+            WorldImport read = read("<include><uri>model://m</uri></include>");
+            assertThat(read.isWhole()).isTrue();
+            String name = config.contains("other") ? "other" : "m";
+            assertThat(read.world().objects())
+                    .as(config)
+                    .singleElement()
+                    .satisfies(each -> assertThat(each.object().name()).isEqualTo(name));
+            assertThat(read.remarks()).as(config).hasSize(config.endsWith("</model>") && name.equals("other") ? 0 : 1);
+        }
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
             quoteCharacter = '^',
             value = {
-                "<model/>|2:9|<model> must have a name",
-                "<model name=\"m\"><link name=\"l\"><pose>1 2 3</pose></link></model>|2:38|<pose> must be 6 numbers (got: 3)",
-                "<model name=\"m\"><link name=\"l\"><pose>1 2 3 4 5 x</pose></link></model>|2:38|<pose>: a number must be decimal and finite",
-                "<model name=\"m\"><link name=\"l\"><pose rotation_format=\"quat_xyzw\">0 0 0 0 0 0 0</pose></link></model>|2:66|<pose>: a quaternion must not be zero",
-                "<model name=\"m\"><link name=\"l\"><pose rotation_format=\"quat\">0</pose></link></model>|2:61|rotation_format must be euler_rpy or quat_xyzw (got: quat)",
-                "<model name=\"m\"><link name=\"l\"><pose frame=\"x\">0 0 0 0 0 0</pose></link></model>|2:48|the attribute frame of <pose> never had a meaning",
-                "<model name=\"m\"><link name=\"l\"><pose relative_to=\"x\"/></link></model>|2:55|there is no such frame in model m; name a link",
-                "<model name=\"m\"><pose relative_to=\"x\"/></model>|2:40|there is no such frame in the world",
-                "<model name=\"m\"><pose>1e40 0 0 0 0 0</pose></model>|2:23|<pose>: x must be a number from -2^100",
-                "<model name=\"m\"><static>yes</static></model>|2:25|<static> must be true, false, 1 or 0 (got: yes)",
-                "<link name=\"l\"/>|0|",
-                "<model name=\"m\"><link name=\"l\"/><link name=\"l\"/></model>|2:49|names must be unique in m",
-                "<model name=\"m\"/><model name=\"m\"/>|2:35|names must be unique in the world",
-                "<model name=\"m\"><frame name=\"a\" attached_to=\"b\"/><frame name=\"b\" attached_to=\"a\"/><link name=\"l\"><pose relative_to=\"a\"/></link></model>|2:|poses must not be relative to each other in a cycle",
-                "<include><uri></uri></include>|2:15|<uri> must be a path",
-                "<include/>|2:11|<include> must have <uri>",
-                "<include><uri>t.sdf</uri></include>|2:15|a file must not include itself",
-                "<include><uri>../../etc/passwd</uri></include>|2:15|",
-                "<include><uri>no.sdf</uri></include>|2:15|there is no such file or folder below",
-                "<include><uri>model://no</uri><placement_frame>x</placement_frame></include>|2:15|there is no such file or folder"
+                "<model/>|<model> must have a name",
+                "<model name=\"m\"><link name=\"l\"><pose>1 2 3</pose></link></model>|<pose> must be 6 numbers (got: 3)",
+                "<model name=\"m\"><link name=\"l\"><pose>1 2 3 4 5 x</pose></link></model>|<pose>: a number must be decimal and finite",
+                "<model name=\"m\"><link name=\"l\"><pose rotation_format=\"quat_xyzw\">0 0 0 0 0 0 0</pose></link></model>|<pose>: a quaternion must not be zero",
+                "<model name=\"m\"><link name=\"l\"><pose rotation_format=\"quat\">0</pose></link></model>|rotation_format must be euler_rpy or quat_xyzw (got: quat)",
+                "<model name=\"m\"><link name=\"l\"><pose frame=\"x\">0 0 0 0 0 0</pose></link></model>|there is no such frame in model m; name a link",
+                "<model name=\"m\"><link name=\"l\"><pose relative_to=\"x\"/></link></model>|there is no such frame in model m; name a link",
+                "<model name=\"m\"><pose relative_to=\"x\"/></model>|there is no such frame in the world",
+                "<model name=\"m\"><pose>1e40 0 0 0 0 0</pose></model>|<pose>: x must be a number from -2^100",
+                "<model name=\"m\"><static>yes</static></model>|<static> must be true, false, 1 or 0 (got: yes)",
+                "<link name=\"l\"/>|",
+                "<model name=\"m\"><link name=\"l\"/><link name=\"l\"/></model>|names must be unique in m",
+                "<model name=\"m\"/><model name=\"m\"/>|names must be unique in the world",
+                "<model name=\"m\"><frame name=\"a\" attached_to=\"b\"/><frame name=\"b\" attached_to=\"a\"/><link name=\"l\"><pose relative_to=\"a\"/></link></model>|poses must not be relative to each other in a cycle",
+                "<include><uri></uri></include>|<uri> must be a path",
+                "<include/>|<include> must have <uri>",
+                "<include><uri>t.sdf</uri></include>|a file must not include itself",
+                "<include><uri>../../etc/passwd</uri></include>|",
+                "<include><uri>no.sdf</uri></include>|there is no such file or folder below",
+                "<include><uri>model://no</uri><placement_frame>x</placement_frame></include>|there is no such file or folder"
             })
-    void mistakesAreNamed(String content, String place, String problem) throws IOException {
-        if (place.equals("0")) { // no link can be in a world: it is left out by name
-            assertThat(read(content).skipped()).hasSize(1);
-            return;
-        }
-        Path file = world(content);
-        assertThatThrownBy(() -> SdfReader.read(file, List.of()))
-                .isInstanceOf(WorldException.class)
-                .hasMessageStartingWith(file + ":" + place)
-                .hasMessageContaining(problem == null ? "" : problem);
+    void mistakesCostWhatHasThem(String content, String problem) throws IOException {
+        // What is right beside it is read.
+        WorldImport read = read(content + model("right", "<static>1</static>" + ball("l", "")));
+        assertThat(read.world().objects())
+                .extracting(each -> each.object().name())
+                .contains("right");
+        assertThat(read.skipped())
+                .isNotEmpty()
+                .allSatisfy(each -> assertThat(each.line()).isEqualTo(2));
+        assertThat(read.skipped())
+                .extracting(Skipped::reason)
+                .anySatisfy(reason -> assertThat(reason).contains(problem == null ? "" : problem));
     }
 
     @ParameterizedTest
@@ -376,18 +458,20 @@ class SdfReaderTest {
                 "<box><size>1 -1 1</size></box>|<box>: length must be a number from 0",
                 "<box/>|<box> must have <size>",
                 "<cylinder><radius>1</radius></cylinder>|<cylinder> must have <length>",
-                "<plane><normal>0 1 0</normal></plane>|a plane must face straight up, as the ground does; use a box for m::l::c",
-                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|part of a mesh cannot be read alone",
+                "<plane><normal>0 0 0</normal></plane>|<normal> must not be zero",
+                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|a part is read of COLLADA alone",
                 "<mesh><uri>a.obj</uri></mesh>|there is no such file or folder below",
                 "<box><size>1 1 1</size></box><sphere><radius>1</radius></sphere>|<geometry> must contain one shape (got: 2)",
                 "|<geometry> must contain one shape (got: 0)"
             })
     void mistakesOfShapesAreNamed(String shape, String problem) throws IOException {
-        Path file = world(solid("", shape == null ? "" : shape));
-        assertThatThrownBy(() -> SdfReader.read(file, List.of()))
-                .isInstanceOf(WorldException.class)
-                .hasMessageStartingWith(file + ":2:")
-                .hasMessageContaining(problem);
+        WorldImport read = read(solid("", shape == null ? "" : shape) + model("right", ball("l", "")));
+        assertThat(read.world().objects()).hasSize(1);
+        assertThat(read.skipped())
+                .singleElement()
+                .asString()
+                .startsWith(folder.resolve("t.sdf") + ":2: left out ")
+                .contains(problem);
     }
 
     @ParameterizedTest
@@ -395,11 +479,10 @@ class SdfReaderTest {
             delimiter = '|',
             value = {
                 "<world/>|:1:9: the root of SDFormat must be <sdf> (got: <world>)",
-                "<sdf/>|:1:7: version of <sdf> must be 1.4 to 1.12 (got: none)",
-                "<sdf version='1.3'/>|version of <sdf> must be 1.4 to 1.12 (got: 1.3)",
-                "<sdf version='2.0'/>|version of <sdf> must be 1.4 to 1.12 (got: 2.0)",
+                "<sdf/>|:1:7: version of <sdf> must be 1.0 to 1.12 (got: none)",
+                "<gazebo version='1.3'/>|<sdf> must have a <world> or a <model> (got: none)",
+                "<sdf version='2.0'/>|version of <sdf> must be 1.0 to 1.12 (got: 2.0)",
                 "<sdf version='1.6'/>|<sdf> must have a <world> or a <model> (got: none)",
-                "<sdf version='1.6'><world name='a'/><world name='b'/></sdf>|a file must contain one world, or only models",
                 "<!DOCTYPE sdf [<!ENTITY x 'y'>]><sdf version='1.6'/>|a document type is not allowed",
                 "<sdf version='1.6'><model name='&x;'/></sdf>|this is not well-formed XML: The entity \"x\" was referenced",
                 "<sdf version='1.6'>|this is not well-formed XML"

@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.zip.GZIPInputStream;
@@ -20,10 +19,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 import robosim.geometry.Geometry;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -75,7 +76,7 @@ class SdfRealFilesTest {
             assertThat(read.read()).as("%s", kind).containsEntry(kind, count(document, "//" + kind));
         }
         int shapes = 0;
-        for (String shape : List.of("box", "cylinder", "sphere", "capsule", "mesh")) {
+        for (String shape : List.of("box", "cylinder", "sphere", "capsule", "mesh", "cone", "ellipsoid")) {
             int read1 = read.read().getOrDefault(shape, 0);
             long skipped = read.skipped().stream()
                     .filter(each -> each.what().startsWith("<" + shape + ">"))
@@ -83,12 +84,11 @@ class SdfRealFilesTest {
             assertThat(read1 + skipped).as("%s", shape).isEqualTo(count(document, "//collision/geometry/" + shape));
             shapes += read1;
         }
-        for (String shape : List.of("plane", "cone", "ellipsoid")) {
-            assertThat(read.skipped().stream().filter(each -> each.what().startsWith("<" + shape + ">")))
-                    .as("%s", shape)
-                    .hasSize(count(document, "//collision/geometry/" + shape));
-        }
-        assertThat(shapes + read.skipped().size())
+        List<String> ground = read.remarks().stream()
+                .filter(each -> each.contains("left out <plane>"))
+                .toList();
+        assertThat(ground).hasSize(count(document, "//collision/geometry/plane"));
+        assertThat(shapes + read.skipped().size() + ground.size())
                 .isEqualTo(count(document, "//collision"))
                 .isPositive();
         for (String other : List.of("visual", "inertial", "plugin", "light", "joint")) {
@@ -124,7 +124,10 @@ class SdfRealFilesTest {
         WorldImport read = read(SDF.resolve("shapes.sdf"));
         assertThat(read.world().unit()).isEqualTo(Unit.METRE);
         assertThat(read.world().objects())
-                .extracting(WorldObject::object)
+                .extracting(WorldObject::color)
+                .containsExactly("#ff0000", "#00ff00", "#0000ff", "#ffff00", "#ff00ff", "#ff7800");
+        assertThat(read.world().objects())
+                .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .satisfiesExactly(
                         box -> assertThat(box).isEqualTo(new BoxObject(new Point(0, 0.5, 0), 1, 1, 1).moveable("box")),
                         cylinder -> assertThat(cylinder)
@@ -132,8 +135,15 @@ class SdfRealFilesTest {
                         sphere -> assertThat(sphere)
                                 .isEqualTo(new SphereObject(new Point(0, 0.5, -1.5), 0.5).moveable("sphere")),
                         capsule -> assertThat(capsule)
-                                .isEqualTo(new CapsuleObject(new Point(0, 0.5, 3), 0.2, 0.6).moveable("capsule")));
-        assertThat(read.skipped()).extracting(Skipped::line).containsExactly(36, 225, 253);
+                                .isEqualTo(new CapsuleObject(new Point(0, 0.5, 3), 0.2, 0.6).moveable("capsule")),
+                        ellipsoid -> assertThat(ellipsoid).isInstanceOf(MeshObject.class),
+                        cone -> assertThat(cone).isInstanceOf(MeshObject.class));
+        assertThat(read.skipped()).isEmpty();
+        assertThat(read.remarks())
+                .satisfiesExactlyInAnyOrder(
+                        ground -> assertThat(ground).contains(":36: left out <plane>"),
+                        ellipsoid -> assertThat(ellipsoid).contains(":225: "),
+                        cone -> assertThat(cone).contains(":253: "));
     }
 
     /** Rays at places that the file's numbers give: nine columns of radius 0.15, 1.1 apart. */
@@ -141,8 +151,21 @@ class SdfRealFilesTest {
     void raysThroughTheColumns() throws Exception {
         for (String name : List.of("turtlebot3_world/model.sdf", "turtlebot3_world/turtlebot3_world.world")) {
             WorldImport read = read(SDF.resolve(name));
-            assertThat(read.world().objects()).hasSize(9);
-            Geometry geometry = read.world().toGeometry();
+            assertThat(read.world().objects()).hasSize(15);
+            World all = read.world();
+            List<WorldObject> columns = all.objects().stream()
+                    .filter(each -> each.object() instanceof CylinderObject)
+                    .toList();
+            assertThat(columns).hasSize(9);
+            Geometry geometry = new World(
+                            all.width(),
+                            all.height(),
+                            all.length(),
+                            all.unit(),
+                            all.dimension(),
+                            all.accuracy(),
+                            columns)
+                    .toGeometry();
             double inf = Double.POSITIVE_INFINITY;
             for (double row : new double[] {-1.1, 0, 1.1}) {
                 Ray east = new Ray(new Point(-2.5, 0.25, row), new Point(1, 0, 0));
@@ -155,6 +178,33 @@ class SdfRealFilesTest {
                 Ray above = new Ray(new Point(-2.5, 0.51, row), new Point(1, 0, 0));
                 assertThat(geometry.getRayDistance(above, 0, inf, 0)).isEqualTo(inf);
             }
+        }
+    }
+
+    /** The outer wall, a mesh in inches of which the file says Y is up, and for which Gazebo takes Z nevertheless. */
+    @Test
+    void raysAtTheOuterWall() throws Exception {
+        Geometry geometry =
+                read(SDF.resolve("turtlebot3_world/model.sdf")).world().toGeometry();
+        double inf = Double.POSITIVE_INFINITY;
+        Ray west = new Ray(new Point(-2.4, 0.4, 0.55), new Point(-1, 0, 0));
+        Ray east = new Ray(new Point(-3.2, 0.4, 0.55), new Point(1, 0, 0));
+        double inside = geometry.getRayDistance(west, 0, inf, 0);
+        double outside = geometry.getRayDistance(east, 0, inf, 0);
+        assertThat(inside + outside).as("from both sides of its inner face").isLessThanOrEqualTo(0.8);
+        assertThat(-2.4 - inside).as("inner face").isBetween(-3.0, -2.4);
+        Ray above = new Ray(new Point(-2.4, 1, 0.55), new Point(-1, 0, 0));
+        assertThat(geometry.getRayDistance(above, 0, inf, 0)).isEqualTo(inf);
+    }
+
+    /** A floor of 68 triangles and a chair in centimetres, by the vertices of their files times 0.01. */
+    @Test
+    void meshesOfAHouse() throws Exception {
+        for (String name : List.of("FloorB_01", "ChairA_01")) {
+            Path model = SDF.resolve("small_house/aws_robomaker_residential_" + name);
+            WorldImport read = WorldImport.read(model, ImportOptions.DEFAULT);
+            assertThat(read.isWhole()).isTrue();
+            assertThat(read.read()).containsEntry("mesh", 1);
         }
     }
 
@@ -192,7 +242,7 @@ class SdfRealFilesTest {
         List<WorldObject> objects =
                 read(SDF.resolve("export_occupancy_grid.sdf")).world().objects();
         assertThat(objects)
-                .extracting(WorldObject::object)
+                .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .containsExactly(
                         new BoxObject(new Point(-1, 0.5, 1), 0.1, 0.1, 0.1).named("model_with_lidar"),
                         new BoxObject(new Point(1, 0.5, -1), 1, 1, 1).moveable("cube"));
@@ -207,29 +257,15 @@ class SdfRealFilesTest {
                 .hasMessageContaining("\"gz:\"");
     }
 
-    /** The addresses are not followed, the mesh files are not there: all of that is named, and the rest is read. */
+    /** A light and a ground are at the addresses, which are not followed: nothing solid is missing. */
     @Test
-    void whatIsMissingIsNamed() throws Exception {
+    void sunAndGroundAreNotMissing() throws Exception {
         WorldImport read = read(SDF.resolve("turtlebot3_world/turtlebot3_world.world"));
-        assertThat(read.isWhole()).isFalse();
-        List<String> what = new ArrayList<>();
-        for (Skipped each : read.skipped()) {
-            what.add(each.line() + " " + each.what());
-        }
-        String hexagon = " <mesh> of turtlebot3_world::ros_symbol::symbol::";
-        assertThat(what)
-                .containsExactly(
-                        "46 <include> of https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane",
-                        "50 <include> of https://fuel.gazebosim.org/1.0/OpenRobotics/models/Sun",
-                        "334" + hexagon + "head",
-                        "370" + hexagon + "left_hand",
-                        "406" + hexagon + "right_hand",
-                        "442" + hexagon + "left_foot",
-                        "478" + hexagon + "right_foot",
-                        "515" + hexagon + "body");
-        assertThat(read.skipped().get(2).reason())
-                .isEqualTo("model://turtlebot3_world/meshes/hexagon.dae is neither OBJ nor STL; export it as one of"
-                        + " them");
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.remarks())
+                .satisfiesExactly(
+                        ground -> assertThat(ground).contains(":46: left out <include> of https://", "infinite ground"),
+                        sun -> assertThat(sun).contains(":50: left out <include> of https://", "it is a light"));
     }
 
     @Test
@@ -252,13 +288,23 @@ class SdfRealFilesTest {
                   <include><uri>model://turtlebot3_world</uri></include>
                 </world></sdf>
                 """);
-        assertThatThrownBy(() -> read(file))
-                .hasMessageStartingWith(file + ":2:17: there is no such file or folder below ")
-                .hasMessageEndingWith(
-                        "check the name, or give the folder that contains the model (got: model://inner_walls)");
+        assertThat(read(file).skipped())
+                .extracting(Skipped::toString)
+                .satisfiesExactly(
+                        first -> assertThat(first)
+                                .startsWith(
+                                        file + ":2: left out <include> of model://inner_walls: there is no such file"
+                                                + " or folder below ")
+                                .endsWith("check the name, or give the folder that contains the model"
+                                        + " (got: model://inner_walls)"),
+                        second -> assertThat(second)
+                                .startsWith(
+                                        file + ":3: left out <include> of model://inner_walls/model.sdf at 10 0 0 0 0"
+                                                + " 0: there is no such file"),
+                        third -> assertThat(third).startsWith(file + ":4: left out <include> of model://turtlebot3"));
         WorldImport read = SdfReader.read(file, List.of(SDF));
-        assertThat(read.world().objects()).hasSize(7 + 7 + 9);
-        assertThat(read.skipped()).hasSize(6);
+        assertThat(read.world().objects()).hasSize(7 + 7 + 15);
+        assertThat(read.skipped()).isEmpty();
         Point here = read.world().objects().get(3).object().center();
         Point there = read.world().objects().get(10).object().center();
         assertThat(there).isEqualTo(new Point(here.x() + 10, here.y(), here.z()));

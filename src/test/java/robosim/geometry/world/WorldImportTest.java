@@ -98,13 +98,17 @@ class WorldImportTest {
     /** The reader that gives a world alone warns of what is not in it. */
     @Test
     void whatIsLeftOutIsAWarning() throws IOException {
-        Path file = FILES.resolve("sdf/shapes.sdf");
+        Path file = Files.writeString(
+                folder.resolve("few.sdf"),
+                "<sdf version='1.7'><world name='w'><model name='m'><link name='l'><collision name='c'><geometry>"
+                        + "<sphere><radius>1</radius></sphere></geometry></collision></link></model>\n"
+                        + "<actor name='a'/>" + "<actor/>".repeat(2) + "</world></sdf>");
         WorldReader.read(file);
         assertThat(log.lines())
                 .hasSize(3)
                 .first()
                 .asString()
-                .startsWith("WARNING " + file + ":36: left out <plane> of ground_plane::link::collision: ");
+                .startsWith("WARNING " + file + ":2: left out <actor> \"a\": ");
         Path many = Files.writeString(
                 folder.resolve("many.sdf"),
                 "<sdf version='1.7'><world name='w'><model name='m'><link name='l'><collision name='c'><geometry>"
@@ -156,10 +160,12 @@ class WorldImportTest {
             strings = {
                 "map.pgm| a map is read from its .yaml file, which gives the size of a cell",
                 "map.PNG| a map is read from its .yaml",
-                "robot.urdf| files of this format are not supported; unpack this one, or export it as SDFormat, OBJ or STL (got:"
-                        + " .urdf)",
+                "robot.urdf|1:1: this is not well-formed XML",
+                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, COLLADA,"
+                        + " OBJ or STL (got: .xacro)",
                 "world.sdf.gz| files of this format are not supported; unpack this one",
-                "model.dae| files of this format are not supported",
+                "model.glb| files of this format are not supported",
+                "mesh.dae|1:1: this is not well-formed XML",
                 "notes.txt|1:1: this is not well-formed XML",
                 "empty.sdf|1:1: this is not well-formed XML",
                 "model.config|1:1: this is not well-formed XML",
@@ -177,7 +183,7 @@ class WorldImportTest {
 
     @Test
     void aMissingFileOfAnyFormat() {
-        for (String name : List.of("no.sdf", "no.world", "no.yaml", "no.obj", "no.stl", "no.xml", "no")) {
+        for (String name : List.of("no.sdf", "no.world", "no.yaml", "no.obj", "no.stl", "no.dae", "no.xml", "no")) {
             assertThatThrownBy(() -> WorldReader.read(folder.resolve(name)))
                     .hasMessage(folder.resolve(name) + ": there is no such file; check the path");
         }
@@ -199,7 +205,8 @@ class WorldImportTest {
         assertThat(read.lines(2))
                 .hasSize(5)
                 .startsWith(
-                        "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, material 4, model 7, sphere 1",
+                        "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7,"
+                                + " sphere 1",
                         "Ignored, as irrelevant to solid geometry: inertial 6, light 1, scene 1, visual 7")
                 .last()
                 .isEqualTo("... and 1 more");

@@ -11,6 +11,9 @@ public final class ExitCodes {
     /** Not done: bad usage, input that cannot be read, a connection that failed. */
     public static final int UNUSABLE = 2;
 
+    /** Done, but not with all of the input: parts of it were left out, and each was named. */
+    public static final int PARTIAL = 3;
+
     public static final String HEADING = "%nExit codes:%n";
 
     public static final String DONE = FINE + ":done, and nothing is wrong";

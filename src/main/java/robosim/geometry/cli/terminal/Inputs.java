@@ -69,7 +69,7 @@ public final class Inputs {
      */
     public static World world(CommandSpec spec, Path file, List<Path> models) throws WorldException {
         folders(spec, "--models", models);
-        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT.withModels(models));
+        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT.withModels(ModelFolders.with(models)));
         List<Skipped> skipped = read.skipped();
         PrintWriter err = spec.commandLine().getErr();
         skipped.stream().limit(MOST_SKIPPED).forEach(err::println);

@@ -14,6 +14,7 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Json;
+import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.world.ImportOptions;
@@ -90,7 +91,7 @@ public final class CheckCommand implements Callable<Integer> {
     public Integer call() {
         Inputs.file(spec, "WORLD", file);
         Inputs.folders(spec, "--models", models);
-        ImportOptions options = ImportOptions.DEFAULT.withModels(models);
+        ImportOptions options = ImportOptions.DEFAULT.withModels(ModelFolders.with(models));
         WorldImport read;
         try {
             read = WorldImport.read(file, options);

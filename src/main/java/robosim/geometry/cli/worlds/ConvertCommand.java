@@ -17,6 +17,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.exact.NumberText;
@@ -40,7 +41,8 @@ import robosim.geometry.world.WorldWriter;
         exitCodeList = {
             ExitCodes.DONE,
             ExitCodes.FINDINGS + ":with --strict: something of IN would be left out, and OUT was not written",
-            ExitCodes.REFUSED
+            ExitCodes.REFUSED,
+            ExitCodes.PARTIAL + ":OUT was written, without the parts of IN that were left out"
         },
         footerHeading = "%nExamples:%n",
         footer = {
@@ -62,8 +64,9 @@ public final class ConvertCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "IN",
-            description = "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), or a mesh"
-                    + " (.obj, .stl)")
+            description =
+                    "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), a robot (.urdf),"
+                            + " or a mesh (.obj, .stl, .dae)")
     private Path in = Path.of("");
 
     @Parameters(
@@ -148,7 +151,7 @@ public final class ConvertCommand implements Callable<Integer> {
             WorldWriter.write(world, out);
         }
         printer.println(written(world));
-        return ExitCodes.FINE;
+        return read.isWhole() ? ExitCodes.FINE : ExitCodes.PARTIAL;
     }
 
     private boolean isMesh() {
@@ -164,7 +167,7 @@ public final class ConvertCommand implements Callable<Integer> {
 
     private ImportOptions options() {
         try {
-            return new ImportOptions(wallHeight, scale, up, models);
+            return new ImportOptions(wallHeight, scale, up, ModelFolders.with(models));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }

@@ -29,7 +29,11 @@ import robosim.geometry.world.World;
 /** Shows a world, a recording or a session in a window. */
 @Command(
         name = ViewCommand.NAME,
-        description = "Shows a world, a recording or a running session from above, in a window.",
+        description = {
+            "Shows a world, a recording or a running session in a window, from above or in three dimensions.",
+            "Keys there: V for the plan, three dimensions or both, C for more cameras, R for what a robot sees, I K J L O U"
+                    + " to fly, F to see everything, Space to play or pause; docs/viewer.md has them all."
+        },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,

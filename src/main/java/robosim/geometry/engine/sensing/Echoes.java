@@ -10,6 +10,9 @@ import robosim.geometry.model.GeometryObject;
  * normals and parts where they are wanted. Threads may write different beams at once.
  */
 public final class Echoes {
+    /** Numbers in the place of a sensor. */
+    public static final int PLACE = 12;
+
     private final boolean hasObjects;
     private final boolean hasNormals;
     private final boolean hasParts;
@@ -19,6 +22,9 @@ public final class Echoes {
     private int[] parts = new int[0];
     private int[] faces = new int[0];
     private int size;
+
+    /** Where the sensor was: X, Y and Z, then its rotation, row by row. */
+    private final double[] place = new double[PLACE];
 
     public Echoes(boolean hasObjects, boolean hasNormals, boolean hasParts) {
         this.hasObjects = hasObjects;
@@ -75,6 +81,11 @@ public final class Echoes {
     /** Three numbers for each beam, zeros where nothing echoes. Empty where they are not wanted. */
     public double[] normals() {
         return normals;
+    }
+
+    /** Where the sensor was in the world: X, Y and Z, then the nine numbers of its rotation, row by row. */
+    public double[] place() {
+        return place;
     }
 
     /** One for each beam; -1 where nothing echoes. Empty where they are not wanted. */

@@ -92,6 +92,7 @@ public final class PatternSensor {
             checkLevel(pattern);
         }
         out.clear(pattern.size());
+        frame.tell(out.place());
     }
 
     private void checkLevel(RayPattern pattern) {

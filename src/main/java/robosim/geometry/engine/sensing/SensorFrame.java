@@ -64,6 +64,24 @@ public final class SensorFrame {
         oz = at.z();
     }
 
+    /** Writes where the sensor is, at time 0 if it moves: its origin, and its axes as the columns of a rotation. */
+    void tell(double[] place) {
+        place[0] = ox;
+        place[1] = oy;
+        place[2] = oz;
+        for (int axis = 0; axis < 3; axis++) {
+            vector[0] = mount[axis];
+            vector[1] = mount[3 + axis];
+            vector[2] = mount[6 + axis];
+            if (carrier >= 0) {
+                objects.toWorld(carrier, vector[0], vector[1], vector[2], vector);
+            }
+            for (int row = 0; row < 3; row++) {
+                place[3 + 3 * row + axis] = vector[row] + 0.0;
+            }
+        }
+    }
+
     private void checkMotion(Twist velocity, RayPattern pattern, SenseOptions options) {
         if (carrier >= 0 && options.carrier() == SenseOptions.Carrier.SEEN) {
             throw new IllegalArgumentException(

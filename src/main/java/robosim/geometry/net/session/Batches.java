@@ -1,6 +1,7 @@
 package robosim.geometry.net.session;
 
 import robosim.geometry.SenseBuffer;
+import robosim.geometry.SenseBuffer.Extra;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
@@ -11,6 +12,7 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 
@@ -21,7 +23,9 @@ public final class Batches {
 
     private final RayPatterns patterns = new RayPatterns();
     private final SenseBuffer distances = new SenseBuffer();
-    private final SenseBuffer normals = new SenseBuffer(SenseBuffer.Extra.NORMALS);
+    private final SenseBuffer normals = new SenseBuffer(Extra.NORMALS);
+    private final SenseBuffer objects = new SenseBuffer(Extra.OBJECTS, Extra.PARTS);
+    private final SenseBuffer all = new SenseBuffer(Extra.OBJECTS, Extra.PARTS, Extra.NORMALS);
     private final long[] word = new long[1];
 
     /**
@@ -51,10 +55,17 @@ public final class Batches {
         SenseOptions options = SenseOptions.range(request.min(), request.max())
                 .withWidth(Degrees.toDegrees(request.width()))
                 .withCarrier(request.seesCarrier() ? SenseOptions.Carrier.SEEN : SenseOptions.Carrier.IGNORED);
-        SenseBuffer buffer = request.normals() ? normals : distances;
+        ScanMotion motion = request.motion();
+        if (!motion.equals(ScanMotion.NONE)) {
+            options = options.withMotion(motion.twist(Degrees.toDegrees(motion.ry())));
+            pattern = pattern.withDuration(motion.duration());
+        }
+        SenseBuffer buffer =
+                request.objects() ? request.normals() ? all : objects : request.normals() ? normals : distances;
         int size = pattern.size();
         double[] measured = new double[size];
         double[] faces = new double[request.normals() ? 3 * size : 0];
+        SeenObjects seen = new SeenObjects(request.objects() ? size : 0);
         for (int first = 0; first < size; first += PART) {
             breath.run();
             int count = Math.min(PART, size - first);
@@ -63,8 +74,11 @@ public final class Batches {
             if (request.normals()) {
                 System.arraycopy(buffer.normals(), 0, faces, 3 * first, 3 * count);
             }
+            if (request.objects()) {
+                seen.take(buffer, first);
+            }
         }
-        return new SenseAnswer(new Numbers(measured), new Numbers(faces));
+        return new SenseAnswer(new Numbers(measured), new Numbers(faces), seen.names(), seen.objects(), seen.labels());
     }
 
     private static void sense(
@@ -81,6 +95,13 @@ public final class Batches {
             double[] directions = new double[3 * count];
             pattern.directions(first, count, directions, 0);
             part = RayPattern.of(directions);
+            if (pattern.hasTimes()) {
+                double[] times = new double[count];
+                for (int k = 0; k < count; k++) {
+                    times[k] = pattern.time(first + k);
+                }
+                part = part.withTimes(times);
+            }
         }
         try {
             world.sense(name, mount, part, options, out);

@@ -1,6 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
+import java.util.List;
 import robosim.geometry.exact.Checks;
 
 /**
@@ -8,13 +9,24 @@ import robosim.geometry.exact.Checks;
  *
  * @param distances world units, one for each beam, in order; {@code +Infinity} if nothing echoes
  * @param normals   X, Y and Z of the unit normal of the surface that each ray met, (0, 0, 0) if none; empty unless asked for
+ * @param names     the names of the objects that are seen, each once, in the order in which the beams meet them; empty for
+ *                  one without a name
+ * @param objects   for each beam the index of what it met in {@code names}, -1 if nothing; empty unless asked for
+ * @param labels    for each beam the label of the material it met, 0 if nothing; empty unless objects were asked for
  */
-public record SenseAnswer(Numbers distances, Numbers normals) implements BatchAnswer {
+public record SenseAnswer(Numbers distances, Numbers normals, List<String> names, Integers objects, Integers labels)
+        implements BatchAnswer {
     @Serial
     private static final long serialVersionUID = 1;
 
-    /** Refuses null, a distance that is negative or NaN, and normals that are no unit vectors or as many as the distances. */
+    /**
+     * Refuses null, a distance that is negative or NaN, normals that are no unit vectors, an object without a name, a negative
+     * label, and what is not as many as the distances.
+     */
     public SenseAnswer {
+        names = names == null ? List.of() : Checks.copy("names", names, String.class); // null in messages of before
+        objects = objects == null ? Integers.NONE : objects;
+        labels = labels == null ? Integers.NONE : labels;
         for (int k = 0; k < Checks.present("distances", distances).size(); k++) {
             if (!(distances.get(k) >= 0)) { // written so that NaN fails it
                 throw new IllegalArgumentException(
@@ -32,12 +44,35 @@ public record SenseAnswer(Numbers distances, Numbers normals) implements BatchAn
                         "normals[" + k + "] must be from -1 to 1 (got: " + normals.get(k) + ")");
             }
         }
+        check(distances.size(), names, objects, labels);
+    }
+
+    /** Distances and normals alone. */
+    public SenseAnswer(Numbers distances, Numbers normals) {
+        this(distances, normals, List.of(), Integers.NONE, Integers.NONE);
+    }
+
+    private static void check(int size, List<String> names, Integers objects, Integers labels) {
+        if (labels.size() != objects.size() || (objects.size() != 0 && objects.size() != size)) {
+            throw new IllegalArgumentException("objects and labels must have a number for each of " + size
+                    + " distances, or none (got: " + objects.size() + " and " + labels.size() + " numbers)");
+        }
+        for (int k = 0; k < objects.size(); k++) {
+            if (objects.get(k) < -1 || objects.get(k) >= names.size()) {
+                throw new IllegalArgumentException("objects[" + k + "] must be from -1 to " + (names.size() - 1)
+                        + ", as there are names (got: " + objects.get(k) + ")");
+            }
+            if (labels.get(k) < 0) {
+                throw new IllegalArgumentException("labels[" + k + "] must be at least 0 (got: " + labels.get(k) + ")");
+            }
+        }
     }
 
     @Override
     public boolean fits(BatchRequest request) {
         return Checks.present("request", request) instanceof SenseRequest sense
                 && distances.size() == sense.size()
-                && normals.size() == (sense.normals() ? 3 * sense.size() : 0);
+                && normals.size() == (sense.normals() ? 3 * sense.size() : 0)
+                && objects.size() == (sense.objects() ? sense.size() : 0);
     }
 }

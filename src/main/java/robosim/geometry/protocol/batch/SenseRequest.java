@@ -4,7 +4,8 @@ import java.io.Serial;
 import robosim.geometry.exact.Checks;
 
 /**
- * A request for the distances along all beams of a sensor that an object carries; answered by a {@link SenseAnswer}.
+ * A request for the distances along all beams of a sensor that an object carries, and for what else a frame has: the
+ * objects that are seen, their labels, and normals; answered by a {@link SenseAnswer}.
  *
  * @param objectName  the name of a moveable object
  * @param mount       where on the object the sensor is, and which way it faces
@@ -14,6 +15,8 @@ import robosim.geometry.exact.Checks;
  * @param width       full opening angle of each beam in radians, from 0 (a ray) up to, not including, pi
  * @param seesCarrier whether the object that carries the sensor echoes like any other
  * @param normals     whether the answer has the normals of the surfaces too, for rays only
+ * @param objects     whether the answer has the objects that are seen too, and the labels of their materials, for rays only
+ * @param motion      how the object moves meanwhile; null stands for {@link ScanMotion#NONE}
  */
 public record SenseRequest(
         String objectName,
@@ -23,13 +26,16 @@ public record SenseRequest(
         double max,
         double width,
         boolean seesCarrier,
-        boolean normals)
+        boolean normals,
+        boolean objects,
+        ScanMotion motion)
         implements BatchRequest {
     @Serial
     private static final long serialVersionUID = 1;
 
-    /** Refuses null, numbers that are NaN or out of range, and normals for beams that are not rays. */
+    /** Refuses null, numbers that are NaN or out of range, and normals or objects for beams that are not rays. */
     public SenseRequest {
+        motion = motion == null ? ScanMotion.NONE : motion; // as in messages of before
         Checks.present("objectName", objectName);
         Checks.present("mount", mount);
         Checks.present("pattern", pattern);
@@ -42,6 +48,27 @@ public record SenseRequest(
             throw new IllegalArgumentException(
                     "width must be 0 for normals, which cones have not (got: " + width + ")");
         }
+        if (objects && width > 0) {
+            throw new IllegalArgumentException(
+                    "width must be 0 for objects, whose parts cones have not (got: " + width + ")");
+        }
+        if (seesCarrier && !motion.equals(ScanMotion.NONE)) {
+            throw new IllegalArgumentException(
+                    "seesCarrier must be false where the object moves during the scan (got: true)");
+        }
+    }
+
+    /** Distances and, where they are asked for, normals, from a sensor at rest. */
+    public SenseRequest(
+            String objectName,
+            Mount mount,
+            BeamPattern pattern,
+            double min,
+            double max,
+            double width,
+            boolean seesCarrier,
+            boolean normals) {
+        this(objectName, mount, pattern, min, max, width, seesCarrier, normals, false, ScanMotion.NONE);
     }
 
     /** A sensor of rays at the object's centre, facing forward, without an end: distances alone. */

@@ -9,6 +9,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.SenseAnswer;
@@ -16,12 +17,16 @@ import robosim.geometry.protocol.batch.SenseAnswer;
 /** Reads answers with packed numbers from JSON. */
 final class JsonAnswers {
     private static final Fields ANSWERS = Fields.of("type answers", "");
-    private static final Fields ANSWER = Fields.of("", "distances normals count free error");
+    private static final Fields ANSWER = Fields.of("", "distances normals count free error names objects labels");
     private static final int DISTANCES = 1;
     private static final int NORMALS = 2;
     private static final int COUNT = 4;
     private static final int FREE = 8;
     private static final int ERROR = 16;
+    private static final int NAMES = 32;
+    private static final int OBJECTS = 64;
+    private static final int LABELS = 128;
+    private static final int SEEN = NAMES + OBJECTS + LABELS;
 
     private final JsonInput in;
 
@@ -49,6 +54,8 @@ final class JsonAnswers {
 
     private BatchAnswer answer(int index, List<Problem> problems) throws IOException {
         Numbers[] numbers = {Numbers.NONE, Numbers.NONE};
+        Integers[] integers = {Integers.NONE, Integers.NONE};
+        List<String> names = new ArrayList<>();
         int[] count = new int[1];
         byte[][] free = {new byte[0]};
         int seen = 0;
@@ -60,17 +67,32 @@ final class JsonAnswers {
                 case 1 -> numbers[1] = PackedNumbers.numbers(in.base64(3 * Double.BYTES, MessageLimits.MAX_BEAMS));
                 case 2 -> count[0] = (int) in.whole(0, MessageLimits.MAX_POSES);
                 case 3 -> free[0] = in.base64(1, MessageLimits.MAX_POSES / 8);
-                default -> problems.add(Problem.of(index, in.text()));
+                case 4 -> problems.add(Problem.of(index, in.text()));
+                case 5 -> names(names);
+                case 6 -> integers[0] = integers();
+                default -> integers[1] = integers();
             }
         }
         return switch (seen) {
-            case DISTANCES, DISTANCES + NORMALS -> in.make(() -> new SenseAnswer(numbers[0], numbers[1]));
+            case DISTANCES, DISTANCES + NORMALS, DISTANCES + SEEN, DISTANCES + NORMALS + SEEN ->
+                in.make(() -> new SenseAnswer(numbers[0], numbers[1], names, integers[0], integers[1]));
             case COUNT + FREE -> in.make(() -> new FreeAnswer(count[0], free[0]));
             case ERROR -> new NoAnswer();
             default ->
                 throw in.refused(
-                        "an answer must have distances, or distances and normals, or count and free, or an error"
-                                + " (got: other fields)");
+                        "an answer must have distances, perhaps with normals and with names, objects and labels,"
+                                + " or count and free, or an error (got: other fields)");
         };
+    }
+
+    private void names(List<String> names) throws IOException {
+        in.list();
+        while (in.more(names.size(), MessageLimits.MAX_BEAMS)) {
+            names.add(in.text());
+        }
+    }
+
+    private Integers integers() throws IOException {
+        return PackedNumbers.integers(in.base64(Integer.BYTES, MessageLimits.MAX_BEAMS));
     }
 }

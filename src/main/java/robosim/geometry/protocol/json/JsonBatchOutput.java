@@ -13,6 +13,7 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 
@@ -73,6 +74,19 @@ final class JsonBatchOutput {
         if (sense.normals()) {
             out.writeBooleanField("normals", true);
         }
+        if (sense.objects()) {
+            out.writeBooleanField("objects", true);
+        }
+        ScanMotion motion = sense.motion();
+        if (!motion.equals(ScanMotion.NONE)) {
+            out.writeObjectFieldStart("motion");
+            out.writeNumberField("duration", motion.duration());
+            out.writeNumberField("x", motion.x());
+            out.writeNumberField("y", motion.y());
+            out.writeNumberField("z", motion.z());
+            out.writeNumberField("ry", motion.ry());
+            out.writeEndObject();
+        }
     }
 
     private void pattern(BeamPattern pattern) throws IOException {
@@ -110,6 +124,15 @@ final class JsonBatchOutput {
                 packed("distances", sense.distances());
                 if (sense.normals().size() > 0) {
                     packed("normals", sense.normals());
+                }
+                if (sense.objects().size() > 0) {
+                    out.writeArrayFieldStart("names");
+                    for (String name : sense.names()) {
+                        out.writeString(name);
+                    }
+                    out.writeEndArray();
+                    out.writeBinaryField("objects", PackedNumbers.bytes(sense.objects()));
+                    out.writeBinaryField("labels", PackedNumbers.bytes(sense.labels()));
                 }
             } else if (answers.get(k) instanceof FreeAnswer free) {
                 out.writeNumberField("count", free.count());

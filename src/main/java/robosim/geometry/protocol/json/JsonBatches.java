@@ -13,18 +13,20 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseRequest;
 
 /** Reads requests with packed numbers from JSON. */
 final class JsonBatches {
     private static final Fields BATCH = Fields.of("type requests", "");
     private static final Fields REQUEST =
-            Fields.of("kind objectName", "mount pattern min max width seesCarrier normals poses edges");
+            Fields.of("kind objectName", "mount pattern min max width seesCarrier normals poses edges objects motion");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
-            new String[] {"sense", "pattern", "mount min max width seesCarrier normals"},
+            new String[] {"sense", "pattern", "mount min max width seesCarrier normals objects motion"},
             new String[] {"poses", "poses", ""},
             new String[] {"edges", "edges", ""});
+    private static final Fields MOTION = Fields.of("duration", "x y z ry");
     private static final Fields MOUNT = Fields.of("place", "rotation");
     private static final Fields PATTERN =
             Fields.of("kind", "first step count elevations width height fieldOfView directions");
@@ -69,11 +71,14 @@ final class JsonBatches {
         private double width;
         private boolean seesCarrier;
         private boolean normals;
+        private boolean objects;
+        private ScanMotion motion = ScanMotion.NONE;
         private Numbers places = Numbers.NONE;
 
         private BatchRequest make() {
             return switch (kind) {
-                case 0 -> new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals);
+                case 0 ->
+                    new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
                 case 1 -> new FreePosesRequest(name, places);
                 default -> new FreeEdgesRequest(name, places);
             };
@@ -95,7 +100,9 @@ final class JsonBatches {
                 case 7 -> draft.seesCarrier = in.flag();
                 case 8 -> draft.normals = in.flag();
                 case 9 -> draft.places = packed(FreePosesRequest.STRIDE, MessageLimits.MAX_POSES);
-                default -> draft.places = packed(FreeEdgesRequest.STRIDE, MessageLimits.MAX_POSES);
+                case 10 -> draft.places = packed(FreeEdgesRequest.STRIDE, MessageLimits.MAX_POSES);
+                case 11 -> draft.objects = in.flag();
+                default -> draft.motion = motion();
             }
         }
         REQUESTS.check(in, draft.kind, members::has);
@@ -104,6 +111,15 @@ final class JsonBatches {
 
     private Numbers packed(int stride, int most) throws IOException {
         return PackedNumbers.numbers(in.base64(stride * Double.BYTES, most));
+    }
+
+    private ScanMotion motion() throws IOException {
+        double[] numbers = new double[MOTION.count()];
+        var members = in.object(MOTION);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            numbers[field] = in.number();
+        }
+        return in.make(() -> new ScanMotion(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]));
     }
 
     private Mount mount() throws IOException {

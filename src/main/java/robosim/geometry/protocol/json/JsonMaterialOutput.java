@@ -8,7 +8,7 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
-import robosim.geometry.model.TextureCoordinates;
+import robosim.geometry.material.TextureCoordinates;
 
 /** Writes materials as JSON: only what differs from the default. */
 final class JsonMaterialOutput {

@@ -2,6 +2,7 @@ package robosim.geometry.protocol.json;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Numbers;
 
 /** The bytes of packed numbers: doubles of 8 bytes each, IEEE 754, the lowest byte first. */
@@ -14,6 +15,20 @@ final class PackedNumbers {
             bytes.putDouble(numbers.get(k));
         }
         return bytes.array();
+    }
+
+    /** Whole numbers have 4 bytes each, two's complement. */
+    static byte[] bytes(Integers numbers) {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * numbers.size()).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.asIntBuffer().put(numbers.values());
+        return bytes.array();
+    }
+
+    /** Takes a multiple of 4 bytes. */
+    static Integers integers(byte[] bytes) {
+        int[] values = new int[bytes.length / Integer.BYTES];
+        ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).asIntBuffer().get(values);
+        return new Integers(values);
     }
 
     /** Takes a multiple of 8 bytes. */

@@ -11,6 +11,7 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -20,7 +21,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TextureCoordinates;
 
 /** A digest of strings and of numbers by their bits: the same on every JVM. */
 public final class Fingerprint {
@@ -72,8 +72,9 @@ public final class Fingerprint {
             add(number);
         }
         add(object.heading());
-        if (!object.material().isDefault()) {
-            add(object.material());
+        Material material = object.material();
+        if (!material.equals(Material.of(material.color()))) {
+            add(material);
         }
         switch (object.kind()) {
             case BOX -> {
@@ -93,7 +94,7 @@ public final class Fingerprint {
         }
     }
 
-    /** An object without a material has the digest that it always had. */
+    /** Not of one that is only a colour, which worlds had before there were materials. */
     private void add(Material material) {
         add(material.color());
         add(material.diffuse())

@@ -61,7 +61,7 @@ public final class Palette {
      * The colour of a distance as a fraction of the largest, from 0 to 1: nearer ones contrast more with the
      * background.
      */
-    static Ink distance(double share) {
+    public static Ink distance(double share) {
         double step = Math.max(0, Math.min(1, share)) * (RAMP - 1);
         return DISTANCES[(int) Math.round(step)];
     }

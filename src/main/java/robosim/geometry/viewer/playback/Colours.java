@@ -3,13 +3,15 @@ package robosim.geometry.viewer.playback;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 
 /**
  * The colours that a world file gives its objects. An object with a name keeps its colour wherever it moves and
- * whatever else changes; one without is identified by all its properties.
+ * whatever else changes; one without is identified by all its properties but its material, which
+ * a session may leave out.
  */
 public final class Colours {
     public static final Colours NONE = new Colours();
@@ -27,7 +29,7 @@ public final class Colours {
             if (colour != null && name != null) {
                 colours.named.put(name, colour);
             } else if (colour != null) {
-                colours.nameless.put(thing.object(), colour);
+                colours.nameless.put(thing.object().withMaterial(Material.DEFAULT), colour);
             }
         }
         return colours;
@@ -37,6 +39,6 @@ public final class Colours {
     @Nullable
     public Integer of(GeometryObject object) {
         String name = object.name();
-        return name != null ? named.get(name) : nameless.get(object);
+        return name != null ? named.get(name) : nameless.get(object.withMaterial(Material.DEFAULT));
     }
 }

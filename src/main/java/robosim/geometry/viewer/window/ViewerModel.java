@@ -17,6 +17,7 @@ import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.viewer.space.Moment;
 import robosim.geometry.world.World;
 
 /**
@@ -54,6 +55,7 @@ final class ViewerModel {
 
     private int trails;
     private Frame.@Nullable Setting shown;
+    private Scene.View border = new Scene.View(-0.5, -0.5, 0.5, 0.5, false);
     private int world = -1;
     private @Nullable Sandbox sandbox;
 
@@ -120,7 +122,8 @@ final class ViewerModel {
         Frame.Setting setting = film.setting(player.position());
         int now = film.world(player.position());
         if (setting != null && now != world) {
-            camera.look(seen(setting));
+            border = seen(setting);
+            camera.look(border);
             shown = setting;
             world = now;
         }
@@ -151,11 +154,18 @@ final class ViewerModel {
         return world;
     }
 
+    /** What a picture in three dimensions shows; null before the first world. */
+    @Nullable
+    Moment moment() {
+        Frame.Setting setting = shown;
+        return setting == null ? null : new Moment(world, setting.dimension(), border, setting.statics(), life());
+    }
+
     /** The floor and the static objects. */
     Scene ground() {
         Frame.Setting setting = shown;
         return setting == null
-                ? Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of())
+                ? Scene.of("", border, List.of())
                 : Scene.of("", setting.border(), setting.statics()).described("", unit);
     }
 
@@ -292,10 +302,15 @@ final class ViewerModel {
         if (object != null) {
             held.offsetX = object.center().x() - worldX;
             held.offsetZ = object.center().z() - worldZ;
-            picked = object;
-            pickedIn = world;
+            select(object);
         }
         grip = held;
+    }
+
+    /** Selects an object, or nothing. */
+    void select(@Nullable GeometryObject object) {
+        picked = object;
+        pickedIn = world;
     }
 
     /** Handles a mouse drag: pushes a robot or moves the view. */

@@ -4,10 +4,14 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.GridLayout;
 import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.io.Serial;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -20,8 +24,13 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.space.Gallery;
+import robosim.geometry.viewer.space.SpaceCamera;
 
-/** The contents of a viewer's window: the map, a status line below it, and for a conversation its controls. */
+/**
+ * The contents of a viewer's window: the map, the world in three dimensions, a status line below them, and for a
+ * conversation its controls.
+ */
 final class ViewerPane extends JPanel {
     @Serial
     private static final long serialVersionUID = 1;
@@ -31,23 +40,54 @@ final class ViewerPane extends JPanel {
 
     private final transient ViewerModel viewing;
     private final MapPanel map;
+    private final SpacePanel space;
+    private final JPanel views = new JPanel(new GridLayout(1, 0, 2, 0));
     private final Timeline timeline;
     private final JPanel below = new JPanel();
     private final JPanel bar = new JPanel();
+    private final JPanel foot = new JPanel();
     private final JLabel status = new JLabel(" ");
     private final JLabel speed = new JLabel(" ");
     private final transient List<JButton> buttons = new ArrayList<>();
     private final JButton play;
     private Theme theme;
+    private Parts parts = Parts.PLAN;
+
+    /** Whether keys that both parts know are meant for the one in three dimensions. */
+    private boolean isInSpace;
+
+    /** What is shown of the world. */
+    private enum Parts {
+        PLAN,
+        BOTH,
+        SPACE;
+
+        Parts next() {
+            return switch (this) {
+                case PLAN -> BOTH;
+                case BOTH -> SPACE;
+                case SPACE -> PLAN;
+            };
+        }
+    }
 
     ViewerPane(ViewerModel viewing, Theme theme) {
+        this(viewing, theme, SpacePanel.worker());
+    }
+
+    /** A pane whose pictures in three dimensions are made elsewhere. */
+    ViewerPane(ViewerModel viewing, Theme theme, Executor worker) {
         super(new BorderLayout());
         this.viewing = viewing;
         this.theme = theme;
         this.map = new MapPanel(viewing, theme, this::refresh);
+        this.space = new SpacePanel(viewing, theme, this::refresh, worker);
         this.timeline = new Timeline(viewing, theme, this::refresh);
         this.play = button("play", ControlIcon.Shape.PLAY, "Play or pause (Space)", this::togglePlay);
-        add(map, BorderLayout.CENTER);
+        add(views, BorderLayout.CENTER);
+        map.addMouseListener(new Entered(false));
+        space.addMouseListener(new Entered(true));
+        show(Parts.PLAN);
         lay();
         keys();
         paintAs(theme);
@@ -80,7 +120,14 @@ final class ViewerPane extends JPanel {
             below.add(bar);
             below.add(Box.createVerticalStrut(4));
         }
-        below.add(status);
+        foot.setLayout(new BoxLayout(foot, BoxLayout.X_AXIS));
+        foot.setAlignmentX(LEFT_ALIGNMENT);
+        foot.add(status);
+        foot.add(Box.createHorizontalGlue());
+        foot.add(button("view", ControlIcon.Shape.CUBE, "Plan, both, or three dimensions (V)", this::nextParts));
+        foot.add(button("cameras", ControlIcon.Shape.CAMERAS, "More cameras (C)", this::nextCameras));
+        foot.add(button("own", ControlIcon.Shape.EYE, "What a robot sees (R)", this::toggleOwn));
+        below.add(foot);
         add(below, BorderLayout.SOUTH);
     }
 
@@ -99,6 +146,51 @@ final class ViewerPane extends JPanel {
         });
         buttons.add(button);
         return button;
+    }
+
+    private final class Entered extends MouseAdapter {
+        private final boolean isSpace;
+
+        Entered(boolean isSpace) {
+            this.isSpace = isSpace;
+        }
+
+        @Override
+        public void mouseEntered(MouseEvent event) {
+            isInSpace = isSpace;
+        }
+    }
+
+    private void show(Parts other) {
+        parts = other;
+        isInSpace = parts == Parts.SPACE;
+        views.removeAll();
+        if (parts != Parts.SPACE) {
+            views.add(map);
+        }
+        if (parts != Parts.PLAN) {
+            views.add(space);
+        }
+        revalidate();
+    }
+
+    private void nextParts() {
+        show(parts.next());
+    }
+
+    private void nextCameras() {
+        if (parts == Parts.PLAN) {
+            show(Parts.BOTH);
+        }
+        space.gallery.next();
+    }
+
+    private void toggleOwn() {
+        boolean isOwn = parts != Parts.PLAN && space.gallery.arrangement() == Gallery.Arrangement.OWN;
+        if (parts == Parts.PLAN) {
+            show(Parts.BOTH);
+        }
+        space.gallery.show(isOwn ? Gallery.Arrangement.ONE : Gallery.Arrangement.OWN);
     }
 
     private void togglePlay() {
@@ -136,14 +228,35 @@ final class ViewerPane extends JPanel {
         typed('+', () -> zoom(1));
         typed('=', () -> zoom(1));
         typed('-', () -> zoom(-1));
-        typed('f', viewing.camera::fit);
+        typed('f', this::fit);
+        typed('v', this::nextParts);
+        typed('c', this::nextCameras);
+        typed('r', this::toggleOwn);
+        typed('i', () -> space.gallery.fly(1, 0, 0));
+        typed('k', () -> space.gallery.fly(-1, 0, 0));
+        typed('l', () -> space.gallery.fly(0, 0, 1));
+        typed('j', () -> space.gallery.fly(0, 0, -1));
+        typed('o', () -> space.gallery.fly(0, 1, 0));
+        typed('u', () -> space.gallery.fly(0, -1, 0));
         typed('d', () -> paintAs(theme == Theme.LIGHT ? Theme.DARK : Theme.LIGHT));
         typed('q', () -> viewing.turnPicked(TURN));
         typed('e', () -> viewing.turnPicked(-TURN));
         key("ESCAPE", viewing::escape);
     }
 
+    private void fit() {
+        if (isInSpace) {
+            space.gallery.fit();
+        } else {
+            viewing.camera.fit();
+        }
+    }
+
     private void zoom(int steps) {
+        if (isInSpace) {
+            space.gallery.zoom(StrictMath.pow(SpaceCamera.STEP, steps));
+            return;
+        }
         viewing.wheel(map.getWidth() / 2.0, map.getHeight() / 2.0, -steps);
     }
 
@@ -195,6 +308,7 @@ final class ViewerPane extends JPanel {
         }
         speed.setText(viewing.pace());
         play.setIcon(new ControlIcon(viewing.player.isPlaying() ? ControlIcon.Shape.PAUSE : ControlIcon.Shape.PLAY));
+        space.order();
         repaint();
     }
 
@@ -206,6 +320,8 @@ final class ViewerPane extends JPanel {
         setBackground(paper);
         below.setBackground(paper);
         bar.setBackground(paper);
+        foot.setBackground(paper);
+        views.setBackground(paper);
         status.setForeground(text);
         speed.setForeground(quiet);
         Font plain = status.getFont().deriveFont(Font.PLAIN, 13f);
@@ -216,6 +332,7 @@ final class ViewerPane extends JPanel {
             button.setBackground(paper);
         }
         map.setTheme(theme);
+        space.setTheme(theme);
         timeline.setTheme(theme);
         repaint();
     }

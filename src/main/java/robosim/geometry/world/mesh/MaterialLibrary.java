@@ -161,13 +161,15 @@ final class MaterialLibrary {
         if (entry == null) {
             return Material.DEFAULT;
         }
-        if (entry.picture != null) {
+        String picture = entry.picture;
+        if (picture != null) {
+            entry.picture = null;
             Path folder = entry.file.toAbsolutePath().resolveSibling("");
             try {
-                entry.material = entry.material.withTexture(textures.read(folder, entry.picture));
-                entry.picture = null;
-            } catch (IllegalArgumentException e) {
-                throw new FileProblem(entry.file.toString(), entry.line, 0, "map_Kd: " + e.getMessage(), e);
+                entry.material = entry.material.withTexture(textures.read(folder, picture));
+            } catch (FileProblem | IllegalArgumentException e) {
+                textures.leaveOut(
+                        entry.file, entry.line, "map_Kd of material " + name, String.valueOf(e.getMessage()), e);
             }
         }
         return entry.material;

@@ -22,9 +22,14 @@ public final class MeshFiles {
         public MeshObject read(InputStream in, String source, double scale) throws FileProblem;
     }
 
-    /** Whether a name has the ending of a supported format: .obj or .stl. */
+    /** Whether a name has the ending of a supported format: .obj, .stl or .dae. */
     public static boolean isNamed(String file) {
-        return isStl(file) || file.toLowerCase(Locale.ROOT).endsWith(".obj");
+        return isStl(file) || isCollada(file) || file.toLowerCase(Locale.ROOT).endsWith(".obj");
+    }
+
+    /** Whether a name has the ending of COLLADA, whose files tell their unit and axes. */
+    public static boolean isCollada(String file) {
+        return file.toLowerCase(Locale.ROOT).endsWith(".dae");
     }
 
     private static boolean isStl(String file) {
@@ -36,6 +41,9 @@ public final class MeshFiles {
      * materials are read too.
      */
     public static MeshObject read(Path file, double scale, TextureFiles textures) throws FileProblem {
+        if (isCollada(file.toString())) {
+            return read(file, scale, ColladaSurface::read);
+        }
         return isStl(file.toString()) ? read(file, scale, StlSurface::read) : readObj(file, scale, textures);
     }
 

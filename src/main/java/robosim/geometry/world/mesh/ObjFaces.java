@@ -13,9 +13,9 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.world.shared.FileProblem;
 
 /** The faces of an OBJ file with their texture coordinates and materials, while they are read, and the mesh of them. */

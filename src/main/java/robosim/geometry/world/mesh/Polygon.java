@@ -15,7 +15,7 @@ public final class Polygon {
     private Polygon() {}
 
     /** Adds the faces of one polygon to a list. */
-    static void cut(List<Point> vertices, int[] corners, List<int[]> faces) {
+    public static void cut(List<Point> vertices, int[] corners, List<int[]> faces) {
         if (corners.length == 3) {
             faces.add(corners);
             return;

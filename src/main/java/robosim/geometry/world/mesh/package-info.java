@@ -1,4 +1,4 @@
-/** The surfaces of OBJ and STL files. */
+/** The surfaces of OBJ, STL and COLLADA files. */
 @NullMarked
 package robosim.geometry.world.mesh;
 

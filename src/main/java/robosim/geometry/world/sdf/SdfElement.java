@@ -8,6 +8,8 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
+import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Numbers;
 
 /** An element of an SDFormat file that is relevant to its geometry; all others are only counted. */
@@ -123,6 +125,22 @@ public final class SdfElement {
             case "false", "0" -> false;
             default -> throw place.wrong(what + " must be true, false, 1 or 0 (got: " + value + ")");
         };
+    }
+
+    /** The frame to which a pose is relative; in older versions the attribute had another name. */
+    String relativeTo() {
+        String given = attribute("relative_to");
+        return given.isEmpty() ? attribute("frame") : given;
+    }
+
+    /** The element in messages: its tag, and its name if it has one. */
+    String tag() {
+        String given = attribute("name");
+        return "<" + name + ">" + (given.isEmpty() ? "" : " \"" + given + "\"");
+    }
+
+    FileProblem beyond(String problem) {
+        return new LimitProblem(file.shown(), line, column, problem);
     }
 
     FileProblem wrong(String problem) {

@@ -1,6 +1,7 @@
 package robosim.geometry.world.sdf;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -11,9 +12,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.TextureFiles;
 
@@ -35,7 +38,9 @@ public final class SdfFiles {
     /** A cache of lookups, found or not: a model may be included a thousand times, and file access is slow. */
     private final Map<Name, Optional<Path>> known = new HashMap<>();
 
+    private @Nullable Map<String, List<Path>> packages;
     private final List<String> remarks = new ArrayList<>();
+    private final List<LeftOut> leftOut = new ArrayList<>();
     private final TextureFiles textures;
     private long bytes;
 
@@ -52,12 +57,17 @@ public final class SdfFiles {
         } catch (IOException e) {
             throw FileProblem.unreadable(main, e);
         }
-        textures = new TextureFiles(folders);
+        textures = new TextureFiles(folders, leftOut);
     }
 
     /** The pictures that its meshes name, from the same folders. */
     TextureFiles textures() {
         return textures;
+    }
+
+    /** The pictures of meshes that could not be read. */
+    public List<LeftOut> leftOut() {
+        return leftOut;
     }
 
     /** Remarks about the files, none of which means that something is missing. */
@@ -78,7 +88,8 @@ public final class SdfFiles {
     private SdfElement open(Path real, String shown) throws FileProblem {
         SdfElement known = roots.get(real);
         if (known == null) {
-            known = SdfParser.read(new SdfFile(real, folder(real), shown));
+            SdfFile file = new SdfFile(real, folder(real), shown);
+            known = UrdfParser.isNamed(file) ? UrdfParser.read(file) : SdfParser.read(file);
             roots.put(real, known);
         }
         return known;
@@ -169,7 +180,56 @@ public final class SdfFiles {
         }
     }
 
-    private List<Path> candidates(String name, Path from) {
+    /** How deep below a folder a package may be: in a repository of a workspace. */
+    private static final int PACKAGE_DEPTH = 3;
+
+    /** Entries of a folder tree that are looked at for a package. A workspace of some 100 packages has some 3,000. */
+    private static final int MOST_ENTRIES = 20_000;
+
+    /**
+     * The folders of a package of ROS: one around the file that names it, so that a robot finds its own meshes, and those
+     * deeper in the given folders. Both must have a package.xml.
+     */
+    private void packages(String name, String rest, Path from, List<Path> candidates) throws IOException {
+        for (Path around = from; around != null; around = around.getParent()) {
+            if (around.endsWith(name) && isPackage(around)) {
+                folders.add(around);
+                candidates.add(around.resolve(rest).normalize());
+                return;
+            }
+        }
+        for (Path each : packages().getOrDefault(name, List.of())) {
+            candidates.add(each.resolve(rest).normalize());
+        }
+    }
+
+    /** The packages below the given folders by name, looked for once. */
+    private Map<String, List<Path>> packages() throws IOException {
+        if (packages != null) {
+            return packages;
+        }
+        Map<String, List<Path>> found = new HashMap<>();
+        for (Path folder : folders) {
+            try (Stream<Path> below = Files.walk(folder, PACKAGE_DEPTH)) {
+                below.limit(MOST_ENTRIES)
+                        .filter(SdfFiles::isPackage)
+                        .sorted()
+                        .forEach(each -> found.computeIfAbsent(
+                                        String.valueOf(each.getFileName()), name -> new ArrayList<>())
+                                .add(each));
+            } catch (UncheckedIOException e) {
+                throw e.getCause();
+            }
+        }
+        packages = found;
+        return found;
+    }
+
+    private static boolean isPackage(Path folder) {
+        return Files.isRegularFile(folder.resolve("package.xml"));
+    }
+
+    private List<Path> candidates(String name, Path from) throws IOException {
         List<Path> candidates = new ArrayList<>();
         int scheme = name.indexOf("://");
         if (scheme < 0) {
@@ -191,6 +251,11 @@ public final class SdfFiles {
             candidates.add(from.resolve(rest).normalize());
             for (Path folder : folders) {
                 candidates.add(folder.resolve(rest).normalize());
+            }
+            if (name.startsWith("package://")
+                    && slash > 0
+                    && candidates.stream().noneMatch(Files::exists)) {
+                packages(model, rest.substring(slash + 1), from, candidates);
             }
         }
         return candidates;

@@ -63,6 +63,13 @@ public final class SdfManifest extends DefaultHandler {
             remarks.accept(e.getMessage() + "; only the name of the model's file matters here, and " + manifest.model
                     + " was used");
         }
+        if (manifest.model == null || !Files.isRegularFile(file.resolveSibling(manifest.model))) {
+            String named = manifest.model == null ? "no file" : manifest.model + ", which is not there";
+            if (Files.isRegularFile(file.resolveSibling(DEFAULT))) {
+                manifest.model = DEFAULT;
+                remarks.accept(file + ": it names " + named + "; " + DEFAULT + " was used");
+            }
+        }
         if (manifest.model == null) {
             throw new FileProblem(
                     file.toString(), 0, 0, "<model> must have <sdf version=\"1.x\"> with a file's name (got: none)");
@@ -100,7 +107,7 @@ public final class SdfManifest extends DefaultHandler {
         named = depth == 2 && name.equals("sdf");
         if (named) {
             String given = attributes.getValue("version");
-            version = given == null ? 0 : minor(given.strip());
+            version = given == null ? 0 : Math.max(0, minor(given.strip()));
             text.setLength(0);
         }
     }

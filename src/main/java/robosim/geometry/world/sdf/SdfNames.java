@@ -5,7 +5,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The relevant elements of SDFormat 1.4 to 1.12: which are read, which are irrelevant to solid geometry, and which are
+ * The relevant elements of SDFormat up to 1.12: which are read, which are irrelevant to solid geometry, and which are
  * relevant but not supported. Of a visual only the material is read; it counts as irrelevant nevertheless.
  */
 public final class SdfNames {
@@ -42,7 +42,11 @@ public final class SdfNames {
             Map.entry("capsule", Set.of("radius", "length")),
             Map.entry("cylinder", Set.of("radius", "length")),
             Map.entry("sphere", Set.of("radius")),
-            Map.entry("plane", Set.of("normal")),
+            Map.entry("plane", Set.of("normal", "size")),
+            Map.entry("cone", Set.of("radius", "length")),
+            Map.entry("ellipsoid", Set.of("radii")),
+            Map.entry("polyline", Set.of("point", "height")),
+            Map.entry("submesh", Set.of("name", "center")),
             Map.entry("mesh", Set.of("uri", "scale", "submesh")));
 
     /** By element, the children that are ignored; all others if the set is {@link #ALL}. */
@@ -92,15 +96,10 @@ public final class SdfNames {
             Map.entry("visual", ALL),
             Map.entry("material", ALL),
             Map.entry("mesh", Set.of("convex_decomposition")),
-            Map.entry("plane", Set.of("size")),
             Map.entry("joint", ALL),
-            Map.entry("cone", ALL),
-            Map.entry("ellipsoid", ALL),
             Map.entry("empty", ALL),
             Map.entry("heightmap", ALL),
-            Map.entry("image", ALL),
-            Map.entry("polyline", ALL),
-            Map.entry("submesh", ALL));
+            Map.entry("image", ALL));
 
     private SdfNames() {}
 
@@ -111,7 +110,7 @@ public final class SdfNames {
     /** Whether an element may have any number of these children; of all others it has at most one. */
     static boolean isRepeated(String child) {
         return switch (child) {
-            case "world", "model", "include", "link", "frame", "joint", "collision", "visual" -> true;
+            case "world", "model", "include", "link", "frame", "joint", "collision", "visual", "point" -> true;
             case "material", "diffuse", "emissive", "shininess", "specular" -> true; // harmless: the first one counts
             default -> false;
         };

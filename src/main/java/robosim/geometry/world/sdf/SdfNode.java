@@ -1,6 +1,7 @@
 package robosim.geometry.world.sdf;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
 
 /** Something with its own frame in a scope: a model, a link, a frame or a joint. */
@@ -28,6 +29,10 @@ public final class SdfNode {
     @Nullable
     Placement local;
 
+    /** Why its pose could not be computed. */
+    @Nullable
+    FileProblem failure;
+
     /** Whether it is being computed. */
     boolean isOpen;
 
@@ -54,7 +59,7 @@ public final class SdfNode {
 
     /** The name of the frame to which the pose is relative; empty for the scope's own. */
     String relativeTo() {
-        String named = pose == null ? "" : pose.attribute("relative_to");
+        String named = pose == null ? "" : pose.relativeTo();
         return named.isEmpty() ? base : named;
     }
 

@@ -13,6 +13,7 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
 
@@ -71,21 +72,39 @@ public final class SdfObjects {
     private void moveable(SdfNode model, SdfScope inner, Placement place) throws FileProblem {
         Body body = new Body();
         gather(model, place, Placement.NONE, body);
-        if (body.members.isEmpty() || body.first == null) {
+        Placement first = body.first;
+        if (body.members.isEmpty() || first == null) {
             return;
         }
         SdfElement element = model.element;
-        String name = unique(inner.path, element);
-        try {
+        leaveOutMistakes(element, () -> {
+            String name = unique(inner.path, element);
             // A single shape that turns about the model's own vertical is the object itself; else a group keeps the
             // frame.
             GeometryObject only = body.members.get(0);
-            GeometryObject whole = body.members.size() == 1 && body.first.isOnTheSpot()
-                    ? only.at(place.then(body.first).pose())
+            GeometryObject whole = body.members.size() == 1 && first.isOnTheSpot()
+                    ? only.at(place.then(first).pose())
                     : new ObjectGroup(body.members).at(place.pose());
             objects.add(whole.moveable(name));
+        });
+    }
+
+    /** A step that fails for a mistake in the file. */
+    @FunctionalInterface
+    private interface Step {
+        void run() throws FileProblem;
+    }
+
+    /** Runs a step; if it finds a mistake, the element is left out, and the rest of the world is read nevertheless. */
+    private void leaveOutMistakes(SdfElement element, Step step) throws FileProblem {
+        try {
+            step.run();
+        } catch (LimitProblem e) {
+            throw e;
+        } catch (FileProblem e) {
+            tree.skip(element, element.tag(), e);
         } catch (IllegalArgumentException e) {
-            throw element.wrong("model " + name + ": " + e.getMessage());
+            tree.skip(element, element.tag(), String.valueOf(e.getMessage()));
         }
     }
 
@@ -96,14 +115,16 @@ public final class SdfObjects {
         for (SdfNode link : scope.links) {
             counts.merge("link", 1, Integer::sum);
             for (SdfElement collision : collisions(link)) {
-                String path = path(scope, link, collision);
-                Placement local = local(scope, link, collision);
-                GeometryObject shape = shape(link, collision, path, inWorld.then(local));
-                if (shape != null) {
-                    Placement place = inBody.then(local);
-                    body.first = body.first == null ? place : body.first;
-                    body.members.add(placed(collision, shape, place));
-                }
+                leaveOutMistakes(collision, () -> {
+                    String path = path(scope, link, collision);
+                    Placement local = local(scope, link, collision);
+                    GeometryObject shape = shape(link, collision, path, inWorld.then(local));
+                    if (shape != null) {
+                        Placement place = inBody.then(local);
+                        body.members.add(placed(collision, shape, place));
+                        body.first = body.first == null ? place : body.first;
+                    }
+                });
             }
         }
         for (SdfNode nested : scope.models) {
@@ -125,24 +146,24 @@ public final class SdfObjects {
         for (SdfNode link : scope.links) {
             counts.merge("link", 1, Integer::sum);
             for (SdfElement collision : collisions(link)) {
-                String path = path(scope, link, collision);
-                Placement place = inWorld.then(local(scope, link, collision));
-                GeometryObject shape = shape(link, collision, path, place);
-                if (shape != null) {
-                    found.put(collision, placed(collision, shape, place));
-                    paths.put(collision, path);
-                }
+                leaveOutMistakes(collision, () -> {
+                    String path = path(scope, link, collision);
+                    Placement place = inWorld.then(local(scope, link, collision));
+                    GeometryObject shape = shape(link, collision, path, place);
+                    if (shape != null) {
+                        found.put(collision, placed(collision, shape, place));
+                        paths.put(collision, path);
+                    }
+                });
             }
         }
         boolean alone = found.size() == 1 && scope.models.isEmpty();
         for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
             SdfElement collision = each.getKey();
-            String name = unique(alone ? scope.path : paths.getOrDefault(collision, scope.path), collision);
-            try {
+            leaveOutMistakes(collision, () -> {
+                String name = unique(alone ? scope.path : paths.getOrDefault(collision, scope.path), collision);
                 objects.add(each.getValue().named(name));
-            } catch (IllegalArgumentException e) {
-                throw collision.wrong("collision " + name + ": " + e.getMessage());
-            }
+            });
         }
         for (SdfNode nested : scope.models) {
             statics(nested, inWorld.then(scope.placement(nested)));
@@ -172,7 +193,7 @@ public final class SdfObjects {
         if (pose == null) {
             return scope.placement(link);
         }
-        String base = pose.attribute("relative_to");
+        String base = pose.relativeTo();
         Placement from = base.isEmpty() ? scope.placement(link) : scope.placement(base, link.home, pose);
         return from.then(SdfPose.read(pose));
     }
@@ -180,7 +201,7 @@ public final class SdfObjects {
     private @Nullable GeometryObject shape(SdfNode link, SdfElement collision, String path, Placement place)
             throws FileProblem {
         if (++collisions > Limits.MAX_OBJECTS) {
-            throw collision.wrong("a world must have at most " + Limits.MAX_OBJECTS + " collisions (got: more)");
+            throw collision.beyond("a world must have at most " + Limits.MAX_OBJECTS + " collisions (got: more)");
         }
         counts.merge("collision", 1, Integer::sum);
         tree.account(collision);
@@ -189,12 +210,13 @@ public final class SdfObjects {
             return null;
         }
         counts.merge(collision.required("geometry").children.get(0).name, 1, Integer::sum);
-        Material material = SdfMaterials.of(link.element, collision);
-        if (material == null) {
-            return shape;
+        Material material = null;
+        try {
+            material = SdfMaterials.of(link.element, collision);
+        } catch (FileProblem e) { // which costs the colour, and not the shape
+            tree.skip(collision, "<material> of " + path, e);
         }
-        counts.merge("material", 1, Integer::sum);
-        return shape.withMaterial(material);
+        return material == null ? shape : shape.withMaterial(material);
     }
 
     private static GeometryObject placed(SdfElement collision, GeometryObject shape, Placement place)

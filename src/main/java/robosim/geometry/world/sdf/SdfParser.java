@@ -15,13 +15,14 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
 
 /** Parses an SDFormat file into elements: those relevant to solid geometry, and counts of the others. */
 public final class SdfParser extends DefaultHandler {
-    private static final int FIRST_VERSION = 4;
+    private static final int FIRST_VERSION = 0;
     private static final int LAST_VERSION = 12;
 
     private final SdfFile file;
@@ -81,8 +82,13 @@ public final class SdfParser extends DefaultHandler {
         }
         SdfElement parent = open.peek();
         if (parent == null) {
-            root = keep(null, name, attributes);
+            root = keep(null, name.equals("gazebo") ? "sdf" : name, attributes);
             checkRoot(root);
+        } else if (name.equals("origin")
+                && attributes.getValue("pose") != null
+                && SdfNames.isRead(parent.name, "pose")) {
+            SdfElement pose = keep(parent, "pose", attributes);
+            pose.text.append(pose.attribute("pose"));
         } else if (SdfNames.isRead(parent.name, name)) {
             keep(parent, name, attributes);
             passOver(parent, name);
@@ -123,12 +129,17 @@ public final class SdfParser extends DefaultHandler {
             // Otherwise a search for the collisions of a link would go through all of its poses, again for each
             // include.
             if (!SdfNames.isRepeated(name) && parent.child(name) != null) {
-                throw refusal(
-                        "<" + parent.name + "> must have only one <" + name + ">; remove this or the other (got: two)");
+                parent.skipped.add(new LeftOut(
+                        file.shown(),
+                        line(),
+                        element.tag(),
+                        "<" + parent.name + "> must have only one <" + name + ">; the first one counts, remove this"));
+            } else {
+                parent.children.add(element);
             }
-            parent.children.add(element);
         }
         open.push(element);
+        SdfOld.complete(element);
         return element;
     }
 
@@ -144,7 +155,7 @@ public final class SdfParser extends DefaultHandler {
     }
 
     private void checkRoot(SdfElement sdf) throws SAXException {
-        if (!sdf.name.equals("sdf")) {
+        if (!sdf.name.equals("sdf") && !sdf.name.equals("gazebo")) {
             throw refusal("the root of SDFormat must be <sdf> (got: <" + sdf.name + ">)");
         }
         String version = sdf.attribute("version");
@@ -183,6 +194,10 @@ public final class SdfParser extends DefaultHandler {
                     "radius",
                     "length",
                     "normal",
+                    "radii",
+                    "point",
+                    "height",
+                    "center",
                     "scale",
                     "diffuse",
                     "emissive",

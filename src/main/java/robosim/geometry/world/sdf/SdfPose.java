@@ -21,10 +21,6 @@ public final class SdfPose {
     /** Reads a pose element; its {@code relative_to} is not evaluated here. */
     static Placement read(SdfElement pose) throws FileProblem {
         String format = pose.attribute("rotation_format");
-        if (pose.attributes.containsKey("frame") && !pose.attribute("frame").isEmpty()) {
-            throw pose.wrong("the attribute frame of <pose> never had a meaning; use relative_to=\""
-                    + pose.attribute("frame") + "\" in version 1.7 or later, or remove it (got: frame)");
-        }
         String degrees = pose.attribute("degrees");
         boolean inDegrees = !degrees.isEmpty() && SdfElement.isTrue(pose, "degrees of <pose>", degrees);
         try {

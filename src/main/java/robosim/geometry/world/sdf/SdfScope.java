@@ -52,7 +52,27 @@ public final class SdfScope {
     Placement placement(SdfNode node) throws FileProblem {
         // Iterative, not recursive: a file may chain a hundred thousand frames.
         Deque<SdfNode> waiting = new ArrayDeque<>();
+        try {
+            compute(node, waiting);
+        } catch (FileProblem e) {
+            // All that depend on it fail for the same reason, without looking for it anew.
+            for (SdfNode at : waiting) {
+                at.failure = e;
+                at.isOpen = false;
+            }
+            throw e;
+        }
+        if (node.local == null) {
+            throw new IllegalStateException("a placement was not computed");
+        }
+        return node.local;
+    }
+
+    private void compute(SdfNode node, Deque<SdfNode> waiting) throws FileProblem {
         for (SdfNode at = node; at != null && at.local == null; at = next(at)) {
+            if (at.failure != null) {
+                throw at.failure;
+            }
             if (at.isOpen) {
                 throw at.place()
                         .wrong("poses must not be relative to each other in a cycle; make one of them relative to"
@@ -62,14 +82,11 @@ public final class SdfScope {
             waiting.push(at);
         }
         while (!waiting.isEmpty()) {
-            SdfNode at = waiting.pop();
+            SdfNode at = waiting.element();
             at.local = work(at);
             at.isOpen = false;
+            waiting.pop();
         }
-        if (node.local == null) {
-            throw new IllegalStateException("a placement was not computed");
-        }
-        return node.local;
     }
 
     private Placement work(SdfNode node) throws FileProblem {

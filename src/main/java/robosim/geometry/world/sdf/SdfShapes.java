@@ -6,14 +6,17 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Rotations;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TextureCoordinates;
+import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
@@ -21,13 +24,21 @@ import robosim.geometry.world.shared.Placement;
 
 /** Creates shapes from SDFormat's geometries, at the origin and in the world's axes: its Z is our Y. */
 public final class SdfShapes {
+    /** Width and length in metres of a plane that has no size, which Gazebo draws as one metre and takes as infinite. */
+    private static final double PLANE = 100;
+
+    private static final double THICKNESS = 0.1;
+
     private final SdfTree tree;
     private final SdfFiles files;
-    private final Map<Path, MeshObject> surfaces = new HashMap<>();
+    private final Map<Part, MeshObject> surfaces = new HashMap<>();
     private final Map<Scaled, MeshObject> meshes = new HashMap<>();
     private long vertices;
 
-    private record Scaled(Path file, Point scale) {}
+    /** A part of a file by its name; all of it if that is empty. */
+    private record Part(Path file, String name) {}
+
+    private record Scaled(Path file, String part, boolean isCentred, Point scale) {}
 
     public SdfShapes(SdfTree tree, SdfFiles files) {
         this.tree = tree;
@@ -64,6 +75,10 @@ public final class SdfShapes {
                 case "mesh" -> mesh(shape, owner);
                 case "plane" -> plane(shape, owner, place);
                 case "empty" -> null;
+                case "cone" ->
+                    approximate(shape, owner, SdfSurfaces.cone(shape.number("radius"), shape.number("length")));
+                case "ellipsoid" -> ellipsoid(shape, owner);
+                case "polyline" -> SdfSurfaces.polyline(shape);
                 default -> {
                     tree.skip(
                             shape, named(shape, owner), "this shape is not supported; use boxes, cylinders or a mesh");
@@ -79,6 +94,21 @@ public final class SdfShapes {
         return "<" + shape.name + "> of " + owner;
     }
 
+    private GeometryObject ellipsoid(SdfElement shape, String owner) throws FileProblem {
+        double[] radii = shape.required("radii").numbers(3);
+        return radii[0] == radii[1] && radii[1] == radii[2]
+                ? new SphereObject(new Point(), radii[0])
+                : approximate(shape, owner, SdfSurfaces.ellipsoid(radii));
+    }
+
+    private MeshObject approximate(SdfElement shape, String owner, MeshObject mesh) {
+        tree.remark(
+                shape,
+                named(shape, owner) + " is a solid mesh here, of flat faces with " + SdfSurfaces.SIDES
+                        + " sides around, whose corners are on its surface");
+        return mesh;
+    }
+
     private static CylinderObject cylinder(SdfElement shape) throws FileProblem {
         return new CylinderObject(new Point(), shape.number("radius"), shape.number("length"));
     }
@@ -88,33 +118,64 @@ public final class SdfShapes {
         return new CapsuleObject(new Point(), shape.number("radius"), shape.number("length"));
     }
 
-    /** The ground is left out; any other plane is refused, since it would cut off half of the world. */
+    /**
+     * The ground is left out: whatever stands on it would touch it, and what touches cannot move. Any other plane
+     * becomes a wide, thin box behind it.
+     */
     private @Nullable GeometryObject plane(SdfElement shape, String owner, Placement place) throws FileProblem {
         Point normal = shape.vector("normal", new Point(0, 0, 1));
         Point given = SdfPose.place(normal.x(), normal.y(), normal.z());
         Point up = place.direction(given.x(), given.y(), given.z());
         if (!(up.x() == 0 && up.z() == 0 && up.y() > 0)) {
-            throw shape.wrong("a plane must face straight up, as the ground does; use a box for " + owner
-                    + " (got: a normal of " + up.x() + " " + (0.0 - up.z()) + " " + up.y() + " in the world)");
+            return wall(shape, owner, given);
         }
         tree.ground(
                 shape,
                 named(shape, owner),
                 "it is infinite ground, at height " + place.origin().y()
-                        + ", and a world has no planes; use a box if robots must collide with it");
+                        + ", which all that stands on it would touch, and what touches cannot move; use a box if something must collide with it");
         return null;
+    }
+
+    /** A thin box, the middle of whose front is the origin, facing along a direction of the model. */
+    private GeometryObject wall(SdfElement shape, String owner, Point normal) throws FileProblem {
+        double size = Math.sqrt(normal.x() * normal.x() + normal.y() * normal.y() + normal.z() * normal.z());
+        if (!(size > 0)) {
+            throw shape.wrong("<normal> must not be zero (got: 0 0 0)");
+        }
+        double x = normal.x() / size;
+        double y = normal.y() / size;
+        double z = normal.z() / size;
+        double[] extent = shape.child("size") == null
+                ? new double[] {PLANE, PLANE}
+                : shape.required("size").numbers(2);
+        tree.remark(
+                shape,
+                named(shape, owner) + " is a box here, of " + extent[0] + " x " + extent[1] + " m and " + THICKNESS
+                        + " m thick, and not infinite");
+        // The rotation that takes Y to the normal, about the axis across both.
+        double[] rotation = y <= -1
+                ? new double[] {1, 0, 0, 0, -1, 0, 0, 0, -1}
+                : new double[] {
+                    1 - x * x / (1 + y), x, -x * z / (1 + y), -x, y, -z, -x * z / (1 + y), z, 1 - z * z / (1 + y)
+                };
+        Rotations.orthonormalise(rotation, 0);
+        Point middle = new Point(-x * THICKNESS / 2, -y * THICKNESS / 2, -z * THICKNESS / 2);
+        GeometryObject box = new BoxObject(new Point(), extent[0], THICKNESS, extent[1])
+                .at(Placement.turned(middle, rotation).pose());
+        return new ObjectGroup(List.of(box)); // so that its own frame is the plane's
     }
 
     private @Nullable GeometryObject mesh(SdfElement shape, String owner) throws FileProblem {
         SdfElement uri = shape.required("uri");
         String name = uri.value();
         SdfElement submesh = shape.child("submesh");
-        if (submesh != null) {
-            throw submesh.wrong("part of a mesh cannot be read alone; save it as a separate file, for " + owner
-                    + " (got: <submesh>)");
+        String part = submesh == null ? "" : submesh.required("name").value();
+        if (submesh != null && !part.isEmpty() && !MeshFiles.isCollada(name)) {
+            throw submesh.wrong("a part is read of COLLADA alone; save it as a separate file (got: " + name + ")");
         }
         if (!MeshFiles.isNamed(name)) {
-            tree.skip(shape, named(shape, owner), name + " is neither OBJ nor STL; export it as one of them");
+            tree.skip(shape, named(shape, owner), name + " is neither COLLADA, OBJ nor STL; export it as one of them");
             return null;
         }
         if (SdfFiles.isRemote(name)) {
@@ -126,23 +187,54 @@ public final class SdfShapes {
             throw files.missing(uri);
         }
         Point scale = shape.vector("scale", new Point(1, 1, 1));
-        Scaled key = new Scaled(file, scale);
+        String center = submesh == null ? "" : submesh.valueOf("center");
+        boolean isCentred = !center.isEmpty() && SdfElement.isTrue(shape, "<center>", center);
+        Scaled key = new Scaled(file, part, isCentred, scale);
         MeshObject known = meshes.get(key);
         if (known == null) {
-            known = scaled(surface(uri, file), scale, uri);
+            MeshObject surface = surface(uri, new Part(file, part));
+            known = scaled(isCentred ? centred(surface) : surface, scale, uri);
             meshes.put(key, known);
         }
         return known;
     }
 
-    private MeshObject surface(SdfElement uri, Path file) throws FileProblem {
-        MeshObject known = surfaces.get(file);
+    private MeshObject surface(SdfElement uri, Part key) throws FileProblem {
+        Path file = key.file;
+        MeshObject known = surfaces.get(key);
         if (known == null) {
             files.count(uri, file);
-            known = MeshFiles.trimmed(MeshFiles.read(file, 1, files.textures()));
-            surfaces.put(file, known);
+            known = MeshFiles.isCollada(file.toString())
+                    ? MeshFiles.read(
+                            file,
+                            1,
+                            (in, source, scale) ->
+                                    ColladaSurface.readInItsAxes(in, source, key.name.isEmpty() ? null : key.name))
+                    : MeshFiles.trimmed(MeshFiles.read(file, 1, files.textures()));
+            surfaces.put(key, known);
         }
         return known;
+    }
+
+    /** A mesh moved so that the middle of its bounds is the origin. */
+    private static MeshObject centred(MeshObject mesh) {
+        double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (Point vertex : mesh.vertices()) {
+            double[] place = {vertex.x(), vertex.y(), vertex.z()};
+            for (int k = 0; k < 3; k++) {
+                least[k] = Math.min(least[k], place[k]);
+                most[k] = Math.max(most[k], place[k]);
+            }
+        }
+        List<Point> places = new ArrayList<>(mesh.vertices().size());
+        for (Point vertex : mesh.vertices()) {
+            places.add(new Point(
+                    vertex.x() - (least[0] + most[0]) / 2,
+                    vertex.y() - (least[1] + most[1]) / 2,
+                    vertex.z() - (least[2] + most[2]) / 2));
+        }
+        return new MeshObject(places, mesh.faces());
     }
 
     /**

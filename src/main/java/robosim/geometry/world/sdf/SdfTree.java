@@ -4,12 +4,16 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LeftOut;
+import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.Numbers;
 
 /** Builds the scopes of a world, with included models in place, and a report of what is not read. */
 public final class SdfTree {
@@ -17,13 +21,12 @@ public final class SdfTree {
     private static final Map<String, String> WELL_KNOWN = Map.of(
             "model://sun", "it is a light",
             "model://ground_plane",
-                    "it is infinite ground, and a world has no planes; use a box if robots must collide with it");
+                    "it is infinite ground, which all that stands on it would touch, and what touches cannot move; use a box if something must collide with it");
 
     private final SdfFiles files;
     private final Map<String, Integer> passedOver = new TreeMap<>();
     private final List<LeftOut> skipped = new ArrayList<>();
     private final Set<String> remarks = new LinkedHashSet<>();
-    private final Set<SdfFile> wellKnown = new HashSet<>();
 
     /** The chain of files that are being included. */
     private final Set<SdfFile> open;
@@ -57,13 +60,14 @@ public final class SdfTree {
         return List.copyOf(remarks);
     }
 
-    /** Leaves out a ground plane; Gazebo's own, which most worlds include, is not reported as missing. */
-    void ground(SdfElement plane, String what, String reason) throws FileProblem {
-        if (wellKnown.contains(plane.file)) {
-            remarks.add(new LeftOut(plane.file.shown(), plane.line, what, reason).toString());
-        } else {
-            skip(plane, what, reason);
-        }
+    /** Leaves out a ground plane, which is not reported as missing: everything stands on it. */
+    void ground(SdfElement plane, String what, String reason) {
+        remarks.add(new LeftOut(plane.file.shown(), plane.line, what, reason).toString());
+    }
+
+    /** Something that a user should know of an element that is read. */
+    void remark(SdfElement place, String remark) {
+        remarks.add(place.file.shown() + ":" + place.line + ": " + remark);
     }
 
     /** Reads the scope of a file's only world, or of its models if it has no world. */
@@ -75,11 +79,10 @@ public final class SdfTree {
                 sdf.children.stream().filter(each -> each.name.equals("world")).toList();
         if (!worlds.isEmpty()) {
             holder = worlds.get(0);
-            if (sdf.children.size() > 1) {
-                throw sdf.children
-                        .get(1)
-                        .wrong("a file must contain one world, or only models; split it in two (got: <"
-                                + sdf.children.get(1).name + "> and another)");
+            for (SdfElement each : sdf.children) {
+                if (each != holder) {
+                    skip(each, each.tag(), "a file is read as one world, the first one; split it in two");
+                }
             }
             account(holder);
         } else if (sdf.children.isEmpty() && sdf.skipped.isEmpty()) {
@@ -104,7 +107,7 @@ public final class SdfTree {
 
     private void skip(SdfElement place, LeftOut each) throws FileProblem {
         if (skipped.size() >= Limits.MAX_OBJECTS) {
-            throw place.wrong("at most " + Limits.MAX_OBJECTS + " elements may be left out of a world (got: more)");
+            throw place.beyond("at most " + Limits.MAX_OBJECTS + " elements may be left out of a world (got: more)");
         }
         skipped.add(each);
     }
@@ -114,34 +117,82 @@ public final class SdfTree {
         add(scope, element, null);
         // Only now do all frames exist that others may refer to. Frames that none refers to must have a valid placement
         // too.
-        for (SdfNode model : scope.models) {
-            scope.placement(model);
+        keepPlaced(scope, scope.models);
+        keepPlaced(scope, scope.links);
+    }
+
+    /** Leaves out what cannot be placed. */
+    private void keepPlaced(SdfScope scope, List<SdfNode> nodes) throws FileProblem {
+        List<SdfNode> placed = new ArrayList<>(nodes.size());
+        for (SdfNode node : nodes) {
+            try {
+                scope.placement(node);
+                placed.add(node);
+            } catch (LimitProblem e) {
+                throw e;
+            } catch (FileProblem e) {
+                skip(node.element, what(node.element), e);
+            }
         }
-        for (SdfNode link : scope.links) {
-            scope.placement(link);
+        if (placed.size() < nodes.size()) {
+            nodes.clear();
+            nodes.addAll(placed);
         }
+    }
+
+    /** What is left out, in messages: an included model with its address and its pose. */
+    private static String what(SdfElement element) {
+        if (!element.name.equals("include")) {
+            return element.tag();
+        }
+        String pose = String.join(" ", Numbers.words(element.valueOf("pose")));
+        return "<include> of " + element.valueOf("uri") + (pose.isEmpty() ? "" : " at " + pose);
+    }
+
+    /** Leaves out what has a mistake. */
+    void skip(SdfElement place, String what, FileProblem mistake) throws FileProblem {
+        boolean isHere = mistake.source().equals(place.file.shown());
+        skip(
+                place,
+                new LeftOut(
+                        place.file.shown(),
+                        isHere && mistake.line() > 0 ? mistake.line() : place.line,
+                        what,
+                        isHere ? mistake.problem() : String.valueOf(mistake.getMessage())));
     }
 
     private void add(SdfScope scope, SdfElement element, @Nullable SdfNode home) throws FileProblem {
         if (++depth > Limits.MAX_GROUPS) {
-            throw element.wrong(
+            throw element.beyond(
                     "models must be nested at most " + Limits.MAX_GROUPS + " deep, included ones too (got: one more)");
         }
         for (SdfElement child : element.children) {
             if (++nodes > Limits.MAX_FRAMES) {
-                throw child.wrong("a world must have at most " + Limits.MAX_FRAMES
+                throw child.beyond("a world must have at most " + Limits.MAX_FRAMES
                         + " models, links and frames, those of included files too (got: more)");
             }
-            switch (child.name) {
-                case "model" -> model(scope, child, home);
-                case "include" -> include(scope, child, home);
-                case "link" -> link(scope, child, home);
-                case "frame" -> frame(scope, child, child.attribute("attached_to"), home);
-                case "joint" -> joint(scope, child, home);
-                default -> {} // pose and static are the model's own
+            int outer = depth;
+            try {
+                add(scope, child, child.name, home);
+            } catch (LimitProblem e) {
+                throw e;
+            } catch (FileProblem e) {
+                depth = outer;
+                skip(child, what(child), e);
             }
         }
         depth--;
+    }
+
+    private void add(SdfScope scope, SdfElement child, String name, @Nullable SdfNode home) throws FileProblem {
+        switch (name) {
+            case "model" -> model(scope, child, home);
+            case "include" -> include(scope, child, home);
+            case "link" -> link(scope, child, home);
+            case "frame" -> frame(scope, child, child.attribute("attached_to"), home);
+            case "joint" -> joint(scope, child, home);
+            default -> {} // pose and static are the model's own
+        }
     }
 
     private void link(SdfScope scope, SdfElement link, @Nullable SdfNode home) throws FileProblem {
@@ -213,9 +264,15 @@ public final class SdfTree {
         SdfElement uri = include.required("uri");
         String address = uri.value();
         if (SdfFiles.isRemote(address)) {
+            String reason = WELL_KNOWN.get(localName(address));
+            if (reason != null) {
+                remarks.add(
+                        new LeftOut(include.file.shown(), include.line, "<include> of " + address, reason).toString());
+                return;
+            }
             skip(
                     include,
-                    "<include> of " + address,
+                    what(include),
                     "network addresses are not followed; download the model, write model://NAME, and give the folder"
                             + " that contains it");
             return;
@@ -230,18 +287,24 @@ public final class SdfTree {
             }
             throw files.missing(uri);
         }
-        if (WELL_KNOWN.containsKey(address)) {
-            wellKnown.add(root.file);
-        }
         if (!open.add(root.file)) {
             throw uri.wrong("a file must not include itself, directly or through others (got: " + address + ")");
         }
-        account(root);
-        SdfElement model = theModel(root, uri);
-        if (model != null) {
-            included(scope, include, model, home);
+        try {
+            account(root);
+            SdfElement model = theModel(root, uri);
+            if (model != null) {
+                included(scope, include, model, home);
+            }
+        } finally {
+            open.remove(root.file);
         }
-        open.remove(root.file);
+    }
+
+    /** The address of the same model in a folder: Fuel writes Ground Plane where a folder is called ground_plane. */
+    private static String localName(String address) {
+        String last = address.substring(address.lastIndexOf('/') + 1);
+        return "model://" + last.toLowerCase(Locale.ROOT).replace("%20", "_").replace(' ', '_');
     }
 
     /** The only model of an included file; null if it contains only what is not read. */
@@ -283,8 +346,11 @@ public final class SdfTree {
     private SdfScope alone(SdfElement model) throws FileProblem {
         SdfTree aside = new SdfTree(this);
         SdfScope scope = new SdfScope(model.givenName());
-        aside.fill(scope, model);
-        nodes = aside.nodes;
+        try {
+            aside.fill(scope, model);
+        } finally {
+            nodes = aside.nodes;
+        }
         return scope;
     }
 }

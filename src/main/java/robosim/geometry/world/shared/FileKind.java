@@ -25,7 +25,7 @@ public final class FileKind {
      * or it is in that format.
      *
      * @param readAs the ending of the names that its reader expects: {@code xml}, {@code sdf}, {@code yaml}, {@code
-     *     obj} or {@code stl}
+     *     obj}, {@code stl} or {@code dae}
      */
     public static @Nullable String other(Path file, String readAs) {
         byte[] head;
@@ -50,10 +50,10 @@ public final class FileKind {
             return "this is an archive; unpack it first";
         }
         if (bytes.startsWith("glTF")) {
-            return "this is glTF, which is not supported; export it as OBJ or STL";
+            return "this is glTF, which is not supported; export it as COLLADA, OBJ or STL";
         }
         if (bytes.startsWith("Kaydara FBX")) {
-            return "this is FBX, which is not supported; export it as OBJ or STL";
+            return "this is FBX, which is not supported; export it as COLLADA, OBJ or STL";
         }
         if (bytes.startsWith("%PDF")) {
             return "this is a PDF, which contains no world";
@@ -71,7 +71,7 @@ public final class FileKind {
             return xml(root.group(1), readAs);
         }
         if (text.startsWith("ply")) {
-            return "this is PLY, which is not supported; export it as OBJ or STL";
+            return "this is PLY, which is not supported; export it as COLLADA, OBJ or STL";
         }
         if (text.stripLeading().startsWith("{")) {
             return "this is JSON; recordings of this module end in .scenario.jsonl and are for replay and view";
@@ -93,13 +93,16 @@ public final class FileKind {
             case "sdf" -> readAs.equals("sdf") ? null : "this is SDFormat; give it a name that ends in .sdf or .world";
             case "world" ->
                 readAs.equals("xml") ? null : "this is a world of this module; give it a name that ends in .xml";
-            case "robot" -> "this is URDF, which is not supported; export it as SDFormat (gz sdf -p does)";
-            case "COLLADA" -> "this is COLLADA, which is not supported; export it as OBJ or STL";
+            case "robot" -> readAs.equals("urdf") ? null : "this is URDF; give it a name that ends in .urdf";
+            case "COLLADA" -> readAs.equals("dae") ? null : "this is COLLADA; give it a name that ends in .dae";
             case "svg" -> "this is an image (SVG), which contains no world";
             case "html" -> "this is a web page: what was downloaded is not the file but the page around it";
-            case "gazebo", "gazebo_world" -> "this is a Gazebo world older than SDFormat 1.4; convert it with Gazebo";
+            case "gazebo" -> readAs.equals("sdf") ? null : "this is SDFormat; give it a name that ends in .world";
+            case "gazebo_world" -> "this is a Gazebo world older than SDFormat; convert it with Gazebo";
             default ->
-                readAs.equals("xml") || readAs.equals("sdf") ? null : "this is XML, with the root <" + root + ">";
+                readAs.equals("xml") || readAs.equals("sdf") || readAs.equals("dae")
+                        ? null
+                        : "this is XML, with the root <" + root + ">";
         };
     }
 }

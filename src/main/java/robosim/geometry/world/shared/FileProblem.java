@@ -6,12 +6,13 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /** What is wrong with a file, where, and the remedy; users get it as a {@code WorldException}. */
-public final class FileProblem extends IOException {
+public class FileProblem extends IOException {
     private static final long serialVersionUID = 1;
 
     private final String source;
     private final int line;
     private final int column;
+    private final String problem;
 
     /**
      * A problem at a place in a file.
@@ -24,6 +25,7 @@ public final class FileProblem extends IOException {
         this.source = source;
         this.line = line;
         this.column = column;
+        this.problem = problem;
     }
 
     /** A problem without a cause. */
@@ -49,15 +51,20 @@ public final class FileProblem extends IOException {
         return column < 1 ? source + ":" + line + ": " : source + ":" + line + ":" + column + ": ";
     }
 
-    public String source() {
+    /** What is wrong, without the place. */
+    public final String problem() {
+        return problem;
+    }
+
+    public final String source() {
         return source;
     }
 
-    public int line() {
+    public final int line() {
         return line;
     }
 
-    public int column() {
+    public final int column() {
         return column;
     }
 }

@@ -50,6 +50,9 @@ public final class Limits {
     /** Faces of one mesh file, after its polygons are cut. A file of 128 MB has 3,000,000, unless it repeats faces. */
     public static final int MAX_FACES = 5_000_000;
 
+    /** Numbers of one COLLADA file. A file of 128 MB has 15,000,000 of 8 digits each. */
+    public static final int MAX_NUMBERS = 20_000_000;
+
     /**
      * Cells of one map, and of all grids of one world file, since a few characters may claim any number. A hall of 200 x
      * 200 m with cells of 5 cm has 16,000,000, which take 16 MB of memory.

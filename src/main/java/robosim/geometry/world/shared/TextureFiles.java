@@ -1,6 +1,6 @@
 package robosim.geometry.world.shared;
 
-import java.io.ByteArrayInputStream;
+import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -10,24 +10,46 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.image.PngReader;
 import robosim.geometry.material.ImageTexture;
 
 /**
- * Reads the pictures that the files of one world name: PNG images below given folders, each once, and no more pixels of all
- * together than one picture may have.
+ * Reads the pictures that the files of one world name: PNG and JPEG images below given folders, each once, and no more
+ * pixels of all together than one picture may have.
  */
 public final class TextureFiles {
     /** Where a PNG has its width and height, after its signature and the first chunk's length and name. */
     private static final int SIZE_AT = 16;
 
+    private static final int START = SIZE_AT + 8;
+
     private final List<Path> roots;
+    private final @Nullable List<LeftOut> leftOut;
     private final Map<Path, ImageTexture> known = new HashMap<>();
     private long pixels;
 
     /** For pictures in the trees of folders, beside the tree of the folder of the file that names one. */
     public TextureFiles(List<Path> roots) {
+        this(roots, null);
+    }
+
+    /**
+     * For pictures in the trees of folders.
+     *
+     * @param leftOut receives the pictures of meshes that cannot be read; null to refuse such a mesh
+     */
+    public TextureFiles(List<Path> roots, @Nullable List<LeftOut> leftOut) {
         this.roots = List.copyOf(roots);
+        this.leftOut = leftOut;
+    }
+
+    /** Leaves out what a file says in a line, or refuses the file. */
+    public void leaveOut(Path file, int line, String what, String reason, Exception cause) throws FileProblem {
+        if (leftOut == null) {
+            throw new FileProblem(file.toString(), line, 0, what + ": " + reason, cause);
+        }
+        leftOut.add(new LeftOut(file.toString(), line, what, reason));
     }
 
     /**
@@ -78,32 +100,39 @@ public final class TextureFiles {
     }
 
     private ImageTexture read(Path file) throws FileProblem {
-        try (InputStream in = RegularFile.open(file)) {
-            byte[] bytes = new Bounded(in).readAllBytes();
-            count(bytes);
-            PngReader.Pixels image = PngReader.read(new ByteArrayInputStream(bytes));
+        try (InputStream in = new BufferedInputStream(new Bounded(RegularFile.open(file)))) {
+            in.mark(START);
+            byte[] start = in.readNBytes(START);
+            in.reset();
+            if (JpegReader.isJpeg(start)) {
+                return JpegReader.read(in, this::count);
+            }
+            if (start.length == START && start[0] == (byte) 0x89 && start[1] == 'P') {
+                ByteBuffer size = ByteBuffer.wrap(start, SIZE_AT, 8);
+                count(Integer.toUnsignedLong(size.getInt()), Integer.toUnsignedLong(size.getInt()));
+            }
+            PngReader.Pixels image = PngReader.read(in);
             return new ImageTexture(image.width(), image.height(), image.pixels(), 1, 1);
-        } catch (IOException e) {
-            throw e instanceof FileProblem problem
-                    ? problem
-                    : new FileProblem(
-                            file.toString(),
-                            0,
-                            0,
-                            "the picture could not be read; save it as PNG (" + e.getMessage() + ")",
-                            e);
+        } catch (FileProblem e) {
+            throw e;
         } catch (IllegalArgumentException e) {
             throw new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+        } catch (IOException | RuntimeException e) { // a broken JPEG throws either
+            throw new FileProblem(
+                    file.toString(), 0, 0, "the picture could not be read; save it as PNG (" + e.getMessage() + ")", e);
+        } catch (NoClassDefFoundError e) {
+            throw new FileProblem(
+                    file.toString(),
+                    0,
+                    0,
+                    "a JPEG needs the module java.desktop; save it as PNG (missing: " + e.getMessage() + ")",
+                    e);
         }
     }
 
     /** Counts the pixels that a picture claims, before any room is made for them. */
-    private void count(byte[] bytes) {
-        if (bytes.length < SIZE_AT + 8 || bytes[0] != (byte) 0x89 || bytes[1] != 'P') {
-            return; // refused by its reader
-        }
-        ByteBuffer size = ByteBuffer.wrap(bytes, SIZE_AT, 8);
-        pixels += ImageTexture.checkSize(Integer.toUnsignedLong(size.getInt()), Integer.toUnsignedLong(size.getInt()));
+    private void count(long width, long height) {
+        pixels += ImageTexture.checkSize(width, height);
         if (pixels > ImageTexture.MOST_PIXELS) {
             throw new IllegalArgumentException("the pictures of a world must have at most " + ImageTexture.MOST_PIXELS
                     + " pixels together (got: " + pixels + ")");

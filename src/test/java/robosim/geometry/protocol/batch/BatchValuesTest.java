@@ -3,7 +3,9 @@ package robosim.geometry.protocol.batch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleFunction;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
@@ -59,6 +61,14 @@ class BatchValuesTest {
         assertThat(new BeamPattern.Pinhole(4096, 4096, 1).size()).isEqualTo(RayPattern.MAX_SIZE);
     }
 
+    private static SenseRequest frame(double width, boolean seesCarrier, ScanMotion motion) {
+        return new SenseRequest("a", Mount.CENTER, FAN, 0, 9, width, seesCarrier, false, true, motion);
+    }
+
+    private static SenseAnswer frame(List<String> names, Integers objects, Integers labels) {
+        return new SenseAnswer(Numbers.of(1, 2), Numbers.NONE, names, objects, labels);
+    }
+
     @Test
     void requestsRefuseWhatNoSensorHas() {
         refuses("objectName", () -> new SenseRequest(null, FAN));
@@ -73,6 +83,13 @@ class BatchValuesTest {
                 -1,
                 Math.PI);
         refuses("width ", v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, true), 0.1);
+        refuses("width ", v -> frame(v, false, ScanMotion.NONE), 0.1);
+        refuses("seesCarrier ", () -> frame(0, true, new ScanMotion(1, 1, 0, 0, 0)));
+        assertThat(frame(0, true, null)).isEqualTo(frame(0, true, ScanMotion.NONE)); // as before there was one
+        refuses("duration ", v -> new ScanMotion(v, 0, 0, 0, 0), Double.NaN, -1, Double.POSITIVE_INFINITY);
+        refuses("x ", v -> new ScanMotion(1, v, 0, 0, 0), Double.NaN, 1e300);
+        refuses("z ", v -> new ScanMotion(1, 0, 0, v, 0), Double.NaN, 1e300);
+        refuses("ry ", v -> new ScanMotion(1, 0, 0, 0, v), Double.NaN, 1e300);
         refuses("place", () -> new Mount(null));
         refuses("rotation", () -> new Mount(new Point(), Numbers.of(1, 0, 0)));
         refuses("rotation", v -> new Mount(new Point(), Numbers.of(v, 0, 0, 0, 1, 0, 0, 0, 1)), -1, 2, Double.NaN);
@@ -97,6 +114,23 @@ class BatchValuesTest {
                 -Double.MIN_VALUE);
         refuses("normals ", () -> new SenseAnswer(Numbers.of(0, 1), Numbers.of(1, 0, 0)));
         refuses("normals[2] ", v -> new SenseAnswer(Numbers.of(1), Numbers.of(0, 0, v)), Double.NaN, 1.1, -2);
+        List<String> wall = List.of("wall");
+        refuses("objects and labels ", () -> frame(wall, Integers.of(0, -1), Integers.of(0)));
+        refuses("objects and labels ", () -> frame(wall, Integers.of(0), Integers.of(0)));
+        refuses("objects[1] ", v -> frame(wall, Integers.of(0, (int) v), Integers.of(0, 0)), -2, 1);
+        refuses("labels[0] ", () -> frame(wall, Integers.of(0, 0), Integers.of(-1, 0)));
+        refuses("names[1] ", () -> frame(Arrays.asList("a", null), Integers.of(0, 0), Integers.of(0, 0)));
+        assertThat(frame(null, null, null)).isEqualTo(new SenseAnswer(Numbers.of(1, 2), Numbers.NONE));
+        refuses("index ", v -> Integers.of(3).get((int) v), -1, 1);
+        int[] whole = {1, 2};
+        Integers integers = new Integers(whole);
+        whole[0] = 3;
+        integers.values()[1] = 3;
+        assertThat(integers)
+                .isEqualTo(Integers.of(1, 2))
+                .hasSameHashCodeAs(Integers.of(1, 2))
+                .hasToString("[1, 2]");
+        assertThat(new Integers(new int[20])).hasToString("[0, 0, 0, 0, 0, 0, 0, 0, 0, ... 20 numbers]");
         refuses("count ", () -> new FreeAnswer(-1, new byte[0]));
         refuses("free ", () -> new FreeAnswer(9, new byte[1]));
         refuses("free ", () -> new FreeAnswer(8, new byte[2]));

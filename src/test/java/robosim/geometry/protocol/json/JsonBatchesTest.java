@@ -70,7 +70,8 @@ class JsonBatchesTest {
 
     @Test
     void everyRequestComesBackAsItWas() throws ProtocolException {
-        for (Bundle bundle : List.of(BatchSamples.requests(), new BatchRequestBundle(List.of()))) {
+        for (Bundle bundle :
+                List.of(BatchSamples.requests(), BatchSamples.frames().get(0), new BatchRequestBundle(List.of()))) {
             String line = JsonLines.write(bundle);
             Bundle read = JsonLines.readRequest(line);
             assertThat(read).isEqualTo(bundle).hasToString(bundle.toString());
@@ -85,6 +86,11 @@ class JsonBatchesTest {
         String line = JsonLines.write(reply);
         assertThat(JsonLines.readReply(line)).isEqualTo(reply);
         assertThat(JsonLines.isReply(line)).isTrue();
+        Reply frames = new Reply(BatchSamples.frames().get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(frames))).isEqualTo(frames);
+        assertThat(JsonLines.write(frames))
+                .contains(
+                        "\"names\":[\"\",\"wall \u00e9\"],\"objects\":\"AQAAAP////8AAAAA\",\"labels\":\"////fwAAAAAHAAAA\"");
         assertThat(JsonLines.write(new Reply(new BatchAnswerBundle(List.of(new NoAnswer())))))
                 .isEqualTo(answers("{\"error\":\"no answer\"}"));
         assertThatThrownBy(() -> JsonLines.write(BatchSamples.answers())).isInstanceOf(IllegalArgumentException.class);

@@ -65,6 +65,11 @@ class JsonSchemaTest {
             "edges[",
             "distances[",
             "normals[",
+            "objects[",
+            "labels[",
+            "objects and labels must have",
+            "width must be 0 for objects",
+            "seesCarrier must be false",
             "normals must have three numbers for each",
             "free must have",
             "beams together");
@@ -99,6 +104,7 @@ class JsonSchemaTest {
             }
         }
         lines.add(JsonLines.write(BatchSamples.requests()));
+        lines.add(JsonLines.write(BatchSamples.frames().get(0)));
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
         return lines;
     }
@@ -106,6 +112,7 @@ class JsonSchemaTest {
     private static List<String> replies() {
         MoveBundle made = new MoveBundle(List.of(new MoveRequest("r", 1, 0, -0.0, 1e-300, 2)));
         return List.of(
+                JsonLines.write(new Reply(BatchSamples.frames().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(

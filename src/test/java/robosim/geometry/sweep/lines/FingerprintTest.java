@@ -8,10 +8,10 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.TextureCoordinates;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.Samples;
@@ -32,9 +32,12 @@ class FingerprintTest {
             if (bundle instanceof InitBundle init) {
                 for (GeometryObject object : init.objects()) {
                     for (GeometryObject each : List.of(
-                            object,
+                            object.material()
+                                            .equals(Material.of(
+                                                    object.material().color()))
+                                    ? object.withMaterial(Material.DEFAULT)
+                                    : object,
                             object.withMaterial(Material.DEFAULT),
-                            object.withMaterial(Material.of(Color.BLACK)),
                             object.withMaterial(Material.of(Color.BLACK).withLabel(1)),
                             object.withMaterial(Material.of(Color.BLACK).withEmission(Color.WHITE)))) {
                         assertThat(print(each)).isEqualTo(print(each));
@@ -44,8 +47,17 @@ class FingerprintTest {
                 }
             }
         }
-        assertThat(objects).hasSizeGreaterThan(60);
+        assertThat(objects).hasSizeGreaterThan(50);
         assertThat(prints).hasSameSizeAs(objects);
+    }
+
+    /** Worlds had colours before, which were of the viewer alone: their digests stay. */
+    @Test
+    void aColorAloneDoesNotCount() {
+        GeometryObject object = Samples.everyShape().get(0);
+        assertThat(print(object.withMaterial(Material.of(Color.BLACK)))).isEqualTo(print(object));
+        assertThat(print(object.withMaterial(Material.of(Color.BLACK).withLabel(1))))
+                .isNotEqualTo(print(object.withMaterial(Material.of(Color.WHITE).withLabel(1))));
     }
 
     @Test

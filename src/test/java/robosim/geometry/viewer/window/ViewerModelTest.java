@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
@@ -38,6 +40,9 @@ import robosim.geometry.world.WorldObject;
 
 class ViewerModelTest {
     private static final long SECOND = 1_000_000_000;
+
+    /** The wall of a file that has a colour for it. */
+    private static final GeometryObject RED_WALL = Talk.WALL.withMaterial(Material.of(Color.parse("#ff0000")));
 
     static ViewerModel world() {
         World world = new World(
@@ -95,14 +100,14 @@ class ViewerModelTest {
         assertThat(viewing.card()).isNull();
         press(viewing, 2, 1);
         viewing.release();
-        assertThat(viewing.picked()).isEqualTo(Talk.WALL);
+        assertThat(viewing.picked()).isEqualTo(RED_WALL);
         Card card = viewing.card();
         assertThat(card).isNotNull();
         assertThat(card.heading()).isEqualTo("wall");
         assertThat(card.lines())
                 .containsExactly(
                         "box, cannot move", "at x 2, z 0, y 0", "heading 0 degrees", "width 1, length 4, height 1");
-        assertThat(viewing.life().marks()).containsExactly(new Scene.Mark(Talk.WALL, Scene.Mark.Why.PICKED));
+        assertThat(viewing.life().marks()).containsExactly(new Scene.Mark(RED_WALL, Scene.Mark.Why.PICKED));
         press(viewing, -8, 3);
         viewing.release();
         assertThat(viewing.picked()).isNull();
@@ -133,7 +138,7 @@ class ViewerModelTest {
         assertThat(viewing.status()).isEqualTo("drum may not be there: wall is in the way");
         Scene life = viewing.life();
         assertThat(life.blocked()).hasSize(1);
-        assertThat(life.blocked().get(0).obstacle()).isEqualTo(Talk.WALL);
+        assertThat(life.blocked().get(0).obstacle()).isEqualTo(RED_WALL);
         assertThat(life.marks())
                 .extracting(Scene.Mark::why)
                 .containsExactly(Scene.Mark.Why.REFUSED, Scene.Mark.Why.PICKED);
@@ -162,7 +167,7 @@ class ViewerModelTest {
         viewing.drag(x + 30, y(viewing, 0), Sandbox.Push.PLACE);
         viewing.release();
         assertThat(x(viewing, 2)).isBetween(x + 29.999, x + 30.001);
-        assertThat(viewing.picked()).isEqualTo(Talk.WALL);
+        assertThat(viewing.picked()).isEqualTo(RED_WALL);
         // A hand that shakes drags nothing.
         viewing.press(100, 100);
         viewing.drag(102, 101, Sandbox.Push.PLACE);
@@ -182,7 +187,7 @@ class ViewerModelTest {
         press(viewing, 2, 0);
         viewing.release();
         viewing.turnPicked(15);
-        assertThat(viewing.picked()).isEqualTo(Talk.WALL);
+        assertThat(viewing.picked()).isEqualTo(RED_WALL);
     }
 
     @Test

@@ -1,19 +1,18 @@
-package robosim.geometry.world;
+package robosim.geometry.world.xml;
 
 import java.util.BitSet;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.world.shared.Numbers;
-import robosim.geometry.world.xml.Text;
 
 /**
  * The cells of a grid as a world file has them: row by row the lengths of runs of free and of occupied cells in turn. A row
  * begins with its free cells, 0 if its first cell is occupied, and its runs add up to the columns.
  */
-final class GridRuns {
+public final class GridRuns {
     private GridRuns() {}
 
     /** The runs of one row, separated by spaces. */
-    static void write(GridObject grid, BitSet occupied, int row, StringBuilder out) {
+    public static void write(GridObject grid, BitSet occupied, int row, StringBuilder out) {
         int begin = row * grid.columns();
         int end = begin + grid.columns();
         boolean isOccupied = false;
@@ -31,7 +30,7 @@ final class GridRuns {
      * @throws IllegalArgumentException if these are not the runs of so many cells; the text is then at the run in question,
      *     or at its end
      */
-    static BitSet read(Text text, int columns, int rows) {
+    public static BitSet read(Text text, int columns, int rows) {
         BitSet occupied = new BitSet(columns * rows);
         for (int row = 0; row < rows; row++) {
             boolean isOccupied = false;

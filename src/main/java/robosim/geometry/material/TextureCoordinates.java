@@ -1,4 +1,4 @@
-package robosim.geometry.model;
+package robosim.geometry.material;
 
 import java.util.Arrays;
 import robosim.geometry.exact.Checks;
@@ -58,13 +58,18 @@ public final class TextureCoordinates {
         return corners.clone();
     }
 
-    /** One of the two numbers of a point. */
-    double coordinate(int point, int axis) {
+    /** One of the two numbers of a point: axis 0 to the right, 1 up. */
+    public double coordinate(int point, int axis) {
         return points[2 * point + axis];
     }
 
-    /** By triangle three indices of points; the first is {@link #NONE} where one of the three is. */
-    int[] ofTriangles(int[][] faces, int triangles) {
+    /**
+     * By triangle three indices of points; the first is {@link #NONE} where one of the three is.
+     *
+     * @param faces     the mesh's, with three or four indices each
+     * @param triangles how many there are when those of four are cut in two
+     */
+    public int[] ofTriangles(int[][] faces, int triangles) {
         int[] found = new int[3 * triangles];
         int at = 0;
         int t = 0;

@@ -1,4 +1,4 @@
-package robosim.geometry.world.sdf;
+package robosim.geometry.world.shared;
 
 /**
  * A part of a file for which no object was created, though it may be solid.

@@ -1,0 +1,271 @@
+package robosim.geometry.cli.worlds;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+import robosim.geometry.Snapshot;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.sensor.Lidar;
+import robosim.geometry.sensor.LidarFrame;
+import robosim.geometry.sensor.Noise;
+import robosim.geometry.sensor.PointCloud;
+import robosim.geometry.sensor.file.NpyWriter;
+import robosim.geometry.sensor.file.PcdWriter;
+import robosim.geometry.sensor.file.PlyWriter;
+import robosim.geometry.world.World;
+
+/** Scans a world with a lidar. */
+@Command(
+        name = "scan",
+        description = "Scans a world with a lidar and writes what it sees as a point cloud, or its ranges as an array.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry scan worlds/rooms.xml -o cloud.ply",
+            "  robosim-geometry scan worlds/warehouse.xml --lidar os1-128 --at 0,2,0 --in-world -o cloud.pcd",
+            "  robosim-geometry scan worlds/rooms.xml --lidar utm30lx --noise 0.01 --seed 7 -o ranges.npy"
+        })
+public final class ScanCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
+    private Path world = Path.of("");
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "FILE",
+            required = true,
+            description = "a point cloud (.ply or .pcd), or the ranges by ring and column (.npy)")
+    private Path output = Path.of("");
+
+    @Option(
+            names = "--lidar",
+            paramLabel = "MODEL",
+            defaultValue = "vlp16",
+            completionCandidates = Models.class,
+            converter = ModelConverter.class,
+            description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
+    private Model model = Model.VLP16;
+
+    @Option(
+            names = "--on",
+            paramLabel = "NAME",
+            description = "the moveable object that carries it (default: the first one, unless --at is given)")
+    private @Nullable String carrier;
+
+    @Option(
+            names = "--at",
+            paramLabel = "X,Y,Z[,HEADING]",
+            description = "its place and heading in degrees, in the frame of --on or else of the world")
+    private @Nullable String at;
+
+    @Option(names = "--in-world", description = "points in the frame of the world, instead of the lidar's own")
+    private boolean inWorld;
+
+    @Option(
+            names = "--axes",
+            paramLabel = "AXES",
+            defaultValue = "ros",
+            description = "of the points: ros (Z up, Y to the left) or module (Y up, Z to the right)"
+                    + " (default: ${DEFAULT-VALUE})")
+    private CloudAxes axes = CloudAxes.ROS;
+
+    @Option(
+            names = "--noise",
+            paramLabel = "METRES",
+            defaultValue = "0",
+            description = "standard deviation of a normal error (default: ${DEFAULT-VALUE})")
+    private double noise;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "NUMBER",
+            defaultValue = "0",
+            description = "of the noise (default: ${DEFAULT-VALUE})")
+    private long seed;
+
+    @Option(
+            names = "--models",
+            paramLabel = "DIR",
+            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
+    private List<Path> models = new ArrayList<>();
+
+    /** Axes of points, as the command line names them. */
+    enum CloudAxes {
+        ROS(PointCloud.Axes.ROS),
+        MODULE(PointCloud.Axes.MODULE);
+
+        private final PointCloud.Axes axes;
+
+        CloudAxes(PointCloud.Axes axes) {
+            this.axes = axes;
+        }
+    }
+
+    /** The lidars with a preset. */
+    enum Model {
+        VLP16("vlp16"),
+        VLP32C("vlp32c"),
+        OS1_64("os1-64"),
+        OS1_128("os1-128"),
+        UTM30LX("utm30lx"),
+        LDS02("lds02");
+
+        private static final double HERTZ = 10;
+
+        private final String label;
+
+        Model(String label) {
+            this.label = label;
+        }
+
+        private Lidar lidar() {
+            return switch (this) {
+                case VLP16 -> Lidar.velodyneVlp16(HERTZ);
+                case VLP32C -> Lidar.velodyneVlp32c(HERTZ);
+                case OS1_64 -> Lidar.ousterOs1With64(HERTZ);
+                case OS1_128 -> Lidar.ousterOs1With128(HERTZ);
+                case UTM30LX -> Lidar.hokuyoUtm30lx();
+                case LDS02 -> Lidar.robotisLds02();
+            };
+        }
+    }
+
+    /** The names of the lidars. */
+    static final class Models implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Stream.of(Model.values()).map(each -> each.label).iterator();
+        }
+    }
+
+    /** Finds a lidar by its name. */
+    static final class ModelConverter implements ITypeConverter<Model> {
+        @Override
+        public Model convert(String value) {
+            return Stream.of(Model.values())
+                    .filter(each -> each.label.equals(value.toLowerCase(Locale.ROOT)))
+                    .findFirst()
+                    .orElseThrow(() -> new TypeConversionException(
+                            "must be one of " + String.join(", ", new Models()) + " (got: " + value + ")"));
+        }
+    }
+
+    private ScanCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        String name = output.toString().toLowerCase(Locale.ROOT);
+        if (!name.endsWith(".ply") && !name.endsWith(".pcd") && !name.endsWith(".npy")) {
+            throw refused("FILE must end in .ply, .pcd or .npy (got: " + output + ")");
+        }
+        if (!(noise >= 0 && noise <= 1000)) { // written so that NaN fails it
+            throw refused("--noise must be from 0 to 1000 (got: " + noise + ")");
+        }
+        Inputs.file(spec, "WORLD", world);
+        World read = Inputs.world(spec, world, models);
+        Snapshot snapshot = read.toGeometry().snapshot();
+        double metres = read.unit() == null ? 1 : read.unit().metres();
+        Lidar lidar = placed(read, model.lidar());
+        lidar = lidar.withRange(lidar.options().min() / metres, lidar.options().max() / metres)
+                .withThreads(Runtime.getRuntime().availableProcessors());
+        if (noise > 0) {
+            lidar = lidar.withNoise(Noise.gaussian(noise / metres), seed, 0);
+        }
+        LidarFrame frame = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
+        lidar.read(snapshot, 0, frame);
+        write(frame, name);
+        return ExitCodes.FINE;
+    }
+
+    private void write(LidarFrame frame, String name) throws IOException {
+        String what;
+        if (name.endsWith(".npy")) {
+            NpyWriter.write(frame.ranges(), output, frame.rows(), frame.columns());
+            what = frame.rows() + " x " + frame.columns() + " ranges";
+        } else {
+            PointCloud cloud = new PointCloud(
+                    PointCloud.Field.INTENSITY, PointCloud.Field.RING, PointCloud.Field.TIME, PointCloud.Field.LABEL);
+            if (inWorld) {
+                frame.addInWorldTo(cloud);
+            } else {
+                frame.addTo(cloud);
+            }
+            if (name.endsWith(".ply")) {
+                PlyWriter.write(cloud, axes.axes, output);
+            } else {
+                PcdWriter.write(cloud, axes.axes, output);
+            }
+            what = NumberText.count(cloud.size(), "point") + " of " + NumberText.count(frame.size(), "ray");
+        }
+        spec.commandLine().getOut().println("Wrote " + output + ": " + what);
+    }
+
+    private Lidar placed(World read, Lidar lidar) {
+        Pose pose = at == null ? Pose.ORIGIN : pose(at);
+        String on = carrier;
+        if (on == null && at != null) {
+            return lidar.at(pose);
+        }
+        List<String> moveable = read.objects().stream()
+                .map(each -> each.object())
+                .filter(GeometryObject::isMoveable)
+                .map(object -> String.valueOf(object.name()))
+                .toList();
+        if (on == null) {
+            if (moveable.isEmpty()) {
+                throw refused("--at must be given for a world without moveable objects (got: none)");
+            }
+            on = moveable.get(0);
+        } else if (!moveable.contains(on)) {
+            throw refused("--on must be the name of a moveable object of WORLD (got: " + on + ")");
+        }
+        return lidar.on(on, pose);
+    }
+
+    private Pose pose(String text) {
+        String[] numbers = text.split(",", -1);
+        if (numbers.length == 3 || numbers.length == 4) {
+            try {
+                Point place = new Point(number(numbers[0]), number(numbers[1]), number(numbers[2]));
+                return Pose.of(place, numbers.length == 4 ? number(numbers[3]) : 0);
+            } catch (IllegalArgumentException e) {
+                // told below
+            }
+        }
+        throw refused("--at must be X,Y,Z or X,Y,Z,HEADING, all of them numbers (got: " + text + ")");
+    }
+
+    private static double number(String text) {
+        return Double.parseDouble(text.strip());
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

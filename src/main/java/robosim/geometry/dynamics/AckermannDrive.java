@@ -1,0 +1,61 @@
+package robosim.geometry.dynamics;
+
+import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Twist;
+
+/**
+ * A car: driven along its length, steered by its front axle, its centre on the rear axle. It turns by
+ * {@code w = v tan(steering) / wheelbase}, so it does not turn while it stands (LaValle 2006, 13.1). The front wheels are
+ * where they are told to be at once.
+ *
+ * @param wheelbase       metres from axle to axle
+ * @param maxSteering     degrees to each side, from 0 up to, not including, 90; a command beyond it is reduced to it
+ * @param maxSpeed        m/s; infinite for no limit
+ * @param maxAcceleration m/s<sup>2</sup>; infinite for no limit
+ * @param speed           the command: m/s, negative for backwards
+ * @param steering        the command: degrees, positive to the left
+ */
+public record AckermannDrive(
+        double wheelbase, double maxSteering, double maxSpeed, double maxAcceleration, double speed, double steering)
+        implements Drive {
+    /** Refuses values that are out of range or not a number. */
+    public AckermannDrive {
+        wheelbase = Quantity.positive("wheelbase", wheelbase);
+        if (!(maxSteering >= 0 && maxSteering < 90)) {
+            throw new IllegalArgumentException(
+                    "maxSteering must be from 0 up to, not including, 90 degrees (got: " + maxSteering + ")");
+        }
+        maxSteering += 0.0;
+        maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
+        maxAcceleration = Quantity.limit("maxAcceleration", maxAcceleration);
+        speed = Quantity.finite("speed", speed);
+        steering = Checks.angle("steering", steering);
+    }
+
+    /** A car that is told to stand, its wheels straight. */
+    public AckermannDrive(double wheelbase, double maxSteering, double maxSpeed, double maxAcceleration) {
+        this(wheelbase, maxSteering, maxSpeed, maxAcceleration, 0, 0);
+    }
+
+    /** This car with a speed, m/s, and an angle of the front wheels, degrees to the left, as the command. */
+    public AckermannDrive driving(double forward, double left) {
+        return new AckermannDrive(wheelbase, maxSteering, maxSpeed, maxAcceleration, forward, left);
+    }
+
+    @Override
+    public Twist next(Twist now, Body body, double seconds) {
+        Checks.present("now", now);
+        Checks.present("body", body);
+        double step = Quantity.atLeastZero("seconds", seconds) == 0 ? 0 : maxAcceleration * seconds;
+        double v = Quantity.toward(now.x(), Quantity.clamp(speed, maxSpeed), step);
+        // Before the curve is applied, since a limit of the speed would change it.
+        v = Quantity.clamp(v, body.maxSpeed());
+        double wheels = Quantity.clamp(steering, maxSteering);
+        double tangent = Degrees.sin(wheels) / Degrees.cos(wheels);
+        double turn = Degrees.toDegrees(v * tangent / wheelbase);
+        // A car that may not turn so fast goes more slowly, on the same curve.
+        double share = Math.abs(turn) > body.maxTurn() ? body.maxTurn() / Math.abs(turn) : 1;
+        return new Twist(v * share, 0, 0, Quantity.clamp(turn, body.maxTurn()));
+    }
+}

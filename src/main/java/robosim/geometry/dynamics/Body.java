@@ -1,0 +1,169 @@
+package robosim.geometry.dynamics;
+
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
+
+/**
+ * What a moveable object weighs and how it resists: its mass is centred where the object is.
+ *
+ * <pre>{@code
+ * Body ball = Body.ofMass(new SphereObject(new Point(), 0.5), 10);
+ * ball.inertia();                                                          // 1.0
+ * Body crate = Body.ofDensity(new BoxObject(new Point(), 1, 0.5, 2), 600);
+ * crate.mass();                                                            // 600.0
+ * crate.withLimits(2, 90).limited(new Twist(3, 0, 4, -120));               // Twist[x=1.2, y=0.0, z=1.6, ry=-90.0]
+ * }</pre>
+ *
+ * @param mass        kg; above 0
+ * @param inertia     moment of inertia about the vertical through the centre, kg m<sup>2</sup>; above 0
+ * @param surface     how it bounces and rubs
+ * @param damping     by how much the speed falls, as a share of it each second: 0 for not at all, and above 1 is allowed
+ * @param turnDamping the same of the speed of turning
+ * @param maxSpeed    m/s; infinite for no limit
+ * @param maxTurn     degrees a second; infinite for no limit
+ */
+public record Body(
+        double mass,
+        double inertia,
+        Surface surface,
+        double damping,
+        double turnDamping,
+        double maxSpeed,
+        double maxTurn) {
+    /** Refuses values that are out of range or not a number. */
+    public Body {
+        mass = Quantity.positive("mass", mass);
+        inertia = Quantity.positive("inertia", inertia);
+        Checks.present("surface", surface);
+        damping = Quantity.atLeastZero("damping", damping);
+        turnDamping = Quantity.atLeastZero("turnDamping", turnDamping);
+        maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
+        maxTurn = Quantity.limit("maxTurn", maxTurn);
+    }
+
+    /** A smooth body that nothing slows or limits. */
+    public static Body of(double mass, double inertia) {
+        return new Body(mass, inertia, Surface.SMOOTH, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * A solid body of a shape, of the same density everywhere.
+     *
+     * @param shape a sphere, or an upright box, cylinder or capsule; its sizes are metres
+     * @param mass  kg
+     * @throws IllegalArgumentException for another shape, whose inertia has to be given, or a shape that is a point or a
+     *     vertical line
+     */
+    public static Body ofMass(GeometryObject shape, double mass) {
+        Quantity.positive("mass", mass);
+        return of(mass, mass * gyrationSquare(shape));
+    }
+
+    /**
+     * A solid body of a shape and a density.
+     *
+     * @param shape   as in {@link #ofMass}; of a volume above 0
+     * @param density kg/m<sup>3</sup>
+     */
+    public static Body ofDensity(GeometryObject shape, double density) {
+        Quantity.positive("density", density);
+        return ofMass(shape, density * volume(shape));
+    }
+
+    private static double volume(GeometryObject shape) {
+        return switch (shape(shape).kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) shape;
+                yield box.width() * box.height() * box.length();
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) shape;
+                yield rod(cylinder.radius(), cylinder.height());
+            }
+            case SPHERE -> ball(((SphereObject) shape).radius());
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) shape;
+                yield rod(capsule.radius(), capsule.segment()) + ball(capsule.radius());
+            }
+            case MESH, GROUP, GRID -> throw unknown(shape);
+        };
+    }
+
+    /** The square of the radius of gyration about the vertical: the inertia of a unit of mass. */
+    private static double gyrationSquare(GeometryObject shape) {
+        return switch (shape(shape).kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) shape;
+                yield (box.width() * box.width() + box.length() * box.length()) / 12;
+            }
+            case CYLINDER -> square(((CylinderObject) shape).radius()) / 2;
+            case SPHERE -> 0.4 * square(((SphereObject) shape).radius());
+            case CAPSULE -> {
+                // A rod and a ball of one radius r, in shares of their volumes: r^2 / 2 and 2 r^2 / 5.
+                CapsuleObject capsule = (CapsuleObject) shape;
+                double r = capsule.radius();
+                double length = capsule.segment();
+                yield r == 0 ? 0 : r * r * (length / 2 + 8 * r / 15) / (length + 4 * r / 3);
+            }
+            case MESH, GROUP, GRID -> throw unknown(shape);
+        };
+    }
+
+    private static double square(double r) {
+        return r * r;
+    }
+
+    private static double rod(double radius, double length) {
+        return Math.PI * radius * radius * length;
+    }
+
+    private static double ball(double radius) {
+        return Math.PI * 4 / 3 * radius * radius * radius;
+    }
+
+    /** A shape whose own Y is the vertical, or that is round all over. */
+    private static GeometryObject shape(GeometryObject shape) {
+        Checks.present("shape", shape);
+        if (shape.kind() != GeometryObject.Kind.SPHERE && !shape.pose().isUpright()) {
+            throw unknown(shape);
+        }
+        return shape;
+    }
+
+    private static IllegalArgumentException unknown(GeometryObject shape) {
+        return new IllegalArgumentException(
+                "shape must be a sphere, or an upright box, cylinder or capsule; of others give"
+                        + " mass and inertia (got: " + shape + ")");
+    }
+
+    /** This body with another surface. */
+    public Body withSurface(Surface other) {
+        return new Body(mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn);
+    }
+
+    /** This body with other dampings: shares of the speed and of the speed of turning, each second. */
+    public Body withDamping(double ofSpeed, double ofTurn) {
+        return new Body(mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn);
+    }
+
+    /** This body with other limits: m/s and degrees a second. */
+    public Body withLimits(double speed, double turn) {
+        return new Body(mass, inertia, surface, damping, turnDamping, speed, turn);
+    }
+
+    /** A velocity within the limits of this body, in the same direction; the speed and the speed of turning each by itself. */
+    public Twist limited(Twist velocity) {
+        Checks.present("velocity", velocity);
+        double x = velocity.x();
+        double y = velocity.y();
+        double z = velocity.z();
+        double speed = Math.sqrt(x * x + y * y + z * z);
+        double share = speed > maxSpeed ? maxSpeed / speed : 1;
+        return new Twist(x * share, y * share, z * share, Quantity.clamp(velocity.ry(), maxTurn));
+    }
+}

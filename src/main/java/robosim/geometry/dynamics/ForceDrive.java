@@ -1,0 +1,41 @@
+package robosim.geometry.dynamics;
+
+import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Twist;
+
+/**
+ * A constant force and a torque on a body, which the body's damping resists. {@code new ForceDrive(0, 0, 0)} is a body that
+ * rolls out.
+ *
+ * <p>One step of the implicit Euler method, {@code v' = (v + dt F / m) / (1 + c dt)} for a damping c, which never overshoots,
+ * however long the step (Hairer and Wanner 1996, IV.3).
+ *
+ * @param x      newtons forward
+ * @param z      newtons to the right
+ * @param torque newton metres about the vertical, counter-clockwise
+ */
+public record ForceDrive(double x, double z, double torque) implements Drive {
+    /** Refuses values that are not finite. */
+    public ForceDrive {
+        x = Quantity.finite("x", x);
+        z = Quantity.finite("z", z);
+        torque = Quantity.finite("torque", torque);
+    }
+
+    @Override
+    public Twist next(Twist now, Body body, double seconds) {
+        Checks.present("now", now);
+        Checks.present("body", body);
+        Quantity.atLeastZero("seconds", seconds);
+        double slower = 1 + body.damping() * seconds;
+        double turnSlower = 1 + body.turnDamping() * seconds;
+        double push = seconds / body.mass();
+        double turn = Degrees.toDegrees(torque * (seconds / body.inertia()));
+        return body.limited(new Twist(
+                (now.x() + x * push) / slower,
+                now.y() / slower,
+                (now.z() + z * push) / slower,
+                (now.ry() + turn) / turnSlower));
+    }
+}

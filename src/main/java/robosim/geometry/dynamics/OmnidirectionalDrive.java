@@ -1,0 +1,58 @@
+package robosim.geometry.dynamics;
+
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Twist;
+
+/**
+ * A drive that goes in any direction on the ground and turns as it likes, as one with Swedish or Mecanum wheels (Siegwart,
+ * Nourbakhsh and Scaramuzza 2011, 3.2).
+ *
+ * @param maxSpeed            m/s in any direction; infinite for no limit
+ * @param maxAcceleration     m/s<sup>2</sup> in any direction; infinite for no limit
+ * @param maxTurn             degrees a second; infinite for no limit
+ * @param maxTurnAcceleration degrees a second, each second; infinite for no limit
+ * @param command             the velocity that it is told to have, along the own axes; its part upwards is ignored
+ */
+public record OmnidirectionalDrive(
+        double maxSpeed, double maxAcceleration, double maxTurn, double maxTurnAcceleration, Twist command)
+        implements Drive {
+    /** Refuses values that are out of range or not a number. */
+    public OmnidirectionalDrive {
+        maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
+        maxAcceleration = Quantity.limit("maxAcceleration", maxAcceleration);
+        maxTurn = Quantity.limit("maxTurn", maxTurn);
+        maxTurnAcceleration = Quantity.limit("maxTurnAcceleration", maxTurnAcceleration);
+        Checks.present("command", command);
+    }
+
+    /** A drive that is told to stand. */
+    public OmnidirectionalDrive(double maxSpeed, double maxAcceleration, double maxTurn, double maxTurnAcceleration) {
+        this(maxSpeed, maxAcceleration, maxTurn, maxTurnAcceleration, new Twist(0, 0, 0, 0));
+    }
+
+    /** This drive with speeds forward and to the right, m/s, and of turning, degrees a second, as the command. */
+    public OmnidirectionalDrive driving(double forward, double right, double turn) {
+        return new OmnidirectionalDrive(
+                maxSpeed, maxAcceleration, maxTurn, maxTurnAcceleration, new Twist(forward, 0, right, turn));
+    }
+
+    @Override
+    public Twist next(Twist now, Body body, double seconds) {
+        Checks.present("now", now);
+        Checks.present("body", body);
+        boolean stands = Quantity.atLeastZero("seconds", seconds) == 0;
+        double asked = Math.sqrt(command.x() * command.x() + command.z() * command.z());
+        double share = asked > maxSpeed ? maxSpeed / asked : 1;
+        double dx = command.x() * share - now.x();
+        double dz = command.z() * share - now.z();
+        double change = Math.sqrt(dx * dx + dz * dz);
+        double most = stands ? 0 : maxAcceleration * seconds;
+        double turn = Quantity.toward(
+                now.ry(), Quantity.clamp(command.ry(), maxTurn), stands ? 0 : maxTurnAcceleration * seconds);
+        if (change <= most) {
+            return body.limited(new Twist(command.x() * share, 0, command.z() * share, turn));
+        }
+        double made = most / change;
+        return body.limited(new Twist(now.x() + dx * made, 0, now.z() + dz * made, turn));
+    }
+}

@@ -1,0 +1,50 @@
+package robosim.geometry.dynamics;
+
+/** Checks of physical quantities; each message names the argument and its value. */
+final class Quantity {
+    /** The largest quantity; products of five of them are far from overflow. */
+    private static final double MOST = 0x1p100;
+
+    private Quantity() {}
+
+    static double positive(String argument, double value) {
+        if (!(value > 0 && value <= MOST)) { // written so that NaN fails it
+            throw new IllegalArgumentException(
+                    argument + " must be a number above 0 and at most 2^100 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    static double atLeastZero(String argument, double value) {
+        if (!(value >= 0 && value <= MOST)) {
+            throw new IllegalArgumentException(argument + " must be a number from 0 to 2^100 (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
+    static double finite(String argument, double value) {
+        if (!(Math.abs(value) <= MOST)) {
+            throw new IllegalArgumentException(
+                    argument + " must be a number from -2^100 to 2^100 (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
+    /** A limit, which may be infinite. */
+    static double limit(String argument, double value) {
+        if (!(value >= 0)) {
+            throw new IllegalArgumentException(
+                    argument + " must be at least 0; infinite for no limit (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
+    static double clamp(double value, double most) {
+        return Math.max(-most, Math.min(most, value));
+    }
+
+    /** A value after it has gone towards another one by no more than a step. */
+    static double toward(double from, double to, double step) {
+        return Math.abs(to - from) <= step ? to : from + Math.copySign(step, to - from);
+    }
+}

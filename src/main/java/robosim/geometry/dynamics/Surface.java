@@ -1,0 +1,52 @@
+package robosim.geometry.dynamics;
+
+import robosim.geometry.exact.Checks;
+
+/**
+ * How a surface bounces and rubs, by Newton's law of restitution and Coulomb's law of friction (Mirtich 1996).
+ *
+ * <pre>{@code
+ * Surface rubber = new Surface(0.8, 0.9, 0.7);
+ * Surface ice = new Surface(0.2, 0.1, 0.028);
+ * rubber.against(ice).slidingFriction(); // 0.14
+ * }</pre>
+ *
+ * @param restitution     the share of the speed of approach at which two such surfaces part, from 0 to 1
+ * @param staticFriction  the most that friction is, as a share of the force across the contact, while nothing slides
+ * @param slidingFriction the same while it slides; at most {@code staticFriction}
+ */
+public record Surface(double restitution, double staticFriction, double slidingFriction) {
+    /** Neither bounces nor rubs. */
+    public static final Surface SMOOTH = new Surface(0, 0, 0);
+
+    /** Refuses values that are out of range or not a number. */
+    public Surface {
+        if (!(restitution >= 0 && restitution <= 1)) {
+            throw new IllegalArgumentException("restitution must be from 0 to 1 (got: " + restitution + ")");
+        }
+        restitution += 0.0;
+        staticFriction = Quantity.atLeastZero("staticFriction", staticFriction);
+        slidingFriction = Quantity.atLeastZero("slidingFriction", slidingFriction);
+        if (slidingFriction > staticFriction) {
+            throw new IllegalArgumentException("slidingFriction must be at most staticFriction (got: " + slidingFriction
+                    + " above " + staticFriction + ")");
+        }
+    }
+
+    /**
+     * The surface that stands for the contact of two: of each number the geometric mean, a convention of physics engines
+     * by which equal surfaces give themselves and a smooth one makes the contact smooth.
+     */
+    public Surface against(Surface other) {
+        Checks.present("other", other);
+        double still = mean(staticFriction, other.staticFriction);
+        return new Surface(
+                Math.min(1, mean(restitution, other.restitution)),
+                still,
+                Math.min(still, mean(slidingFriction, other.slidingFriction)));
+    }
+
+    private static double mean(double a, double b) {
+        return a == b ? a : Math.sqrt(a * b);
+    }
+}

@@ -1,0 +1,337 @@
+package robosim.geometry.sensor;
+
+import java.util.EnumSet;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.Twist;
+import robosim.geometry.sensor.effects.Measured;
+
+/**
+ * A reading of a sensor with rays: a distance for each ray and what the sensor makes of it. Its arrays are used again by
+ * the next reading and grow only for more rays. Before the first reading, and after one that threw an exception, it is
+ * empty. A frame is used by one reading at a time.
+ *
+ * <p>The rays are in the order of the sensor's {@link RayPattern}: element {@code row * columns() + column}.
+ */
+public abstract class RayFrame {
+    private static final double[] NONE = new double[0];
+
+    private SenseBuffer buffer = new SenseBuffer();
+    private boolean hasObjects;
+    private boolean hasNormals;
+    private boolean hasParts;
+    private final SenseBuffer cones = new SenseBuffer();
+    private final Measured measured = new Measured();
+
+    private @Nullable RayPattern pattern;
+    private int size;
+    private long number;
+    private Dimension dimension = Dimension.SPATIAL;
+
+    /** How the sensor moved; null where it did not. */
+    private @Nullable ScanMotion motion;
+
+    /** Of what the motion was made. */
+    private @Nullable Setup moved;
+
+    /** The distances: the buffer's own, or with noise the frame's. */
+    private double[] ranges = NONE;
+
+    private double[] noisy = NONE;
+    private double[] incidence = NONE;
+    private boolean hasIncidence;
+    private final double[] vector = new double[3];
+
+    RayFrame() {}
+
+    // What the sensor does while it reads.
+
+    /**
+     * Makes a buffer with what is needed.
+     *
+     * @param parts   objects, and the parts of groups
+     * @param normals whether normals are needed
+     * @param cones   whether the beams have a width: then there are no parts and no normals
+     */
+    void prepare(boolean objects, boolean parts, boolean normals, boolean cones) {
+        size = 0;
+        pattern = null;
+        hasIncidence = false;
+        // What another sensor needed stays, except that a buffer with parts or normals takes no cones.
+        boolean hasEnough = (hasObjects || !objects)
+                && (hasParts || !parts)
+                && (hasNormals || !normals)
+                && !((hasParts || hasNormals) && cones);
+        if (!hasEnough) {
+            hasObjects |= objects;
+            hasParts = parts || (hasParts && !cones);
+            hasNormals = normals || (hasNormals && !cones);
+            buffer = new SenseBuffer(extras());
+        }
+    }
+
+    private SenseBuffer.Extra[] extras() {
+        EnumSet<SenseBuffer.Extra> extras = EnumSet.noneOf(SenseBuffer.Extra.class);
+        if (hasObjects) {
+            extras.add(SenseBuffer.Extra.OBJECTS);
+        }
+        if (hasParts) {
+            extras.add(SenseBuffer.Extra.PARTS);
+        }
+        if (hasNormals) {
+            extras.add(SenseBuffer.Extra.NORMALS);
+        }
+        return extras.toArray(new SenseBuffer.Extra[0]);
+    }
+
+    SenseBuffer buffer() {
+        return buffer;
+    }
+
+    SenseBuffer cones() {
+        return cones;
+    }
+
+    @SuppressWarnings(
+            "ReferenceEquality") // an equal setup makes an equal motion; to compare its rays would take longer
+    void filled(Setup setup, Dimension ofWorld, long frame) {
+        pattern = setup.pattern();
+        dimension = ofWorld;
+        number = frame;
+        ranges = buffer.distances();
+        Twist twist = setup.options().motion();
+        if (twist == null || !setup.pattern().hasTimes()) {
+            motion = null;
+            moved = null;
+        } else if (moved != setup) {
+            motion = new ScanMotion(twist, setup.mounting());
+            moved = setup;
+        }
+    }
+
+    /** Applies noise to a copy of the distances. */
+    void disturb(Setup setup) {
+        int count = setup.pattern().size();
+        if (noisy.length < count) {
+            noisy = new double[count];
+        }
+        ranges = noisy;
+        System.arraycopy(buffer.distances(), 0, noisy, 0, count);
+        measured.distances = noisy;
+        measured.count = count;
+        measured.min = setup.options().min();
+        measured.max = setup.options().max();
+        measured.incidence = setup.noise().needsIncidence() ? incidence() : NONE;
+        measured.cones = setup.cones() == null ? NONE : cones.distances();
+        setup.noise().apply(setup.seed(), setup.sensor(), number, measured);
+        measured.clamp();
+    }
+
+    /** Computes the cosine of each angle of incidence, -1 where no surface was met. */
+    double[] incidence() {
+        if (hasIncidence) {
+            return incidence;
+        }
+        RayPattern rays = rays();
+        int count = rays.size();
+        if (incidence.length < count) {
+            incidence = new double[count];
+        }
+        double[] normals = buffer.normals();
+        for (int k = 0; k < count; k++) {
+            double nx = normals[3 * k];
+            double ny = normals[3 * k + 1];
+            double nz = normals[3 * k + 2];
+            if (nx == 0 && ny == 0 && nz == 0) {
+                incidence[k] = -1;
+                continue;
+            }
+            direction(rays, k);
+            double cosine = Math.abs(nx * vector[0] + ny * vector[1] + nz * vector[2]);
+            incidence[k] = cosine > 1 ? 1 : cosine;
+        }
+        hasIncidence = true;
+        return incidence;
+    }
+
+    /** Sets the vector to a ray's unit direction in the world, which in PLANAR is level. */
+    private void direction(RayPattern rays, int ray) {
+        vector[0] = rays.x(ray);
+        vector[1] = rays.y(ray);
+        vector[2] = rays.z(ray);
+        ScanMotion moving = motion;
+        if (moving != null) {
+            moving.to(rays.time(ray));
+            moving.turn(vector);
+        }
+        turn(vector[0], vector[1], vector[2], vector, 0);
+        if (dimension == Dimension.PLANAR) {
+            vector[1] = 0;
+        }
+        double length = Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+        vector[0] /= length;
+        vector[1] /= length;
+        vector[2] /= length;
+    }
+
+    /** Turns a vector from the sensor's axes to the world's. */
+    void turn(double x, double y, double z, double[] out, int at) {
+        double[] r = buffer.place();
+        out[at] = r[3] * x + r[4] * y + r[5] * z;
+        out[at + 1] = r[6] * x + r[7] * y + r[8] * z;
+        out[at + 2] = r[9] * x + r[10] * y + r[11] * z;
+    }
+
+    /** Turns a vector from the world's axes to the sensor's. */
+    void turnBack(double x, double y, double z, double[] out, int at) {
+        double[] r = buffer.place();
+        out[at] = r[3] * x + r[6] * y + r[9] * z;
+        out[at + 1] = r[4] * x + r[7] * y + r[10] * z;
+        out[at + 2] = r[5] * x + r[8] * y + r[11] * z;
+    }
+
+    void finished() {
+        size = rays().size();
+    }
+
+    RayPattern rays() {
+        return Checks.present("pattern", pattern);
+    }
+
+    // What users ask.
+
+    /** The number of rays; 0 before the first reading. */
+    public int size() {
+        return size;
+    }
+
+    /** The number of rows: of a lidar's layers, or of an image; 0 before the first reading. */
+    public int rows() {
+        return size == 0 ? 0 : rays().rows();
+    }
+
+    /** The number of rays in a row; 0 before the first reading. */
+    public int columns() {
+        return size == 0 ? 0 : rays().columns();
+    }
+
+    /** The number of the reading, as it was given to the sensor. */
+    public long number() {
+        return number;
+    }
+
+    /**
+     * The distance that a ray measured, along the ray from the sensor; {@code +Infinity} where nothing echoes. Without noise
+     * it is, to the bit, what {@link robosim.geometry.Geometry#getRayDistance} returns.
+     */
+    public double range(int ray) {
+        return ranges[checked(ray)];
+    }
+
+    /**
+     * All distances: the frame's own array, no copy. Elements from {@link #size} on mean nothing, and the next reading may
+     * use another array.
+     */
+    public double[] ranges() {
+        return ranges;
+    }
+
+    /** Where the sensor was in the world, and which way it faced, when it was read; at time 0 if it moved meanwhile. */
+    public Pose pose() {
+        double[] place = buffer.place();
+        double[] rotation = new double[9];
+        System.arraycopy(place, 3, rotation, 0, 9);
+        return Pose.of(new Point(place[0], place[1], place[2]), 0).oriented(rotation);
+    }
+
+    /**
+     * Writes the point that a ray measured, in the sensor's own frame: its range along its direction, as a sensor computes it
+     * that knows nothing of its motion. In a world in PLANAR ranges are measured in the plane, and so is the point.
+     *
+     * @param out takes X, Y and Z; they are NaN where nothing echoes
+     * @param at  where in the array they begin
+     */
+    public void point(int ray, double[] out, int at) {
+        double range = rangeOrNaN(ray);
+        RayPattern rays = rays();
+        vector[0] = rays.x(ray);
+        vector[1] = rays.y(ray);
+        vector[2] = rays.z(ray);
+        if (dimension == Dimension.PLANAR) {
+            turn(vector[0], vector[1], vector[2], vector, 0);
+            turnBack(vector[0], 0, vector[2], vector, 0);
+        }
+        double length = Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+        for (int axis = 0; axis < 3; axis++) {
+            out[at + axis] = range * (vector[axis] / length);
+        }
+    }
+
+    /**
+     * Writes the point that a ray measured, in the world. If the sensor moves during the reading, it is the point as seen
+     * from where the sensor was when the ray was sent.
+     */
+    public void worldPoint(int ray, double[] out, int at) {
+        double range = rangeOrNaN(ray);
+        double[] place = buffer.place();
+        ScanMotion moving = motion;
+        direction(rays(), ray); // which goes to the ray's time
+        double x = range * vector[0];
+        double y = range * vector[1];
+        double z = range * vector[2];
+        vector[0] = 0;
+        vector[1] = 0;
+        vector[2] = 0;
+        if (moving != null) {
+            moving.origin(vector);
+            turn(vector[0], vector[1], vector[2], vector, 0);
+        }
+        out[at] = place[0] + vector[0] + x;
+        out[at + 1] = place[1] + vector[1] + y;
+        out[at + 2] = place[2] + vector[2] + z;
+    }
+
+    private double rangeOrNaN(int ray) {
+        double range = ranges[checked(ray)];
+        return range < Double.POSITIVE_INFINITY ? range : Double.NaN;
+    }
+
+    /** Adds each point that has an echo to a cloud, in the sensor's own frame: see {@link #point}. */
+    public void addTo(PointCloud cloud) {
+        cloud.add(this, false);
+    }
+
+    /** Adds each point that has an echo to a cloud, in the world: see {@link #worldPoint}. */
+    public void addInWorldTo(PointCloud cloud) {
+        cloud.add(this, true);
+    }
+
+    /** One of the fields of a cloud, for one ray. */
+    double field(PointCloud.Field field, int ray) {
+        if (field == PointCloud.Field.RING) {
+            int row = ray / rays().columns();
+            return row;
+        }
+        throw new IllegalArgumentException("a cloud must have fields that the frame has (got: " + field + " for a "
+                + getClass().getSimpleName() + ")");
+    }
+
+    @Nullable
+    GeometryObject metBy(int ray) {
+        return buffer.object(checked(ray));
+    }
+
+    int checked(int ray) {
+        if (ray < 0 || ray >= size) {
+            String need = size == 0 ? "one of a frame that was read, and none was" : "from 0 to " + (size - 1);
+            throw new IllegalArgumentException("ray must be " + need + " (got: " + ray + ")");
+        }
+        return ray;
+    }
+}

@@ -1,0 +1,208 @@
+package robosim.geometry.sensor;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.Snapshot;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
+import robosim.geometry.model.Twist;
+
+/**
+ * A sensor with rays: what lidars, cameras and sonars share. Immutable; each {@code with} returns a new sensor.
+ *
+ * @param <S> the sensor itself
+ * @param <F> what it is read into
+ */
+public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
+    final Setup setup;
+
+    RaySensor(Setup setup) {
+        this.setup = setup;
+    }
+
+    /** The same kind of sensor, set up otherwise. */
+    abstract S with(Setup other);
+
+    /** Computes what the frame has beside distances; they may have noise by now. */
+    abstract void finish(F out);
+
+    /** Whether the frame needs objects, whatever the noise. */
+    abstract boolean needsObjects(F out);
+
+    /** Whether the frame needs the parts of groups. */
+    abstract boolean needsParts(F out);
+
+    /** Whether the frame needs normals, whatever the noise. */
+    abstract boolean needsNormals(F out);
+
+    /**
+     * This sensor on a moveable object.
+     *
+     * @param carrier the object's name
+     * @param mount   where the sensor is and which way it faces, in the object's own frame
+     */
+    public S on(String carrier, Pose mount) {
+        return with(setup.with(Mounting.on(carrier, mount)));
+    }
+
+    /** This sensor at a place in the world, carried by nothing. */
+    public S at(Pose sensor) {
+        return with(setup.with(Mounting.at(sensor)));
+    }
+
+    /**
+     * This sensor with other ranges.
+     *
+     * @param min blind range in world units; a nearer echo is reported as {@code min} and still hides what is behind it
+     * @param max range in world units, {@code min <= max}; may be infinite
+     */
+    public S withRange(double min, double max) {
+        SenseOptions options = setup.options();
+        SenseOptions ranged = SenseOptions.range(min, max)
+                .withWidth(options.width())
+                .withCarrier(options.carrier())
+                .withThreads(options.threads());
+        Twist motion = options.motion();
+        return with(setup.with(motion == null ? ranged : ranged.withMotion(motion)));
+    }
+
+    /** This sensor, seeing or not seeing the object that carries it. Unless told otherwise it does not. */
+    public S withCarrier(SenseOptions.Carrier seen) {
+        return with(setup.with(setup.options().withCarrier(seen)));
+    }
+
+    /**
+     * This sensor on up to so many threads, 1 to 1024, where it reads a {@link Snapshot}. No answer depends on the number.
+     */
+    public S withThreads(int count) {
+        return with(setup.with(setup.options().withThreads(count)));
+    }
+
+    /**
+     * This sensor with noise. Its readings then need the number of their frame.
+     *
+     * @param seed   of a whole run
+     * @param sensor tells the sensors of a run apart, any number
+     */
+    public S withNoise(Noise noise, long seed, long sensor) {
+        return with(setup.with(noise, seed, sensor));
+    }
+
+    /** The directions of the rays in the sensor's own frame, and their order. */
+    public RayPattern pattern() {
+        return setup.pattern();
+    }
+
+    /** Ranges, carrier and threads. */
+    public SenseOptions options() {
+        return setup.options();
+    }
+
+    /** The noise; {@link Noise#NONE} unless one was given. */
+    public Noise noise() {
+        return setup.noise();
+    }
+
+    /** The object that carries the sensor; null if nothing does. */
+    public @Nullable String carrier() {
+        return setup.mounting().carrier();
+    }
+
+    /** Where the sensor is and which way it faces: in the frame of its carrier, or in the world. */
+    public Pose mount() {
+        return setup.mounting().pose();
+    }
+
+    /** Reads a sensor without noise. One with noise must be told the number of the frame. */
+    public void read(Geometry world, F out) {
+        checkPlain();
+        read(world, 0, out);
+    }
+
+    /** Reads a sensor without noise. */
+    public void read(Snapshot world, F out) {
+        checkPlain();
+        read(world, 0, out);
+    }
+
+    /**
+     * Reads the sensor.
+     *
+     * @param frame the number of the reading, which the noise depends on; count them as the simulation goes on
+     */
+    public void read(Geometry world, long frame, F out) {
+        read(Checks.present("world", world), null, frame, out);
+    }
+
+    /**
+     * Reads the sensor, on as many threads as it may take. Safe to call from many threads at once, each with a frame of its
+     * own.
+     *
+     * @param frame the number of the reading, which the noise depends on
+     */
+    public void read(Snapshot world, long frame, F out) {
+        read(null, Checks.present("world", world), frame, out);
+    }
+
+    private void checkPlain() {
+        if (!setup.noise().isNone()) {
+            throw new IllegalArgumentException(
+                    "a sensor with noise must be told the number of its frame, as in read(world, 17, out)"
+                            + " (got: none; the noise is " + setup.noise() + ")");
+        }
+    }
+
+    private void read(@Nullable Geometry world, @Nullable Snapshot snapshot, long frame, F out) {
+        Checks.present("out", out);
+        boolean needsIncidence = setup.noise().needsIncidence();
+        out.prepare(
+                needsObjects(out),
+                needsParts(out),
+                needsNormals(out) || needsIncidence,
+                setup.options().width() > 0);
+        sense(world, snapshot, setup.options(), out.buffer());
+        Dimension dimension = world != null
+                ? world.dimension()
+                : Checks.present("world", snapshot).dimension();
+        out.filled(setup, dimension, frame);
+        if (!setup.noise().isNone()) {
+            SenseOptions cones = setup.cones();
+            if (cones != null) {
+                sense(world, snapshot, cones, out.cones());
+            }
+            out.disturb(setup);
+        }
+        finish(out);
+        out.finished();
+    }
+
+    private void sense(
+            @Nullable Geometry world, @Nullable Snapshot snapshot, SenseOptions options, SenseBuffer buffer) {
+        if (world != null) {
+            setup.mounting().sense(world, setup.pattern(), options, buffer);
+        } else if (snapshot != null) {
+            setup.mounting().sense(snapshot, setup.pattern(), options, buffer);
+        }
+    }
+
+    @Override
+    @SuppressWarnings("EqualsGetClass") // all kinds of sensors are final, and two kinds are never equal
+    public boolean equals(@Nullable Object other) {
+        return other != null && getClass() == other.getClass() && setup.equals(((RaySensor<?, ?>) other).setup);
+    }
+
+    @Override
+    public int hashCode() {
+        return setup.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return getClass().getSimpleName() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options()
+                + ", " + setup.noise();
+    }
+}

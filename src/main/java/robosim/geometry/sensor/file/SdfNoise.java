@@ -1,0 +1,140 @@
+package robosim.geometry.sensor.file;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.Attributes;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.helpers.DefaultHandler;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.sensor.Noise;
+import robosim.geometry.world.xml.SafeXml;
+
+/**
+ * Reads the noise of a sensor as SDFormat describes it.
+ *
+ * <pre>{@code
+ * Noise noise = SdfNoise.read("<noise type='gaussian'><mean>0</mean><stddev>0.01</stddev></noise>");
+ * noise.equals(Noise.gaussian(0.01)); // true
+ * }</pre>
+ */
+public final class SdfNoise extends DefaultHandler {
+    private static final String SOURCE = "noise";
+
+    private final Map<String, String> values = new HashMap<>();
+    private final StringBuilder text = new StringBuilder();
+    private int depth;
+    private @Nullable String type;
+
+    private SdfNoise() {}
+
+    /**
+     * The noise of a {@code <noise>} element. {@code type} is {@code none}, {@code gaussian} or {@code gaussian_quantized},
+     * as an attribute or, as older files have it, an element. {@code mean}, {@code stddev}, {@code bias_mean}, {@code
+     * bias_stddev} and {@code precision} have their values there; a bias that changes with time ({@code
+     * dynamic_bias_stddev}) is refused unless it is 0, and so are other elements.
+     *
+     * @throws IllegalArgumentException if it is not such an element, with the reason
+     */
+    public static Noise read(String xml) {
+        SdfNoise found = new SdfNoise();
+        byte[] bytes = Checks.present("xml", xml).getBytes(StandardCharsets.UTF_8);
+        try {
+            SafeXml.parse(new ByteArrayInputStream(bytes), SOURCE, found);
+        } catch (SAXParseException e) {
+            throw new IllegalArgumentException(SafeXml.refusal(SOURCE, e).getMessage(), e);
+        } catch (SAXException | IOException e) {
+            Throwable cause = e.getCause() == null ? e : e.getCause();
+            throw new IllegalArgumentException("xml must be a <noise> element (got: " + cause.getMessage() + ")", e);
+        }
+        return found.noise();
+    }
+
+    @Override
+    public void startElement(String uri, String local, String name, Attributes attributes) {
+        depth++;
+        text.setLength(0);
+        if (depth == 1) {
+            if (!name.equals("noise")) {
+                throw new IllegalArgumentException("xml must be a <noise> element (got: <" + name + ">)");
+            }
+            type = attributes.getValue("type");
+        } else if (depth > 2) {
+            throw new IllegalArgumentException("<noise> must have no elements within elements (got: <" + name + ">)");
+        }
+    }
+
+    @Override
+    public void characters(char[] characters, int start, int length) {
+        text.append(characters, start, length);
+    }
+
+    @Override
+    public void endElement(String uri, String local, String name) {
+        if (depth-- == 2 && values.put(name, text.toString().strip()) != null) {
+            throw new IllegalArgumentException("<noise> must have one <" + name + "> (got: two)");
+        }
+    }
+
+    private Noise noise() {
+        String inside = values.remove("type");
+        String kind = type == null ? inside : type;
+        if (kind == null) {
+            throw new IllegalArgumentException("<noise> must have a type (got: none)");
+        }
+        double mean = number("mean");
+        double deviation = number("stddev");
+        double biasMean = number("bias_mean");
+        double biasDeviation = number("bias_stddev");
+        double precision = number("precision");
+        if (number("dynamic_bias_stddev") != 0) {
+            throw new IllegalArgumentException(
+                    "dynamic_bias_stddev must be 0: a bias that changes with time is not simulated");
+        }
+        number("dynamic_bias_correlation_time"); // of no effect without the former
+        if (!values.isEmpty()) {
+            throw new IllegalArgumentException("<noise> must have elements that are known (got: <"
+                    + values.keySet().stream().sorted().toList().get(0) + ">)");
+        }
+        Noise noise = Noise.NONE;
+        switch (kind) {
+            case "none" -> {
+                return noise;
+            }
+            case "gaussian", "gaussian_quantized" -> {
+                if (mean != 0 || deviation != 0) {
+                    noise = noise.and(Noise.gaussian(mean, deviation));
+                }
+                if (biasMean != 0 || biasDeviation != 0) {
+                    noise = noise.and(Noise.bias(biasMean, biasDeviation));
+                }
+                boolean isQuantized = kind.equals("gaussian_quantized") && precision != 0;
+                return isQuantized ? noise.and(Noise.quantized(precision)) : noise;
+            }
+            default ->
+                throw new IllegalArgumentException(
+                        "type must be none, gaussian or gaussian_quantized (got: \"" + kind + "\")");
+        }
+    }
+
+    /** Takes a number out of the values; 0 where there is none. */
+    private double number(String name) {
+        String value = values.remove(name);
+        if (value == null) {
+            return 0;
+        }
+        try {
+            double number = Double.parseDouble(value);
+            if (Double.isFinite(number)) {
+                return number;
+            }
+        } catch (NumberFormatException e) {
+            // told below
+        }
+        throw new IllegalArgumentException(name + " must be a number (got: \"" + value + "\")");
+    }
+}

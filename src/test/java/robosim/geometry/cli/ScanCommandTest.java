@@ -1,0 +1,135 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.cli.terminal.ExitCodes;
+
+class ScanCommandTest {
+    @TempDir
+    Path folder;
+
+    private final StringWriter out = new StringWriter();
+
+    private int run(String... words) {
+        PrintWriter printer = new PrintWriter(out, true);
+        return Commands.run(printer, printer, words);
+    }
+
+    private static int points(Path ply) throws IOException {
+        String text = Files.readString(ply, StandardCharsets.ISO_8859_1);
+        int at = text.indexOf("element vertex ") + "element vertex ".length();
+        return Integer.parseInt(text.substring(at, text.indexOf('\n', at)));
+    }
+
+    @Test
+    void clouds() throws IOException {
+        Path ply = folder.resolve("cloud.ply");
+        assertThat(run("scan", "worlds/warehouse.xml", "-o", ply.toString())).isZero();
+        assertThat(out.toString()).contains("Wrote " + ply + ": ").contains(" points of 28,928 rays");
+        assertThat(points(ply)).isBetween(5000, 28_928);
+        Path world = folder.resolve("world.ply");
+        assertThat(run("scan", "worlds/warehouse.xml", "--in-world", "-o", world.toString()))
+                .isZero();
+        assertThat(points(world)).isEqualTo(points(ply));
+        assertThat(Files.readAllBytes(world)).isNotEqualTo(Files.readAllBytes(ply));
+        Path pcd = folder.resolve("cloud.pcd");
+        assertThat(run(
+                        "scan",
+                        "worlds/warehouse.xml",
+                        "--lidar",
+                        "OS1-64",
+                        "--at",
+                        "0,2,0,45",
+                        "--axes",
+                        "module",
+                        "-o",
+                        pcd.toString()))
+                .isZero();
+        assertThat(Files.readString(pcd, StandardCharsets.ISO_8859_1)).startsWith("# .PCD v0.7");
+    }
+
+    @Test
+    void noiseFollowsTheSeed() throws IOException {
+        byte[][] files = new byte[4][];
+        String[] noises = {"0.01", "0.01", "0.01", "0"};
+        String[] seeds = {"7", "7", "8", "7"};
+        for (int k = 0; k < 4; k++) {
+            Path npy = folder.resolve(k + ".npy");
+            assertThat(run(
+                            "scan",
+                            "worlds/rooms.xml",
+                            "--lidar",
+                            "utm30lx",
+                            "--noise",
+                            noises[k],
+                            "--seed",
+                            seeds[k],
+                            "-o",
+                            npy.toString()))
+                    .isZero();
+            files[k] = Files.readAllBytes(npy);
+        }
+        assertThat(out.toString()).contains("1 x 1081 ranges");
+        assertThat(files[0]).isEqualTo(files[1]).isNotEqualTo(files[2]).isNotEqualTo(files[3]);
+        assertThat(files[0].length).isEqualTo(128 + 8 * 1081);
+        double noisy = ByteBuffer.wrap(files[0]).order(ByteOrder.LITTLE_ENDIAN).getDouble(128);
+        double clean = ByteBuffer.wrap(files[3]).order(ByteOrder.LITTLE_ENDIAN).getDouble(128);
+        assertThat(noisy).isNotEqualTo(clean);
+    }
+
+    /** Ranges of the lidars are in metres, whatever a world's unit is. */
+    @Test
+    void centimetres() throws IOException {
+        String world = """
+                <world xmlns="urn:robosim:world:1" width="400" height="10" length="400" unit="%s" dimension="SPATIAL">
+                  <box center="%s 0 0" width="2" height="2" length="2"/>
+                </world>
+                """;
+        Path file = folder.resolve("box.xml");
+        Path npy = folder.resolve("box.npy");
+        String[][] cases = {{"m", "21", "20"}, {"m", "41", "Infinity"}, {"cm", "101", "100"}, {"km", "2", "Infinity"}};
+        for (String[] one : cases) {
+            Files.writeString(file, world.formatted(one[0], one[1]));
+            assertThat(run("scan", file.toString(), "--at", "0,0,0", "--lidar", "utm30lx", "-o", npy.toString()))
+                    .as(out.toString())
+                    .isZero();
+            double ahead = ByteBuffer.wrap(Files.readAllBytes(npy))
+                    .order(ByteOrder.LITTLE_ENDIAN)
+                    .getDouble(128 + 8 * 540);
+            assertThat(ahead).isEqualTo(Double.parseDouble(one[2]));
+        }
+        assertThat(run("scan", file.toString(), "-o", npy.toString())).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(out.toString()).contains("--at must be given for a world without moveable objects");
+    }
+
+    @Test
+    void refused() {
+        refused("FILE must end in .ply, .pcd or .npy (got: a.txt)", "worlds/rooms.xml", "-o", "a.txt");
+        refused("--on must be the name of a moveable object", "worlds/rooms.xml", "--on", "no", "-o", "a.ply");
+        refused("--at must be X,Y,Z or X,Y,Z,HEADING", "worlds/rooms.xml", "--at", "1,2", "-o", "a.ply");
+        refused("--at must be X,Y,Z or X,Y,Z,HEADING", "worlds/rooms.xml", "--at", "1,2,x", "-o", "a.ply");
+        refused("--noise must be from 0 to 1000", "worlds/rooms.xml", "--noise", "NaN", "-o", "a.ply");
+        refused("must be one of vlp16, vlp32c,", "worlds/rooms.xml", "--lidar", "x", "-o", "a.ply");
+        refused("WORLD must be a file that exists", "nowhere.xml", "-o", "a.ply");
+        assertThat(Path.of("a.ply")).doesNotExist();
+    }
+
+    private void refused(String message, String... words) {
+        String[] all = new String[words.length + 1];
+        all[0] = "scan";
+        System.arraycopy(words, 0, all, 1, words.length);
+        out.getBuffer().setLength(0);
+        assertThat(run(all)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(out.toString()).contains(message);
+    }
+}

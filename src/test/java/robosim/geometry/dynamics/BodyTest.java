@@ -1,0 +1,109 @@
+package robosim.geometry.dynamics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
+
+class BodyTest {
+    private static final int SAMPLES = 200_000;
+
+    /** Against points thrown into a box around the shape: how many are inside, and how far they are from the vertical. */
+    @Test
+    void massAndInertiaAreThoseOfThePointsInside() {
+        SplittableRandom random = new SplittableRandom(5);
+        for (GeometryObject shape : List.of(
+                new BoxObject(new Point(), 1.5, 0.7, 0.4),
+                new BoxObject(new Point(), 1.5, 0.7, 0.4).turned(0, 33),
+                new CylinderObject(new Point(), 0.8, 1.1),
+                new SphereObject(new Point(), 0.9),
+                new SphereObject(new Point(), 0.9).turned(30, 40),
+                new CapsuleObject(new Point(), 0.5, 0.8))) {
+            int inside = 0;
+            double squares = 0;
+            for (int k = 0; k < SAMPLES; k++) {
+                Point p = new Point(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+                if (CollisionDetection.intersects(shape, new SphereObject(p, 0))) {
+                    inside++;
+                    squares += p.x() * p.x() + p.z() * p.z();
+                }
+            }
+            Body body = Body.ofDensity(shape, 250);
+            assertThat(body.mass()).as("%s", shape).isCloseTo(250.0 * 8 * inside / SAMPLES, within(body.mass() * 0.02));
+            assertThat(body.inertia() / body.mass())
+                    .as("%s", shape)
+                    .isCloseTo(squares / inside, within(0.02 * body.inertia() / body.mass()));
+            assertThat(Body.ofMass(shape, 3).inertia()).isCloseTo(3 * body.inertia() / body.mass(), within(1e-12));
+        }
+    }
+
+    @Test
+    void otherShapesNeedTheirInertia() {
+        assertThatThrownBy(() -> Body.ofMass(new ObjectGroup(List.of(new SphereObject(new Point(), 1))), 1))
+                .hasMessageStartingWith("shape must be a sphere, or an upright box");
+        assertThatThrownBy(() -> Body.ofMass(new BoxObject(new Point(), 1, 1, 1).turned(10, 0), 1))
+                .hasMessageStartingWith("shape ");
+        assertThatThrownBy(() -> Body.ofMass(new SphereObject(new Point(), 0), 1))
+                .hasMessageStartingWith("inertia ");
+        assertThatThrownBy(() -> Body.ofMass(new CapsuleObject(new Point(), 0, 1), 1))
+                .hasMessageStartingWith("inertia ");
+    }
+
+    @Test
+    void badNumbersAreNamed() {
+        assertThatThrownBy(() -> Body.of(0, 1)).hasMessageStartingWith("mass ");
+        assertThatThrownBy(() -> Body.of(Double.NaN, 1)).hasMessageStartingWith("mass ");
+        assertThatThrownBy(() -> Body.of(1, Double.POSITIVE_INFINITY)).hasMessageStartingWith("inertia ");
+        assertThatThrownBy(() -> Body.of(1, 1).withDamping(-1, 0)).hasMessageStartingWith("damping ");
+        assertThatThrownBy(() -> Body.of(1, 1).withDamping(0, Double.NaN)).hasMessageStartingWith("turnDamping ");
+        assertThatThrownBy(() -> Body.of(1, 1).withLimits(Double.NaN, 0)).hasMessageStartingWith("maxSpeed ");
+        assertThatThrownBy(() -> Body.of(1, 1).withLimits(0, -1)).hasMessageStartingWith("maxTurn ");
+        assertThatThrownBy(() -> new Surface(1.1, 0, 0)).hasMessageStartingWith("restitution ");
+        assertThatThrownBy(() -> new Surface(Double.NaN, 0, 0)).hasMessageStartingWith("restitution ");
+        assertThatThrownBy(() -> new Surface(0, -1, 0)).hasMessageStartingWith("staticFriction ");
+        assertThatThrownBy(() -> new Surface(0, 0.1, 0.2)).hasMessageStartingWith("slidingFriction ");
+        assertThatThrownBy(() -> Body.ofDensity(new SphereObject(new Point(), 1), -1))
+                .hasMessageStartingWith("density ");
+    }
+
+    @Test
+    void theSurfaceOfAPairIsTheSameBothWays() {
+        SplittableRandom random = new SplittableRandom(6);
+        for (int k = 0; k < 10_000; k++) {
+            Surface a = surface(random);
+            Surface b = surface(random);
+            Surface pair = a.against(b);
+            assertThat(b.against(a)).isEqualTo(pair);
+            assertThat(a.against(a)).isEqualTo(a);
+            assertThat(pair.restitution())
+                    .isBetween(Math.min(a.restitution(), b.restitution()), Math.max(a.restitution(), b.restitution()));
+            assertThat(pair.slidingFriction()).isLessThanOrEqualTo(pair.staticFriction());
+            assertThat(a.against(Surface.SMOOTH)).isEqualTo(Surface.SMOOTH);
+        }
+    }
+
+    private static Surface surface(SplittableRandom random) {
+        double still = random.nextInt(4) == 0 ? 1e-300 : random.nextDouble(2);
+        return new Surface(random.nextDouble(), still, random.nextBoolean() ? still : still * random.nextDouble());
+    }
+
+    @Test
+    void limitsKeepTheDirection() {
+        Body body = Body.of(1, 1).withLimits(2, 90);
+        assertThat(body.limited(new Twist(3, 0, 4, -120))).isEqualTo(new Twist(3 * 0.4, 0, 4 * 0.4, -90));
+        assertThat(body.limited(new Twist(1, 0, 1, 60))).isEqualTo(new Twist(1, 0, 1, 60));
+        assertThat(body.withLimits(0, 0).limited(new Twist(3, 0, 4, 1))).isEqualTo(new Twist(0, 0, 0, 0));
+    }
+}

@@ -1,0 +1,384 @@
+package robosim.geometry.dynamics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
+import robosim.geometry.Geometry;
+import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
+
+class DynamicsTest {
+    private static final Surface ELASTIC = new Surface(1, 0, 0);
+
+    private static Geometry world(double size) {
+        return new Geometry(size, 5, size, Dimension.PLANAR, Accuracy.EXACT);
+    }
+
+    private static GeometryObject disc(String name, double x, double z, double radius) {
+        return new CylinderObject(new Point(x, 0, z), radius, 1).moveable(name);
+    }
+
+    /** All stand upright, so that intersecting in space is intersecting as seen from above. */
+    private static void assertApart(Geometry world, String what) {
+        List<GeometryObject> all = world.objects();
+        for (int i = 0; i < all.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                if (all.get(i).isMoveable() || all.get(j).isMoveable()) {
+                    assertThat(CollisionDetection.intersects(all.get(i), all.get(j)))
+                            .as("%s: %s and %s", what, all.get(i), all.get(j))
+                            .isFalse();
+                }
+            }
+        }
+    }
+
+    private static double[] momentum(Dynamics dynamics, Geometry world, List<String> names, List<Body> bodies) {
+        double[] sum = new double[2];
+        for (int k = 0; k < names.size(); k++) {
+            Twist v = dynamics.velocity(names.get(k));
+            double[] r = world.getObject(names.get(k)).rotation();
+            sum[0] += bodies.get(k).mass() * (r[0] * v.x() + r[2] * v.z());
+            sum[1] += bodies.get(k).mass() * (r[6] * v.x() + r[8] * v.z());
+        }
+        return sum;
+    }
+
+    private static double energy(Dynamics dynamics, List<String> names, List<Body> bodies) {
+        double sum = 0;
+        for (int k = 0; k < names.size(); k++) {
+            Twist v = dynamics.velocity(names.get(k));
+            double w = StrictMath.toRadians(v.ry());
+            sum += 0.5 * bodies.get(k).mass() * (v.x() * v.x() + v.z() * v.z())
+                    + 0.5 * bodies.get(k).inertia() * w * w;
+        }
+        return sum;
+    }
+
+    /** Two discs of any masses on a line: the velocities after an impact of any restitution, and the places. */
+    @Test
+    void twoDiscsInALineCollideAsTheTextbookSays() {
+        SplittableRandom random = new SplittableRandom(1);
+        for (int k = 0; k < 300; k++) {
+            double e = k % 3 == 0 ? 1 : random.nextDouble();
+            double m1 = random.nextDouble(0.1, 10);
+            double m2 = random.nextDouble(0.1, 10);
+            double u1 = random.nextDouble(1, 5);
+            double u2 = random.nextDouble(-2, 0.5);
+            Geometry world = world(100);
+            world.addObject(disc("a", -1, 0, 0.5));
+            world.addObject(disc("b", 1, 0, 0.5));
+            Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+            dynamics.add("a", Body.of(m1, 1).withSurface(new Surface(e, 0, 0)));
+            dynamics.add("b", Body.of(m2, 1).withSurface(new Surface(e, 0, 0)));
+            dynamics.setVelocity("a", new Twist(u1, 0, 0, 0));
+            dynamics.setVelocity("b", new Twist(u2, 0, 0, 0));
+
+            StepResult result = dynamics.step(3);
+
+            double v1 = (m1 * u1 + m2 * u2 + m2 * e * (u2 - u1)) / (m1 + m2);
+            double v2 = (m1 * u1 + m2 * u2 + m1 * e * (u1 - u2)) / (m1 + m2);
+            double meet = 1 / (u1 - u2);
+            assertThat(result.stopped()).isEmpty();
+            assertThat(result.contacts()).hasSize(meet < 3 ? 1 : 0);
+            if (meet < 3) {
+                assertThat(dynamics.velocity("a").x()).isCloseTo(v1, within(1e-9));
+                assertThat(dynamics.velocity("b").x()).isCloseTo(v2, within(1e-9));
+                assertThat(world.getObject("a").center().x()).isCloseTo(-1 + u1 * meet + v1 * (3 - meet), within(1e-7));
+                assertThat(world.getObject("b").center().x()).isCloseTo(1 + u2 * meet + v2 * (3 - meet), within(1e-7));
+                assertThat(result.contacts().get(0).impulse()).isCloseTo(m1 * (u1 - v1), within(1e-9));
+            }
+        }
+    }
+
+    /** A disc against an oblique wall: its speed along the wall stays, that across it is reversed times the restitution. */
+    @Test
+    void aDiscBouncesOffAWall() {
+        SplittableRandom random = new SplittableRandom(2);
+        for (int k = 0; k < 200; k++) {
+            double degrees = random.nextDouble(-40, 40);
+            double e = random.nextDouble();
+            Geometry world = world(200);
+            world.addObject(new BoxObject(new Point(5, 0, 0), 1, 2, 60).turned(0, degrees));
+            world.addObject(disc("a", 0, 0, 0.5));
+            Dynamics dynamics = new Dynamics(world, new Surface(e, 0, 0));
+            dynamics.add("a", Body.of(3, 1).withSurface(new Surface(e, 0, 0)));
+            dynamics.setVelocity("a", new Twist(4, 0, random.nextDouble(-2, 2), 0));
+            Twist before = dynamics.velocity("a");
+
+            StepResult result = dynamics.step(2.5);
+
+            double nx = StrictMath.cos(StrictMath.toRadians(degrees));
+            double nz = -StrictMath.sin(StrictMath.toRadians(degrees));
+            Twist after = dynamics.velocity("a");
+            if (result.contacts().size() == 1) {
+                assertThat(after.x() * nx + after.z() * nz)
+                        .isCloseTo(-e * (before.x() * nx + before.z() * nz), within(1e-8));
+                assertThat(after.x() * nz - after.z() * nx).isCloseTo(before.x() * nz - before.z() * nx, within(1e-8));
+            }
+            assertThat(result.contacts()).as("%s", before).hasSizeLessThan(2);
+            assertApart(world, "wall " + k);
+        }
+    }
+
+    /** Friction turns what slides along a wall: sticking, a disc leaves it rolling. */
+    @Test
+    void frictionMakesADiscRollAlongAWall() {
+        for (double friction : new double[] {0.05, 10}) {
+            Geometry world = world(100);
+            world.addObject(new BoxObject(new Point(0, 0, 3), 60, 2, 1));
+            world.addObject(disc("a", 0, 0, 0.5));
+            Dynamics dynamics = new Dynamics(world, new Surface(0, friction, friction));
+            double inertia = 2 * 0.125;
+            dynamics.add("a", Body.of(2, inertia).withSurface(new Surface(0, friction, friction)));
+            dynamics.setVelocity("a", new Twist(1, 0, 2, 0));
+
+            dynamics.step(1.5);
+
+            Twist after = world.getObject("a").heading() == 0 ? dynamics.velocity("a") : null;
+            double[] r = world.getObject("a").rotation();
+            Twist own = dynamics.velocity("a");
+            double along = r[0] * own.x() + r[2] * own.z();
+            // The impulse across the wall is 4 Ns: sliding, friction takes 0.2 Ns of the 2 along it; rolling, a third.
+            double expected = friction < 1 ? (2 - 0.2) / 2 : 2.0 / 3;
+            assertThat(after).isNull();
+            assertThat(along).isCloseTo(expected, within(1e-8));
+            double spin = StrictMath.toRadians(own.ry());
+            assertThat(Math.abs(spin) * inertia).isCloseTo((1 - expected) * 2 * 0.5, within(1e-8));
+            if (friction > 1) {
+                assertThat(Math.abs(spin) * 0.5).isCloseTo(along, within(1e-8));
+            }
+        }
+    }
+
+    /** Discs that meet in open space: momentum is kept to rounding, and energy never grows. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.6, 0})
+    void momentumIsKeptAndEnergyNeverGrows(double restitution) {
+        SplittableRandom random = new SplittableRandom(3);
+        int met = 0;
+        for (int run = 0; run < Effort.cases(8); run++) {
+            Geometry world = world(4000);
+            Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+            List<String> names = new ArrayList<>();
+            List<Body> bodies = new ArrayList<>();
+            for (int k = 0; k < 12; k++) {
+                GeometryObject disc = disc("d" + k, random.nextDouble(-5, 5), random.nextDouble(-5, 5), 0.6);
+                if (world.addObject(disc)) {
+                    names.add("d" + k);
+                    bodies.add(Body.ofMass(disc, random.nextDouble(0.5, 4))
+                            .withSurface(new Surface(restitution, 0.4, 0.3)));
+                    dynamics.add("d" + k, bodies.get(bodies.size() - 1));
+                    Point c = disc.center();
+                    dynamics.setVelocity("d" + k, new Twist(-c.x(), 0, -c.z(), random.nextDouble(-90, 90)));
+                }
+            }
+            double[] before = momentum(dynamics, world, names, bodies);
+            double energy = energy(dynamics, names, bodies);
+            for (int step = 0; step < 60; step++) {
+                StepResult result = dynamics.step(0.05);
+                met += result.contacts().size();
+                assertThat(result.stopped()).isEmpty();
+                double[] now = momentum(dynamics, world, names, bodies);
+                assertThat(now[0]).isCloseTo(before[0], within(1e-9));
+                assertThat(now[1]).isCloseTo(before[1], within(1e-9));
+                double later = energy(dynamics, names, bodies);
+                assertThat(later).isLessThanOrEqualTo(energy * (1 + 1e-12));
+                energy = later;
+            }
+            assertApart(world, "run " + run);
+        }
+        assertThat(met).isGreaterThan(50);
+    }
+
+    /** Smooth elastic discs keep their energy. */
+    @Test
+    void elasticDiscsKeepTheirEnergy() {
+        Geometry world = world(20);
+        Dynamics dynamics = new Dynamics(world, ELASTIC);
+        List<String> names = new ArrayList<>();
+        List<Body> bodies = new ArrayList<>();
+        for (int k = 0; k < 9; k++) {
+            names.add("d" + k);
+            bodies.add(Body.of(1 + k % 3, 1).withSurface(ELASTIC));
+            world.addObject(disc("d" + k, 3.0 * (k % 3) - 3, 3.0 * (k / 3) - 2.9, 0.8));
+            dynamics.add("d" + k, bodies.get(k));
+            dynamics.setVelocity("d" + k, new Twist(k - 3.5, 0, 2 - k * 0.7, 0));
+        }
+        double energy = energy(dynamics, names, bodies);
+        int met = 0;
+        for (int step = 0; step < 100; step++) {
+            StepResult result = dynamics.step(0.1);
+            met += result.contacts().size();
+            assertThat(result.stopped()).isEmpty();
+        }
+        assertThat(energy(dynamics, names, bodies)).isCloseTo(energy, within(energy * 1e-9));
+        assertThat(met).isGreaterThan(25);
+    }
+
+    /** Boxes, discs and thin walls, speeds up to 10,000, steps up to a second: nothing overlaps, and nothing gets out. */
+    @Test
+    void nothingOverlapsAfterAnyStep() {
+        SplittableRandom random = new SplittableRandom(4);
+        int met = 0;
+        int stopped = 0;
+        int steps = 0;
+        for (int run = 0; run < Effort.cases(8); run++) {
+            Geometry world = world(12);
+            // A closed room of thin walls, whose corners overlap.
+            for (int side = 0; side < 4; side++) {
+                double x = side == 0 ? 5 : side == 1 ? -5 : 0;
+                double z = side == 2 ? 5 : side == 3 ? -5 : 0;
+                assertThat(world.addObjectUnchecked(
+                                new BoxObject(new Point(x, 0, z), x == 0 ? 10.5 : 1e-3, 1, z == 0 ? 10.5 : 1e-3)))
+                        .isTrue();
+            }
+            world.addObject(new BoxObject(new Point(1, 0, 1), 3, 1, 1e-6).turned(0, random.nextDouble(180)));
+            Dynamics dynamics = new Dynamics(world, new Surface(random.nextDouble(), 0.5, 0.4));
+            List<String> names = new ArrayList<>();
+            for (int k = 0; k < 10; k++) {
+                GeometryObject body = k % 2 == 0
+                        ? new SphereObject(new Point(), 0.4)
+                        : new BoxObject(new Point(), random.nextDouble(0.3, 1.2), 1, 0.5);
+                body = body.movedTo(new Point(random.nextDouble(-4, 4), 0, random.nextDouble(-4, 4)));
+                String name = "b" + k;
+                if (world.addObject(
+                        k % 3 == 0 ? body.moveable(name) : body.moveable(name).turned(0, 45))) {
+                    names.add(name);
+                    dynamics.add(
+                            name,
+                            Body.ofMass(body, random.nextDouble(0.5, 5))
+                                    .withSurface(new Surface(random.nextDouble(), 0.5, 0.4)));
+                }
+            }
+            for (int step = 0; step < 12; step++) {
+                for (String name : names) {
+                    if (step % 4 == 0) {
+                        double speed = random.nextInt(3) == 0 ? 10_000 : 8;
+                        dynamics.setVelocity(
+                                name,
+                                new Twist(
+                                        random.nextDouble(-speed, speed),
+                                        0,
+                                        random.nextDouble(-speed, speed),
+                                        random.nextDouble(-300, 300)));
+                    }
+                }
+                StepResult result = dynamics.step(step % 3 == 0 ? 1e-3 : random.nextDouble(0.1));
+                steps++;
+                met += result.contacts().size();
+                stopped += result.stopped().isEmpty() ? 0 : 1;
+                assertApart(world, "run " + run + ", step " + step);
+                for (String name : names) {
+                    Point c = world.getObject(name).center();
+                    assertThat(Math.max(Math.abs(c.x()), Math.abs(c.z())))
+                            .as(name)
+                            .isLessThan(5);
+                }
+            }
+        }
+        assertThat(met).isGreaterThan(2 * steps);
+        assertThat(stopped).isBetween(1, steps);
+    }
+
+    /** A cart that is driven pushes a crate, and that another one, until a wall stops all three. */
+    @Test
+    void aDrivenCartPushesAChainUpToAWall() {
+        Geometry world = world(40);
+        world.addObject(new BoxObject(new Point(10, 0, 0), 1, 2, 10).named("wall"));
+        world.addObject(new BoxObject(new Point(0, 0, 0), 1, 1, 1).moveable("cart"));
+        world.addObject(new BoxObject(new Point(2, 0, 0), 1, 1, 1).moveable("one"));
+        world.addObject(new BoxObject(new Point(4, 0, 0), 1, 1, 1).moveable("two"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("cart", Body.of(50, 10));
+        dynamics.add("one", Body.of(10, 2).withDamping(3, 3));
+        dynamics.add("two", Body.of(10, 2).withDamping(3, 3));
+        dynamics.drive("cart", new DifferentialDrive(0.5, 1, 2).driving(1, 0));
+        for (int step = 0; step < 400; step++) {
+            dynamics.step(0.05);
+            assertApart(world, "step " + step);
+        }
+        assertThat(world.getObject("two").center().x()).isCloseTo(9, within(1e-6));
+        assertThat(world.getObject("one").center().x()).isCloseTo(8, within(1e-6));
+        assertThat(world.getObject("cart").center().x()).isCloseTo(7, within(1e-6));
+    }
+
+    /** Without restitution a clump of bodies may need more events than a step has: then all stop, and it is told. */
+    @Test
+    void aClumpThatCannotBeDecidedStops() {
+        Geometry world = world(4000);
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        List<String> names = new ArrayList<>();
+        List<Body> bodies = new ArrayList<>();
+        SplittableRandom random = new SplittableRandom(9);
+        for (int k = 0; k < 12; k++) {
+            GeometryObject disc = disc("d" + k, random.nextDouble(-4, 4), random.nextDouble(-4, 4), 0.6);
+            if (world.addObject(disc)) {
+                names.add(disc.name());
+                bodies.add(Body.ofMass(disc, 2));
+                dynamics.add("d" + k, Body.ofMass(disc, 2));
+                dynamics.setVelocity(
+                        "d" + k, new Twist(-disc.center().x(), 0, -disc.center().z(), 0));
+            }
+        }
+        double energy = energy(dynamics, names, bodies);
+        for (int step = 0; step < 40; step++) {
+            StepResult result = dynamics.step(0.05);
+            double later = energy(dynamics, names, bodies);
+            assertThat(later).isLessThanOrEqualTo(energy * (1 + 1e-12));
+            if (!result.stopped().isEmpty()) {
+                for (String name : result.stopped()) {
+                    assertThat(dynamics.velocity(name)).isEqualTo(new Twist(0, 0, 0, 0));
+                }
+            }
+            energy = later;
+            assertApart(world, "step " + step);
+        }
+    }
+
+    @Test
+    void theSameRunHasTheSameBits() {
+        assertThat(run()).isEqualTo(run());
+    }
+
+    private static List<GeometryObject> run() {
+        Geometry world = world(10);
+        Dynamics dynamics = new Dynamics(world, new Surface(0.7, 0.5, 0.4));
+        for (int k = 0; k < 8; k++) {
+            world.addObject(disc("d" + k, 2.0 * (k % 3) - 2, 2.0 * (k / 3) - 2.1, 0.6));
+            dynamics.add("d" + k, Body.of(1 + k, 1).withSurface(new Surface(0.9, 0.5, 0.4)));
+            dynamics.setVelocity("d" + k, new Twist(k - 3.5, 0, 2 - k * 0.7, 30 * k));
+        }
+        for (int step = 0; step < 40; step++) {
+            dynamics.step(0.1);
+        }
+        return world.objects();
+    }
+
+    @Test
+    void badArgumentsAreNamed() {
+        Geometry world = world(10);
+        world.addObject(disc("a", 0, 0, 1));
+        world.addObject(new BoxObject(new Point(4, 0, 0), 1, 1, 1).named("wall"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        assertThatThrownBy(() -> new Dynamics(new Geometry(), Surface.SMOOTH)).hasMessageStartingWith("world ");
+        assertThatThrownBy(() -> dynamics.add("wall", Body.of(1, 1))).hasMessageStartingWith("name ");
+        assertThatThrownBy(() -> dynamics.velocity("a")).hasMessageStartingWith("name ");
+        assertThatThrownBy(() -> dynamics.step(0)).hasMessageStartingWith("seconds ");
+        assertThatThrownBy(() -> dynamics.step(Double.NaN)).hasMessageStartingWith("seconds ");
+    }
+}
