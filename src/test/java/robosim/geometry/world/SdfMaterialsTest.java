@@ -1,7 +1,6 @@
 package robosim.geometry.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -102,11 +101,16 @@ class SdfMaterialsTest {
             <emissive/>                    | <emissive> must be 4 numbers (got: none)
             <shininess>1 2</shininess>     | <shininess> must be 1 number (got: 2)
             """)
-    void whatIsNoColorIsRefused(String inside, String message) {
-        assertThatThrownBy(() -> object(collision("c") + visual("v", material(inside))))
-                .isInstanceOf(WorldException.class)
-                .hasMessageContaining("t.sdf:1:")
-                .hasMessageContaining(message);
+    void whatIsNoColorCostsTheColorAlone(String inside, String message) throws IOException {
+        WorldImport read = read(collision("c") + visual("v", material(inside)), true);
+        assertThat(read.isWhole()).isFalse();
+        assertThat(read.skipped()).singleElement().satisfies(skipped -> {
+            assertThat(skipped.what()).startsWith("<material> of ");
+            assertThat(skipped.reason()).contains(message);
+            assertThat(skipped.line()).isEqualTo(1);
+        });
+        assertThat(read.world().objects().get(0).object().material().isDefault())
+                .isTrue();
     }
 
     /** As models lie in folders: a mesh, its library, and the picture beside its folder; mirrored by its scale. */
