@@ -59,8 +59,12 @@ public final class Viewpoints {
         Checks.present("box", box);
         Checks.angle("azimuth", azimuth);
         check("elevation", elevation, -90, 90);
-        check("fieldOfView", fieldOfView, 0x1p-20, 180 - 0x1p-20);
-        check("aspect", aspect, 0x1p-20, 0x1p20);
+        if (!(fieldOfView > 0 && fieldOfView < 180)) { // written so that NaN fails it
+            throw new IllegalArgumentException("fieldOfView must be above 0 and below 180 (got: " + fieldOfView + ")");
+        }
+        if (!(aspect > 0 && aspect <= 0x1p20)) {
+            throw new IllegalArgumentException("aspect must be above 0 and at most 2^20 (got: " + aspect + ")");
+        }
         Point middle = new Point(
                 box.minX() / 2 + box.maxX() / 2, box.minY() / 2 + box.maxY() / 2, box.minZ() / 2 + box.maxZ() / 2);
         double away = Degrees.cos(elevation);

@@ -97,11 +97,14 @@ public final class CameraOptions {
 
     private int side(int k) {
         String[] sides = size.split("x", -1);
-        try {
-            return Integer.parseInt(sides.length == 2 ? sides[k] : size);
-        } catch (NumberFormatException e) {
-            throw refused("--size must be WxH, two numbers of pixels (got: " + size + ")");
+        if (sides.length == 2) {
+            try {
+                return Integer.parseInt(sides[k]);
+            } catch (NumberFormatException e) {
+                // told below
+            }
         }
+        throw refused("--size must be WxH, two numbers of pixels (got: " + size + ")");
     }
 
     private ParameterException refused(String message) {
