@@ -97,13 +97,37 @@ public final class PageWriter {
     static String page(String title, byte[] data) throws IOException {
         StringBuilder script = new StringBuilder();
         for (String name : SCRIPTS) {
-            script.append(resource(name)).append('\n');
+            script.append(dense(resource(name)));
         }
         return resource("page.html")
                 .replace("%TITLE%", title.replace("&", "&amp;").replace("<", "&lt;"))
                 .replace("%STYLE%", resource("page.css"))
                 .replace("%SCRIPT%", script)
                 .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
+    }
+
+    /** A program without the blanks beside its punctuation, other than in its strings and templates. */
+    private static String dense(String program) {
+        StringBuilder dense = new StringBuilder(program.length());
+        char quote = 0;
+        for (int k = 0; k < program.length(); k++) {
+            char c = program.charAt(k);
+            if (quote == 0 && c == ' ' && (isPunctuation(program, k - 1) || isPunctuation(program, k + 1))) {
+                continue;
+            }
+            if (quote != 0 && (c == quote || c == '\n' && quote != '`')) {
+                quote = 0;
+            } else if (quote == 0 && (c == '\'' || c == '`')) {
+                quote = c;
+            }
+            dense.append(c);
+        }
+        return dense.toString();
+    }
+
+    /** Not a sign, of which two beside each other mean something else. */
+    private static boolean isPunctuation(String program, int at) {
+        return at >= 0 && at < program.length() && ",;:?=<>(){}[]&|*".indexOf(program.charAt(at)) >= 0;
     }
 
     private static byte[] deflated(byte[] data) {

@@ -121,7 +121,7 @@ class PageInBrowserTest {
             assertThat(differing).as(camera).isBetween(camera.equals("orbit") ? 0 : 0.1, camera.equals("orbit") ? 0 : 1.0);
         }
         for (String what : List.of("s", "t", "d")) {
-            assertThat(number(seen, "without " + what)).as(what).isGreaterThan(0.0005);
+            assertThat(number(seen, "without " + what)).as(what).isGreaterThan(0.0001);
         }
         assertThat(seen.get("told")).startsWith("1 refused: robot by ");
         assertThat(seen).containsEntry("picked", "cart");
