@@ -87,7 +87,8 @@ final class GlbScene {
                 List<Integer> members = new ArrayList<>();
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     String called = member.name();
-                    members.add(object(member, colour, called == null ? member.kind().word() : called));
+                    members.add(object(
+                            member, colour, called == null ? member.kind().word() : called));
                 }
                 return node(placed(name, pose) + ",\"children\":" + members);
             }
@@ -122,7 +123,11 @@ final class GlbScene {
 
     private static void list(StringBuilder json, String name, List<String> items) {
         if (!items.isEmpty()) { // glTF has no empty lists
-            json.append(",\"").append(name).append("\":[").append(String.join(",", items)).append(']');
+            json.append(",\"")
+                    .append(name)
+                    .append("\":[")
+                    .append(String.join(",", items))
+                    .append(']');
         }
     }
 
@@ -161,7 +166,8 @@ final class GlbScene {
 
     /** Shown from both sides, as a mesh may be a mere surface. */
     private int material(int colour) {
-        String factor = List.of(linear(colour >> 16), linear(colour >> 8), linear(colour), 1.0).toString();
+        String factor = List.of(linear(colour >> 16), linear(colour >> 8), linear(colour), 1.0)
+                .toString();
         String json = "{\"pbrMetallicRoughness\":{\"baseColorFactor\":" + factor
                 + ",\"metallicFactor\":0,\"roughnessFactor\":0.7},\"doubleSided\":true}";
         Integer number = materials.get(json);

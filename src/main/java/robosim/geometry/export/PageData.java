@@ -162,7 +162,9 @@ final class PageData {
         for (int n = from; n < to; n++) {
             Frame frame = film.frame(n);
             List<String> said = new ArrayList<>(frame.notes());
-            if (frame.placed().isEmpty() && frame.bumps().isEmpty() && frame.heard().isEmpty()) {
+            if (frame.placed().isEmpty()
+                    && frame.bumps().isEmpty()
+                    && frame.heard().isEmpty()) {
                 said.add(frame.words());
             }
             for (String text : said) {

@@ -40,7 +40,8 @@ final class PageStreams {
 
     /** All of them, in the order in which the page reads them. */
     byte[] toBytes() {
-        List<Packed> all = List.of(about, objects, meshes, chapters, tracks, times, moves, turns, free, sensors, scans, distances);
+        List<Packed> all =
+                List.of(about, objects, meshes, chapters, tracks, times, moves, turns, free, sensors, scans, distances);
         Packed whole = new Packed();
         whole.count(all.size());
         for (Packed each : all) {

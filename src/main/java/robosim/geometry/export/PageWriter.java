@@ -24,7 +24,8 @@ import robosim.geometry.world.AtomicFileWriter;
  */
 public final class PageWriter {
     /** The page's program, in the order in which it is run. */
-    private static final List<String> SCRIPTS = List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "controls.js");
+    private static final List<String> SCRIPTS =
+            List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "controls.js");
 
     private final StateHistory film;
     private String title = "";
@@ -78,7 +79,10 @@ public final class PageWriter {
 
     /** Plays a conversation and writes its page. */
     public static void write(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
-        new PageWriter(Films.of(scenario)).titled(scenario.header().title()).withGoals(goals).write(file);
+        new PageWriter(Films.of(scenario))
+                .titled(scenario.header().title())
+                .withGoals(goals)
+                .write(file);
     }
 
     /**
@@ -115,7 +119,7 @@ public final class PageWriter {
             if (quote == 0 && c == ' ' && (isPunctuation(program, k - 1) || isPunctuation(program, k + 1))) {
                 continue;
             }
-            if (quote != 0 && (c == quote || c == '\n' && quote != '`')) {
+            if (quote != 0 && (c == quote || (c == '\n' && quote != '`'))) {
                 quote = 0;
             } else if (quote == 0 && (c == '\'' || c == '`')) {
                 quote = c;
@@ -147,8 +151,8 @@ public final class PageWriter {
     private static String resource(String name) throws IOException {
         try (InputStream in = PageWriter.class.getResourceAsStream(name)) {
             if (in == null) {
-                throw new FileNotFoundException("a part of the page is missing; use the jar as it was built (missing: "
-                        + name + ")");
+                throw new FileNotFoundException(
+                        "a part of the page is missing; use the jar as it was built (missing: " + name + ")");
             }
             return new String(in.readAllBytes(), StandardCharsets.UTF_8)
                     .lines()

@@ -9,7 +9,7 @@ class Camera {
 
   fit() {
     this.yaw = 0.6; this.pitch = 0.72; this.target = [0.035 * this.view.reach, -this.view.data.space[1] / 2, 0.05 * this.view.reach];
-    this.far = this.view.reach * 1.5; this.topFar = this.view.reach * 1.2; this.look = [0, 0]; this.topTarget = [0, 0, 0];
+    this.far = this.view.reach * 1.5; this.topFar = this.view.reach * 1.36; this.look = [0, 0]; this.topTarget = [0, 0, 0.05 * this.view.reach];
   }
 
   /** The eye, where it looks, and what is up there. */

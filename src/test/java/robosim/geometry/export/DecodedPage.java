@@ -124,7 +124,8 @@ final class DecodedPage {
     }
 
     static byte[] data(String page) throws IOException {
-        Matcher found = Pattern.compile("(?s)<script id=\"data\"[^>]*>([^<]*)</script>").matcher(page);
+        Matcher found =
+                Pattern.compile("(?s)<script id=\"data\"[^>]*>([^<]*)</script>").matcher(page);
         if (!found.find()) {
             throw new IllegalStateException("a page has data");
         }
@@ -320,9 +321,15 @@ final class DecodedPage {
         double z = now[5] * s;
         double w = now[6] * s;
         double[] rows = {
-            1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-            2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-            2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)
+            1 - 2 * (y * y + z * z),
+            2 * (x * y - w * z),
+            2 * (x * z + w * y),
+            2 * (x * y + w * z),
+            1 - 2 * (x * x + z * z),
+            2 * (y * z - w * x),
+            2 * (x * z - w * y),
+            2 * (y * z + w * x),
+            1 - 2 * (x * x + y * y)
         };
         System.arraycopy(rows, 0, place, 3, 9);
         return place;

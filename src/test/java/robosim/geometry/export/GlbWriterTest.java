@@ -83,7 +83,8 @@ class GlbWriterTest {
         assertThat(volume(GlbShape.capsule(1, 0))).isBetween(Math.PI * 4 / 3 * 0.99, Math.PI * 4 / 3);
         double capsule = Math.PI * 4 / 3 * 8 + Math.PI * 4 * 3;
         assertThat(volume(GlbShape.capsule(2, 3))).isBetween(capsule * 0.99, capsule);
-        robosim.geometry.model.GridObject grid = (robosim.geometry.model.GridObject) Pages.kinds().get(6);
+        robosim.geometry.model.GridObject grid =
+                (robosim.geometry.model.GridObject) Pages.kinds().get(6);
         assertThat(volume(GlbShape.grid(grid))).isCloseTo(13 * 0.5 * 0.5 * 0.8, within(1e-5));
     }
 
@@ -93,7 +94,8 @@ class GlbWriterTest {
                 new BoxObject(new Point(10, 20, -30), 1, 2, 3).turned(0, 90).named("a\"b"), "#ff0080", List.of());
         String json = json(Files.readAllBytes(written(world(Unit.CENTIMETRE, box))));
         assertThat(json)
-                .contains("{\"name\":\"a\\\"b\",\"translation\":[10.0, 20.0, -30.0],\"rotation\":[0.0, 0.707106781186547")
+                .contains(
+                        "{\"name\":\"a\\\"b\",\"translation\":[10.0, 20.0, -30.0],\"rotation\":[0.0, 0.707106781186547")
                 .contains("\"scale\":[1.0, 2.0, 3.0],\"mesh\":0}")
                 .contains("{\"name\":\"a \\\"world\\\" of \\u00e9\",\"scale\":[0.01, 0.01, 0.01],\"children\":[0]}")
                 .contains("\"baseColorFactor\":[1.0, 0.0, 0.2158605");
@@ -115,8 +117,8 @@ class GlbWriterTest {
                 .filter(path -> path != null && !path.isEmpty())
                 .reduce((a, b) -> a + java.io.File.pathSeparator + b)
                 .orElse("");
-        Program.Said said = Program.run(
-                folder, 60, Map.of("NODE_PATH", paths), List.of("node", "-e", VALIDATE, file.toString()));
+        Program.Said said =
+                Program.run(folder, 60, Map.of("NODE_PATH", paths), List.of("node", "-e", VALIDATE, file.toString()));
         Assumptions.assumeFalse(
                 said.err().contains("Cannot find module 'gltf-validator'"),
                 "no validator: npm install --prefix target/npm gltf-validator");
@@ -132,7 +134,8 @@ class GlbWriterTest {
 
     @Test
     void norInAllKindsInFlatThingsAndInAnEmptyWorld() throws Exception {
-        validated(written(world(Unit.FOOT, Pages.kinds().stream().map(WorldObject::new).toArray(WorldObject[]::new))));
+        validated(written(
+                world(Unit.FOOT, Pages.kinds().stream().map(WorldObject::new).toArray(WorldObject[]::new))));
         validated(written(world(
                 null,
                 new WorldObject(new BoxObject(new Point(0, 0, 0), 1, 0, 0).turned(33, 44)),

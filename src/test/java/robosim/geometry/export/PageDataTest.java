@@ -42,7 +42,8 @@ class PageDataTest {
     }
 
     private static byte[] data(StateHistory film) {
-        return new PageData(film, film.first(), film.size(), new PageData.Labels("a title", "below", "m"), List.of()).toBytes();
+        return new PageData(film, film.first(), film.size(), new PageData.Labels("a title", "below", "m"), List.of())
+                .toBytes();
     }
 
     /** The most that any coordinate is off, in steps of the page. */
@@ -70,7 +71,9 @@ class PageDataTest {
                 double[] rotation = mover.pose().rotation();
                 double allowed = mover.pose().isUpright() ? Math.max(Math.toRadians(ANGLE), ROTATION) : ROTATION;
                 for (int j = 0; j < 9; j++) {
-                    assertThat(place[3 + j]).as("rotation %s of %s after %s", j, k, n).isCloseTo(rotation[j], within(allowed));
+                    assertThat(place[3 + j])
+                            .as("rotation %s of %s after %s", j, k, n)
+                            .isCloseTo(rotation[j], within(allowed));
                 }
                 int id = page.chapters.get(chapter).movers.get(k);
                 assertThat(page.things.get(id).name()).isEqualTo(mover.name());
@@ -91,7 +94,8 @@ class PageDataTest {
                                 ? chapter.movers.get(k)
                                 : chapter.statics.get(k - chapter.movers.size());
                 String name = page.things.get(chapter.movers.get(bump.mover())).name();
-                bumps.add(bump.frame() + " " + name + " by " + (id < 0 ? bump.obstacle() : page.things.get(id).name()));
+                bumps.add(bump.frame() + " " + name + " by "
+                        + (id < 0 ? bump.obstacle() : page.things.get(id).name()));
             }
             for (int k = 0; k < chapter.scans.size(); k++) {
                 String name = page.things.get(chapter.movers.get(k)).name();
@@ -104,7 +108,8 @@ class PageDataTest {
                         if (Double.isInfinite(ping.distance())) {
                             assertThat(scan.distances()[s]).isInfinite();
                         } else {
-                            assertThat(scan.distances()[s]).isCloseTo(ping.distance(), within(page.unit / 4096 * 1.0001));
+                            assertThat(scan.distances()[s])
+                                    .isCloseTo(ping.distance(), within(page.unit / 4096 * 1.0001));
                         }
                         assertThat(scan.widths()[s]).isCloseTo(ping.width(), within(ANGLE));
                         assertThat((float) scan.ranges()[s]).isEqualTo((float) ping.range());
@@ -119,8 +124,11 @@ class PageDataTest {
         List<String> expectedScans = new ArrayList<>();
         for (int n = 0; n < film.size(); n++) {
             for (Frame.Bump bump : film.frame(n).bumps()) {
-                GeometryObject obstacle = bump.result() == null ? null : bump.result().obstacle();
-                String by = bump.result() == null ? "0" : obstacle == null ? "1" : obstacle.name() == null ? "" : obstacle.name();
+                GeometryObject obstacle =
+                        bump.result() == null ? null : bump.result().obstacle();
+                String by = bump.result() == null
+                        ? "0"
+                        : obstacle == null ? "1" : obstacle.name() == null ? "" : obstacle.name();
                 expectedBumps.add(n + " " + bump.mover().name() + " by " + by);
             }
             for (String name : film.frame(n).heard().keySet()) {
@@ -161,7 +169,8 @@ class PageDataTest {
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(compared(film, 0, page)).isBetween(0.4, 0.5 + 1e-6);
         comparedEvents(film, page);
-        assertThat(film.movers(film.size() - 1).get(0).object().pose().isUpright()).isFalse();
+        assertThat(film.movers(film.size() - 1).get(0).object().pose().isUpright())
+                .isFalse();
     }
 
     @Test
@@ -178,7 +187,11 @@ class PageDataTest {
     @Test
     void worldsShareTheirObjects() {
         GeometryObject other = new CylinderObject(new Point(5, 0, 3), 0.5, 1).moveable("drum");
-        Talk talk = Talk.begun().drives(1, null).world(Talk.WALL, other).drives(1, null).looks(null);
+        Talk talk = Talk.begun()
+                .drives(1, null)
+                .world(Talk.WALL, other)
+                .drives(1, null)
+                .looks(null);
         DecodedPage page = DecodedPage.of(data(talk.film()));
         assertThat(page.chapters).hasSize(2);
         assertThat(page.things).hasSize(2);
@@ -203,7 +216,8 @@ class PageDataTest {
                 List.of(),
                 List.of(new Scene.Thing(robot, null)));
         film.append(Frame.of(setting, "begins"));
-        Pose there = robot.movedTo(new Point(-0.4 * size, 0.2 * size, 0.4 * size)).pose();
+        Pose there =
+                robot.movedTo(new Point(-0.4 * size, 0.2 * size, 0.4 * size)).pose();
         film.append(new Frame(null, Map.of("robot", there), List.of(), Map.of(), "", List.of(), null));
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(compared(film, 0, page)).isLessThanOrEqualTo(0.5 + 1e-6);
@@ -216,18 +230,25 @@ class PageDataTest {
         StateHistory film = new StateHistory();
         film.append(Frame.of(
                 Frame.Setting.of(new robosim.geometry.world.World(
-                        20, 4, 16, kinds.stream().map(robosim.geometry.world.WorldObject::new).toList())),
+                        20,
+                        4,
+                        16,
+                        kinds.stream()
+                                .map(robosim.geometry.world.WorldObject::new)
+                                .toList())),
                 "all"));
         List<GeometryObject> goals = List.of(new CylinderObject(new Point(1, 0, 1), 0.5, 0.01));
-        DecodedPage page = DecodedPage.of(
-                new PageData(film, 0, 1, new PageData.Labels("", "", ""), goals).toBytes());
+        DecodedPage page = DecodedPage.of(new PageData(film, 0, 1, new PageData.Labels("", "", ""), goals).toBytes());
         assertThat(page.goals).containsExactly(0);
         assertThat(page.things).hasSize(kinds.size() + 1);
-        int[][] parts = {{1}, {0, 1}, {0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}, {1, 1, 1}, {0, 0, 0, 0, 0, 1}, {0, 1}, {1}};
+        int[][] parts = {
+            {1}, {0, 1}, {0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}, {1, 1, 1}, {0, 0, 0, 0, 0, 1}, {0, 1}, {1}
+        };
         for (int k = 0; k < parts.length; k++) {
             DecodedPage.Thing thing = page.things.get(k + 1);
             assertThat(thing.parts()).as(kinds.get(k).toString()).startsWith(parts[k]);
-            assertThat(java.util.Arrays.stream(thing.parts()).sum()).isEqualTo(java.util.Arrays.stream(parts[k]).sum());
+            assertThat(java.util.Arrays.stream(thing.parts()).sum())
+                    .isEqualTo(java.util.Arrays.stream(parts[k]).sum());
             if (!kinds.get(k).isMoveable()) {
                 assertThat(thing.center()[2]).isCloseTo(kinds.get(k).center().z(), within(1e-6));
             }
@@ -241,7 +262,9 @@ class PageDataTest {
     void aWorldShowsWhatItsSonarsMeasure() throws IOException {
         StateHistory film = Films.of(WorldReader.read(Path.of("worlds", "rooms.xml")));
         DecodedPage page = DecodedPage.of(data(film));
-        assertThat(page.chapters.get(0).scans).hasSize(8).allSatisfy(scans -> assertThat(scans).hasSize(1));
+        assertThat(page.chapters.get(0).scans)
+                .hasSize(8)
+                .allSatisfy(scans -> assertThat(scans).hasSize(1));
         comparedEvents(film, page);
         assertThat(page.things).extracting(DecodedPage.Thing::colour).contains(0x5b6470, 0xe08a1e);
     }
@@ -258,8 +281,7 @@ class PageDataTest {
         for (StateHistory film : films) {
             byte[] data = data(film);
             Path file = Files.writeString(folder.resolve("page.html"), PageWriter.page("a <title>", data));
-            Program.Said said = Program.run(
-                    folder, 60, Map.of(), List.of("node", script.toString(), file.toString()));
+            Program.Said said = Program.run(folder, 60, Map.of(), List.of("node", script.toString(), file.toString()));
             assertThat(said.err()).isEmpty();
             assertThat(said.code()).isZero();
             DecodedPage page = DecodedPage.of(data);
@@ -267,9 +289,13 @@ class PageDataTest {
             for (String line : said.out().lines().toList()) {
                 String[] words = line.split(" ", -1);
                 if (words[0].equals("pose")) {
-                    double[] place = page.chapters.get(Integer.parseInt(words[1]))
+                    double[] place = page.chapters
+                            .get(Integer.parseInt(words[1]))
                             .place(Integer.parseInt(words[2]), Integer.parseInt(words[3]));
-                    double[] told = Stream.of(words).skip(4).mapToDouble(Double::parseDouble).toArray();
+                    double[] told = Stream.of(words)
+                            .skip(4)
+                            .mapToDouble(Double::parseDouble)
+                            .toArray();
                     double[] expected = {
                         place[0], place[1], place[2], place[3], place[6], place[9], place[4], place[7], place[10]
                     };
@@ -282,11 +308,14 @@ class PageDataTest {
                     if (film.frame(frame).bumps().isEmpty() && !expected.contains("moves")) {
                         assertThat(story).contains(expected);
                     }
-                    assertThat(story.contains(" refused")).as(line).isEqualTo(!film.frame(frame).bumps().isEmpty());
+                    assertThat(story.contains(" refused"))
+                            .as(line)
+                            .isEqualTo(!film.frame(frame).bumps().isEmpty());
                 }
             }
             assertThat(poses).isGreaterThan(50);
-            assertThat(said.out().lines().filter(line -> line.startsWith("object "))).hasSameSizeAs(page.things);
+            assertThat(said.out().lines().filter(line -> line.startsWith("object ")))
+                    .hasSameSizeAs(page.things);
         }
     }
 }

@@ -70,8 +70,9 @@ class PageInBrowserTest {
         String page = Files.readString(file);
         String before = "<script>" + Files.readString(SCRIPTS.resolve("errors.js")) + "</script>\n<style>";
         String after = "<script>" + Files.readString(SCRIPTS.resolve("visit.js")) + "</script>\n</body>";
-        Files.writeString(file, page.replaceFirst("<style>", Matcher.quoteReplacement(before))
-                .replace("</body>", after));
+        Files.writeString(
+                file,
+                page.replaceFirst("<style>", Matcher.quoteReplacement(before)).replace("</body>", after));
         Program.Said said = Program.run(
                 folder,
                 200,
@@ -90,14 +91,18 @@ class PageInBrowserTest {
                         "--dump-dom",
                         file.toUri().toString()));
         Matcher result = Pattern.compile("(?s)<pre id=\"result\">(.*?)</pre>").matcher(said.out());
-        assertThat(result.find()).as("the visitor came to an end: %s", said.err()).isTrue();
+        assertThat(result.find())
+                .as("the visitor came to an end: %s", said.err())
+                .isTrue();
         Map<String, String> seen = new LinkedHashMap<>();
         for (String line : result.group(1).strip().lines().toList()) {
             Matcher words = Pattern.compile("(without \\w|\\S+) (.*)").matcher(line);
             assertThat(words.matches()).as(line).isTrue();
             seen.put(words.group(1), words.group(2));
         }
-        assertThat(seen).as("nothing in the browser's console: %s", result.group(1)).doesNotContainKey("WRONG");
+        assertThat(seen)
+                .as("nothing in the browser's console: %s", result.group(1))
+                .doesNotContainKey("WRONG");
         assertThat(said.out()).contains("<title>a &lt;b&gt;page&lt;/b&gt; &amp; more</title>");
         return seen;
     }
@@ -118,7 +123,9 @@ class PageInBrowserTest {
             assertThat(words[1]).isEqualTo(camera);
             assertThat(Integer.parseInt(words[0])).as(camera).isGreaterThan(200);
             double differing = Double.parseDouble(words[2]);
-            assertThat(differing).as(camera).isBetween(camera.equals("orbit") ? 0 : 0.1, camera.equals("orbit") ? 0 : 1.0);
+            assertThat(differing)
+                    .as(camera)
+                    .isBetween(camera.equals("orbit") ? 0 : 0.1, camera.equals("orbit") ? 0 : 1.0);
         }
         for (String what : List.of("s", "t", "d")) {
             assertThat(number(seen, "without " + what)).as(what).isGreaterThan(0.0001);
@@ -126,7 +133,10 @@ class PageInBrowserTest {
         assertThat(seen.get("told")).startsWith("1 refused: robot by ");
         assertThat(seen).containsEntry("picked", "cart");
         assertThat(seen).containsEntry("playing", "true").containsEntry("played", "true");
-        assertThat(seen).containsEntry("help", "true").containsEntry("paused", "true").containsEntry("frames", "11");
+        assertThat(seen)
+                .containsEntry("help", "true")
+                .containsEntry("paused", "true")
+                .containsEntry("frames", "11");
     }
 
     @Test

@@ -79,8 +79,12 @@ final class Pages {
             boolean isRobot = k * robots / objects != (k + 1) * robots / objects;
             all.add(
                     isRobot
-                            ? new CylinderObject(at, 0.3, 0.5).turned(0, random.nextInt(360)).moveable("robot " + k)
-                            : new BoxObject(at, 0.8, 0.5, 0.8).turned(0, random.nextInt(90)).named("box " + k));
+                            ? new CylinderObject(at, 0.3, 0.5)
+                                    .turned(0, random.nextInt(360))
+                                    .moveable("robot " + k)
+                            : new BoxObject(at, 0.8, 0.5, 0.8)
+                                    .turned(0, random.nextInt(90))
+                                    .named("box " + k));
         }
         List<String> names = all.stream()
                 .filter(GeometryObject::isMoveable)
@@ -128,13 +132,16 @@ final class Pages {
             double far = random.nextDouble(-0.5, 0.5);
             told.step(
                     switch (k % 3) {
-                        case 0 -> new SonarRequestBundle(
-                                List.of(new SonarRequest("drone", 1, 0, new Beam(0, Double.POSITIVE_INFINITY, 0))));
-                        case 1 -> new MoveBundle(List.of(
-                                new MoveRequest("drone", far, far / 2, 0, random.nextDouble(), random.nextDouble())));
-                        default -> new MoveBundle(List.of(
-                                new MoveRequest("ball", far, -far, far, 0, 0),
-                                new MoveRequest("drone", 0, 0, 0.1, 0, -0.3)));
+                        case 0 ->
+                            new SonarRequestBundle(
+                                    List.of(new SonarRequest("drone", 1, 0, new Beam(0, Double.POSITIVE_INFINITY, 0))));
+                        case 1 ->
+                            new MoveBundle(List.of(new MoveRequest(
+                                    "drone", far, far / 2, 0, random.nextDouble(), random.nextDouble())));
+                        default ->
+                            new MoveBundle(List.of(
+                                    new MoveRequest("ball", far, -far, far, 0, 0),
+                                    new MoveRequest("drone", 0, 0, 0.1, 0, -0.3)));
                     });
         }
         return told.steps;
@@ -160,7 +167,8 @@ final class Pages {
         }
 
         boolean refused(String name) {
-            return last.bumps().stream().anyMatch(bump -> name.equals(bump.mover().name()));
+            return last.bumps().stream()
+                    .anyMatch(bump -> name.equals(bump.mover().name()));
         }
     }
 }

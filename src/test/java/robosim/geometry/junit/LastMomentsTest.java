@@ -119,8 +119,10 @@ class LastMomentsTest {
 
     @Test
     void whatPassesLeavesNone(@TempDir Path folder) throws Exception {
-        for (String name : List.of("last-moments.svg", "last-moments.html", "connection-1.scenario.jsonl", "connection-1.html")) {
-            Path stale = folder.resolve(Doomed.class.getName() + ".Failing.passes").resolve(name);
+        for (String name :
+                List.of("last-moments.svg", "last-moments.html", "connection-1.scenario.jsonl", "connection-1.html")) {
+            Path stale =
+                    folder.resolve(Doomed.class.getName() + ".Failing.passes").resolve(name);
             Files.createDirectories(stale.getParent());
             Files.writeString(stale, "of a run before");
         }

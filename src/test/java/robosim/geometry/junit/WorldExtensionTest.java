@@ -184,8 +184,8 @@ class WorldExtensionTest {
         Path talk = folder.resolve(Doomed.class.getName() + ".Talking.talks").resolve("connection-1.scenario.jsonl");
         assertThat(Launched.message(results.get("talks")))
                 .startsWith("{\"type\":\"distances\",\"distances\":[3.5]")
-                .endsWith("\n  talk:   " + talk + "\n  image:  " + talk.resolveSibling("connection-1.svg") + "\n  page:   "
-                        + talk.resolveSibling("connection-1.html"));
+                .endsWith("\n  talk:   " + talk + "\n  image:  " + talk.resolveSibling("connection-1.svg")
+                        + "\n  page:   " + talk.resolveSibling("connection-1.html"));
         Scenario scenario = Scenario.read(talk);
         assertThat(scenario.steps()).hasSize(2);
         assertThat(Replay.of(scenario)).isEmpty();

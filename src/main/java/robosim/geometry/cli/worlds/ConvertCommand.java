@@ -70,8 +70,9 @@ public final class ConvertCommand implements Callable<Integer> {
     @Parameters(
             index = "1",
             paramLabel = "OUT",
-            description = "the file to write: a world (.xml), or for other viewers glTF (.glb) or the triangles of all its"
-                    + " objects (.obj)")
+            description =
+                    "the file to write: a world (.xml), or for other viewers glTF (.glb) or the triangles of all its"
+                            + " objects (.obj)")
     private Path out = Path.of("");
 
     @Option(

@@ -138,8 +138,8 @@ public final class ExportCommand implements Callable<Integer> {
         if (film.first() > 0) {
             spec.commandLine()
                     .getErr()
-                    .println("The recording is too long for a page; its first "
-                            + NumberText.count(film.first(), "step") + " are left out");
+                    .println("The recording is too long for a page; its first " + NumberText.count(film.first(), "step")
+                            + " are left out");
         }
         int first = film.first();
         int end = film.size();
@@ -147,7 +147,8 @@ public final class ExportCommand implements Callable<Integer> {
             first = Integer.parseInt(range.group(1)) - 1;
             end = Integer.parseInt(range.group(2));
             if (first < film.first() || first >= end || end > film.size()) {
-                throw refused("--steps must be within " + (film.first() + 1) + "-" + film.size() + " (got: " + steps + ")");
+                throw refused(
+                        "--steps must be within " + (film.first() + 1) + "-" + film.size() + " (got: " + steps + ")");
             }
         }
         if (film.world(first) < 0) {
@@ -155,9 +156,7 @@ public final class ExportCommand implements Callable<Integer> {
         }
         String words = NumberText.count(end - first, "step");
         write(
-                new PageWriter(film)
-                        .ofSteps(first, end)
-                        .described(words, lender == null ? "" : Pictures.unit(lender)),
+                new PageWriter(film).ofSteps(first, end).described(words, lender == null ? "" : Pictures.unit(lender)),
                 end - first);
     }
 
