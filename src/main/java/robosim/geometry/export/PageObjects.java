@@ -66,7 +66,7 @@ final class PageObjects {
         GeometryObject object = painted.object;
         String name = object.name();
         out.objects.text(name == null ? "" : name);
-        out.objects.octet(object.kind().ordinal());
+        out.objects.text(object.kind().word());
         for (int shift = 16; shift >= 0; shift -= 8) {
             out.objects.octet(painted.colour >> shift);
         }
