@@ -325,7 +325,7 @@ class ConvertCommandTest extends CommandRun {
         assertThat(err.toString()).startsWith("IN must be a file that exists; check the path (got: no.sdf)");
         assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), folder.resolve("w.png")))
                 .isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("OUT must end in .xml or .obj (got: ");
+        assertThat(err.toString()).startsWith("OUT must end in .xml, .glb or .obj (got: ");
         assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), Files.createDirectory(folder.resolve("d.xml"))))
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("OUT must be a file, not a folder (got: ");
