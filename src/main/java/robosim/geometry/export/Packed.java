@@ -19,7 +19,7 @@ final class Packed {
         }
         long left = value;
         while (left > 127) {
-            bytes.write((int) ((left & 127) | 128));
+            bytes.write((int) (left & 127) | 128);
             left >>>= 7;
         }
         bytes.write((int) left);

@@ -62,24 +62,11 @@ final class PageObjects {
         return number;
     }
 
-    /** A kind as a page tells it, whose program has the words in this order. */
-    private static int code(GeometryObject.Kind kind) {
-        return switch (kind) {
-            case BOX -> 0;
-            case CYLINDER -> 1;
-            case SPHERE -> 2;
-            case CAPSULE -> 3;
-            case MESH -> 4;
-            case GROUP -> 5;
-            case GRID -> 6;
-        };
-    }
-
     private void write(Painted painted) {
         GeometryObject object = painted.object;
         String name = object.name();
         out.objects.text(name == null ? "" : name);
-        out.objects.octet(code(object.kind()));
+        out.objects.text(object.kind().word());
         for (int shift = 16; shift >= 0; shift -= 8) {
             out.objects.octet(painted.colour >> shift);
         }

@@ -27,9 +27,6 @@ public final class PageWriter {
     private static final List<String> SCRIPTS =
             List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "controls.js");
 
-    /** No quotes, and no slash, which may begin an expression or a comment. */
-    private static final String SIGNS = "=+-*<>{}()[],;:?&|!%";
-
     private final StateHistory film;
     private String title = "";
     private String subtitle = "";
@@ -104,13 +101,37 @@ public final class PageWriter {
     static String page(String title, byte[] data) throws IOException {
         StringBuilder script = new StringBuilder();
         for (String name : SCRIPTS) {
-            script.append(compact(resource(name))).append('\n');
+            script.append(dense(resource(name)));
         }
         return resource("page.html")
                 .replace("%TITLE%", title.replace("&", "&amp;").replace("<", "&lt;"))
                 .replace("%STYLE%", resource("page.css"))
                 .replace("%SCRIPT%", script)
                 .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
+    }
+
+    /** A program without the blanks beside its punctuation, other than in its strings and templates. */
+    private static String dense(String program) {
+        StringBuilder dense = new StringBuilder(program.length());
+        char quote = 0;
+        for (int k = 0; k < program.length(); k++) {
+            char c = program.charAt(k);
+            if (quote == 0 && c == ' ' && (isPunctuation(program, k - 1) || isPunctuation(program, k + 1))) {
+                continue;
+            }
+            if (quote != 0 && (c == quote || (c == '\n' && quote != '`'))) {
+                quote = 0;
+            } else if (quote == 0 && (c == '\'' || c == '`')) {
+                quote = c;
+            }
+            dense.append(c);
+        }
+        return dense.toString();
+    }
+
+    /** Not a sign, of which two beside each other mean something else. */
+    private static boolean isPunctuation(String program, int at) {
+        return at >= 0 && at < program.length() && ",;:?=<>(){}[]&|*".indexOf(program.charAt(at)) >= 0;
     }
 
     private static byte[] deflated(byte[] data) {
@@ -124,31 +145,6 @@ public final class PageWriter {
             deflater.end();
         }
         return packed.toByteArray();
-    }
-
-    /** A program without blanks beside signs. What is quoted stays, and so do blanks between two equal signs. */
-    private static String compact(String program) {
-        StringBuilder out = new StringBuilder(program.length());
-        char quote = 0;
-        for (int k = 0; k < program.length(); k++) {
-            char c = program.charAt(k);
-            if (quote == 0 && c == ' ' && k > 0 && k + 1 < program.length()) {
-                char before = out.charAt(out.length() - 1);
-                char after = program.charAt(k + 1);
-                if (before != after && (SIGNS.indexOf(before) >= 0 || SIGNS.indexOf(after) >= 0)) {
-                    continue;
-                }
-            } else if (c == '\\' && quote != 0) {
-                out.append(c).append(program.charAt(++k));
-                continue;
-            } else if (c == quote) {
-                quote = 0;
-            } else if (quote == 0 && (c == '\'' || c == '"' || c == '`')) {
-                quote = c;
-            }
-            out.append(c);
-        }
-        return out.toString();
     }
 
     /** A part of the page, without what only its authors need: indentation, and lines that are comments. */

@@ -9,7 +9,7 @@ class Camera {
 
   fit() {
     this.yaw = 0.6; this.pitch = 0.72; this.target = [0.035 * this.view.reach, -this.view.data.space[1] / 2, 0.05 * this.view.reach];
-    this.far = this.view.reach * 1.5; this.topFar = this.view.reach * 1.2; this.look = [0, 0]; this.topTarget = [0, 0, 0];
+    this.far = this.view.reach * 1.5; this.topFar = this.view.reach * 1.36; this.look = [0, 0]; this.topTarget = [0, 0, 0.05 * this.view.reach];
   }
 
   /** The eye, where it looks, and what is up there. */
@@ -150,8 +150,8 @@ class Player {
     const { low, high } = object.bounds, forward = turned(pose, 3, [1, 0, 0]), heading = Math.atan2(-forward[2], forward[0]) * 180 / Math.PI;
     box.innerHTML = '';
     const line = (tag, text) => { const e = document.createElement(tag); e.textContent = text; box.append(e); };
-    line('b', object.name || 'a ' + KINDS[object.kind]);
-    line('span', (object.name ? KINDS[object.kind] + ', ' : '') + sub(high, low).map(v => digits(v * this.data.unit)).join(' × ') + unit);
+    line('b', object.name || 'a ' + object.kind);
+    line('span', (object.name ? object.kind + ', ' : '') + sub(high, low).map(v => digits(v * this.data.unit)).join(' × ') + unit);
     line('span', 'at ' + toWorld(this.data, pose.slice(0, 3)).map(v => v.toFixed(3)).join(', '));
     line('span', 'heading ' + heading.toFixed(1) + '°');
   }

@@ -84,7 +84,7 @@ const NAMES = ['about', 'objects', 'meshes', 'chapters', 'tracks', 'times', 'mov
 
 function readObject(from, out) {
   const o = from.objects;
-  const object = { name: o.text(), kind: o.octet(), color: [o.octet(), o.octet(), o.octet()], pose: o.reals(7), parts: [] };
+  const object = { name: o.text(), kind: o.text(), color: [o.octet(), o.octet(), o.octet()], pose: o.reals(7), parts: [] };
   for (let left = o.count(); left > 0; left--) {
     const code = o.octet(), part = { shape: code & 7, sizes: o.reals([3, 2, 1, 2, 0, 2][code & 7]), place: [0, 0, 0, 0, 0, 0, 1] };
     if (part.shape === 4) part.mesh = o.count();
@@ -193,11 +193,10 @@ function story(data, frame) {
   return words.join('; ');
 }
 
-const KINDS = ['box', 'cylinder', 'sphere', 'capsule', 'mesh', 'group', 'grid'];
 
 function describe(data, chapter, k) {
   const all = chapter.movers.concat(chapter.statics), object = data.objects[all[k]];
-  return object.name || 'a ' + KINDS[object.kind];
+  return object.name || 'a ' + object.kind;
 }
 
 /** The bytes of the recording from the page's text. */

@@ -8,7 +8,7 @@ const LOOKS = {
 
 class View {
   constructor(canvas, data) {
-    const gl = this.gl = canvas.getContext('webgl2', { antialias: true, powerPreference: 'high-performance' });
+    const gl = this.gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
     if (!gl) throw new Error('This browser or its graphics driver has no WebGL 2.');
     this.canvas = canvas;
     this.data = data;

@@ -25,7 +25,7 @@ class PagesTest {
     private static final Pattern FILE =
             Pattern.compile("(?<![\\w/.-])(?:worlds|docs|examples|src|\\.ci)/[\\w./-]*[\\w](?![\\w/*-]*[*<{])");
     private static final Pattern COMMAND = Pattern.compile(
-            "(?:-Dexec\\.args=\"|\\brobosim-geometry )((?:demo|check|view|convert|sweep|completion|serve|connect|replay|render)\\b[^\"`|#)]*)");
+            "(?:-Dexec\\.args=\"|\\brobosim-geometry )((?:demo|check|view|export|convert|sweep|completion|serve|connect|replay|render)\\b[^\"`|#)]*)");
     private static final Pattern PROFILE = Pattern.compile("mvn [^`]*-P(\\w+)");
     private static final Pattern TEST = Pattern.compile("-Dtest=(\\w+)");
 

@@ -178,7 +178,7 @@ final class DecodedPage {
 
     private Thing thing(ByteBuffer in) {
         String name = text(in);
-        in.get();
+        text(in);
         int colour = 0;
         for (int k = 0; k < 3; k++) {
             colour = colour << 8 | in.get() & 255;

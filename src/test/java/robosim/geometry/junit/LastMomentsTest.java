@@ -111,7 +111,7 @@ class LastMomentsTest {
     @Test
     void aPageIsBesideIt(@TempDir Path folder) throws Exception {
         Path page = run(Doomed.Failing.class, "lost", folder).resolve("last-moments.html");
-        assertThat(page).content().contains("<!DOCTYPE html>", "<title>").contains("Doomed.Failing.lost, seed ");
+        assertThat(page).content().contains("<!DOCTYPE html>", "<title>").contains("Failing.lost, seed ");
         assertThat(run(Doomed.Talking.class, "talks", folder).resolve("connection-1.html"))
                 .content()
                 .contains("<!DOCTYPE html>");
