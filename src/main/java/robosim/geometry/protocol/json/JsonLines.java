@@ -29,7 +29,7 @@ public final class JsonLines {
     public static final int VERSION = 1;
 
     /** This module's name and version, as given in its hello. */
-    public static final String MODULE = "robosim-geometry 1.0.0-SNAPSHOT";
+    public static final String MODULE = "robosim-geometry 1.0.0-rc.1";
 
     private JsonLines() {}
 
