@@ -10,7 +10,7 @@ export GNUPGHOME="$work/gpg"
 mkdir -m 700 "$GNUPGHOME"
 gpg --batch --quiet --passphrase '' --quick-generate-key 'dry run <nobody@example.invalid>' rsa3072 sign 1d
 # Maven Central's plugin asks for an account even where it sends nothing.
-echo '<settings><servers><server><id>central</id></server></servers></settings>' > "$work/settings.xml"
+echo '<settings><servers><server><id>central</id><username>nobody</username><password>none</password></server></servers></settings>' > "$work/settings.xml"
 
 # At two places with names of different lengths, in two time zones and with two masks of rights.
 build() {
