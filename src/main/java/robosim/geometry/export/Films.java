@@ -30,8 +30,13 @@ public final class Films {
 
     /** A conversation. */
     static StateHistory of(Scenario scenario) {
+        return of(scenario, Colours.NONE);
+    }
+
+    /** A conversation, in the colours of a world file's objects. */
+    static StateHistory of(Scenario scenario, Colours colours) {
         StateHistory film = new StateHistory();
-        Replayer stage = new Replayer(scenario.header().options());
+        Replayer stage = new Replayer(scenario.header().options(), colours);
         for (Step step : scenario.steps()) {
             film.append(stage.play(step));
         }
