@@ -1,5 +1,6 @@
 package robosim.geometry.junit;
 
+import java.util.List;
 import java.util.function.Consumer;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.MoveResult;
@@ -8,7 +9,9 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.world.SonarRing;
 
 /**
  * A robot of a {@link RobotWorld}, with commands and assertions that read like sentences. Each either succeeds or fails
@@ -105,6 +108,85 @@ public final class Robot {
     /** The distance from its centre to the nearest surface in a direction; {@code +Infinity} if there is none. */
     public double range(double direction) {
         return world.measure(name, direction);
+    }
+
+    /**
+     * The distance from its centre to the nearest surface in a cone; {@code +Infinity} if there is none.
+     *
+     * @param width full opening angle in degrees, from 0 (a line) up to, not including, 180
+     */
+    public double range(double direction, double width) {
+        if (!(width >= 0 && width < 180)) { // written so that NaN fails it
+            throw new IllegalArgumentException("width must be 0 to below 180 degrees (got: " + width + ")");
+        }
+        return world.measure(
+                name,
+                Degrees.cos(direction),
+                -Degrees.sin(direction),
+                new Beam(0, Double.POSITIVE_INFINITY, Degrees.toRadians(width)));
+    }
+
+    /**
+     * One of the sonars that the world's file gives it.
+     *
+     * @param number from 0, in the order of the file
+     * @throws IllegalArgumentException if it has no such sonar
+     */
+    public Sonar sonar(int number) {
+        int from = 0;
+        for (SonarRing ring : world.sonars(name)) {
+            if (number >= from && number - from < ring.count()) {
+                return new Sonar(world, this, number, ring, number - from);
+            }
+            from += ring.count();
+        }
+        throw new IllegalArgumentException(
+                from == 0
+                        ? "a robot with sonars must have a <sonar> in its world's file (got: " + this + ", without any)"
+                        : "number must be 0 to " + (from - 1) + ", of the sonars of " + this + " (got: " + number
+                                + ")");
+    }
+
+    /** What all the sonars that the world's file gives it read, in the order of the file. */
+    public double[] sonars() {
+        List<SonarRing> rings = world.sonars(name);
+        double[] readings = new double[rings.stream().mapToInt(SonarRing::count).sum()];
+        for (int k = 0; k < readings.length; k++) {
+            readings[k] = sonar(k).reads();
+        }
+        return readings;
+    }
+
+    /** Fails if nothing echoes in a cone within a range; {@code width} is its full opening angle in degrees. */
+    public Robot senses(double direction, double range, double width) {
+        check("range", range);
+        double distance = range(direction, width);
+        if (distance > range) {
+            throw failure(" was to sense something within " + Words.number(range) + sight(direction, width) + ", but "
+                    + heard(distance, range) + "; it stands " + Words.place(object()));
+        }
+        return this;
+    }
+
+    /** Fails if something echoes in a cone within a range; {@code width} is its full opening angle in degrees. */
+    public Robot sensesNothing(double direction, double range, double width) {
+        check("range", range);
+        double distance = range(direction, width);
+        if (distance <= range) {
+            throw failure(" was to sense nothing within " + Words.number(range) + sight(direction, width) + ", but "
+                    + heard(distance, range) + "; it stands " + Words.place(object()));
+        }
+        return this;
+    }
+
+    private String sight(double direction, double width) {
+        return " in a cone of " + Words.number(width) + " degrees" + sight(direction);
+    }
+
+    private static String heard(double distance, double range) {
+        return Double.isInfinite(distance)
+                ? "nothing echoes there at any distance"
+                : "the first echo is " + Words.apart(distance, range) + " away";
     }
 
     /** Fails if nothing echoes in a direction within a range. */

@@ -17,16 +17,18 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Scenario;
+import robosim.geometry.world.SonarRing;
 
 /**
  * A world with robots that are addressed by name, and a clock. What the robots do is recorded, so that a failed test
  * can leave a scenario that replays it. May be used by one thread at a time.
  *
  * <pre>{@code
- * RobotWorld world = RobotWorld.of(WorldReader.read(Path.of("worlds/rooms.xml")).toGeometry());
+ * RobotWorld world = RobotWorld.from(WorldReader.read(Path.of("worlds/rooms.xml")));
  * world.robot("drum 1").drives(2.0).turns(90).senses(0, 3.0).rangeTo("bench 1").isAtLeast(0.5);
  * world.robots().size(); // 8
  * }</pre>
@@ -44,6 +46,9 @@ public final class RobotWorld {
 
     private @Nullable Goal sought;
 
+    /** The file that it came from, for colours, the unit and sonars; null if a program made it. */
+    private final robosim.geometry.world.@Nullable World file;
+
     /** A move that was blocked. */
     private record Refusal(String mover, @Nullable String obstacle, String words) {
         boolean isBetween(String robot, String other) {
@@ -54,8 +59,9 @@ public final class RobotWorld {
     /** A robot and an object that must not touch. */
     private record Watch(String robot, String other) {}
 
-    RobotWorld(Geometry geometry, VirtualClock clock) {
+    RobotWorld(Geometry geometry, robosim.geometry.world.@Nullable World file, VirtualClock clock) {
         this.geometry = geometry;
+        this.file = file;
         this.clock = clock;
         this.transcript = new Transcript(geometry);
         transcript.catchUp();
@@ -64,7 +70,18 @@ public final class RobotWorld {
     /** For tests without the extension; a step of its clock is a tenth of a second. */
     public static RobotWorld of(Geometry geometry) {
         Checks.present("geometry", geometry);
-        return new RobotWorld(geometry, new VirtualClock(Duration.ofMillis(100)));
+        return new RobotWorld(geometry, null, new VirtualClock(Duration.ofMillis(100)));
+    }
+
+    /**
+     * A world from a file, for tests without the extension, as {@link #of(Geometry)}: its robots have their own sonars,
+     * and pictures have its colours and its unit.
+     *
+     * @throws IllegalArgumentException if an object extends beyond the world's bounds
+     */
+    public static RobotWorld from(robosim.geometry.world.World world) {
+        Checks.present("world", world);
+        return new RobotWorld(world.toGeometry(), world, new VirtualClock(Duration.ofMillis(100)));
     }
 
     /** The world itself; changes to it affect the robots. */
@@ -155,12 +172,31 @@ public final class RobotWorld {
     }
 
     double measure(String name, double degrees) {
+        return measure(name, Degrees.cos(degrees), -Degrees.sin(degrees), Beam.LINE);
+    }
+
+    /** Measures as a peer does whose beam it is, with the opening angle in radians. */
+    double measure(String name, double x, double z, Beam beam) {
         transcript.catchUp();
-        double x = Degrees.cos(degrees);
-        double z = -Degrees.sin(degrees);
-        double distance = geometry.getSonarDistance(name, x, z, 0, Double.POSITIVE_INFINITY, 0);
-        transcript.measured(name, x, z, distance, clock.steps());
+        double distance =
+                geometry.getSonarDistance(name, x, z, beam.min(), beam.max(), Degrees.toDegrees(beam.width()));
+        transcript.measured(name, x, z, beam, distance, clock.steps());
         return distance;
+    }
+
+    /** The sonars that the world's file gives a robot. */
+    List<SonarRing> sonars(String name) {
+        return file == null
+                ? List.of()
+                : file.objects().stream()
+                        .filter(each -> name.equals(each.object().name()))
+                        .flatMap(each -> each.sonars().stream())
+                        .toList();
+    }
+
+    /** The file that it came from; null if a program made it. */
+    robosim.geometry.world.@Nullable World file() {
+        return file;
     }
 
     /** Watches that two objects never touch, from now on and in what happened so far. */

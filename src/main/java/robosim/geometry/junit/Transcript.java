@@ -56,9 +56,9 @@ final class Transcript {
     }
 
     /** Called after a distance was measured. */
-    void measured(String name, double x, double z, double distance, long clock) {
+    void measured(String name, double x, double z, Beam beam, double distance, long clock) {
         add(
-                new SonarRequestBundle(List.of(new SonarRequest(name, x, z, Beam.LINE))),
+                new SonarRequestBundle(List.of(new SonarRequest(name, x, z, beam))),
                 new Reply(new DistanceBundle(List.of(distance))),
                 clock);
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
@@ -18,6 +19,7 @@ import robosim.geometry.world.sdf.SdfManifest;
 import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
+import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
 
 /**
@@ -95,6 +97,17 @@ public record WorldImport(
                     ? e
                     : new WorldException(new FileProblem(file.toString(), 0, 0, other + " (got: " + name + ")", e));
         }
+    }
+
+    /**
+     * Reads a file as {@link #read(Path, ImportOptions)} does, and names each file that it opens: the file itself,
+     * meshes, textures, a map's image, models. So a program can refuse to overwrite what it has read.
+     *
+     * @param opened told of each file when it is opened; of one that is opened twice, twice
+     */
+    public static WorldImport read(Path file, ImportOptions options, Consumer<Path> opened) throws WorldException {
+        Checks.present("opened", opened);
+        return RegularFile.told(opened, () -> read(file, options));
     }
 
     private static void refuseByName(Path file, String ending) throws WorldException {

@@ -2,11 +2,11 @@ package robosim.geometry.cli.worlds;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -14,9 +14,9 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Json;
-import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
@@ -73,11 +73,9 @@ public final class CheckCommand implements Callable<Integer> {
     @Parameters(paramLabel = "WORLD", description = "a world file")
     private Path file = Path.of("");
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
 
     @Option(names = "--json", description = "print one JSON object for scripts instead of text")
     private boolean json;
@@ -90,8 +88,7 @@ public final class CheckCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Inputs.file(spec, "WORLD", file);
-        Inputs.folders(spec, "--models", models);
-        ImportOptions options = ImportOptions.DEFAULT.withModels(ModelFolders.with(models));
+        ImportOptions options = ImportOptions.DEFAULT.withModels(files.folders());
         WorldImport read;
         try {
             read = WorldImport.read(file, options);

@@ -131,7 +131,7 @@ public final class Replayer {
                 placed.put(request.objectName(), present(request.objectName()).pose());
             } else {
                 MoveResult result = tried != null && !tried.allowed() ? tried : null;
-                bumps.add(new Frame.Bump(mover, direction(mover.pose(), request), result));
+                bumps.add(new Frame.Bump(mover, direction(mover.pose(), request), result, went));
             }
         }
         return frame(step, null, placed, bumps, Map.of(), moved(asked.size(), bumps));

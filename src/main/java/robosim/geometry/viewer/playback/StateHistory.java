@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
@@ -219,7 +220,7 @@ public final class StateHistory {
             }
             int age = number - numbered.number;
             if (age < FRESH && bump.result() != null) {
-                blocked.add(new Scene.Blocked(bump.mover(), bump.result().obstacle(), 1 - (double) age / FRESH));
+                blocked.add(blocked(bump, bump.result(), 1 - (double) age / FRESH));
             }
         }
         return scene.with(trails, pings, refusals).blocked(blocked);
@@ -245,6 +246,16 @@ public final class StateHistory {
             }
         }
         return story.toString();
+    }
+
+    private static Scene.Blocked blocked(Frame.Bump bump, MoveResult result, double strength) {
+        Pose aim = bump.aim();
+        return new Scene.Blocked(
+                bump.mover(),
+                result.obstacle(),
+                strength,
+                aim == null ? null : bump.mover().at(aim),
+                result.contact());
     }
 
     private record NumberedBump(int number, Frame.Bump bump) {}
