@@ -54,10 +54,7 @@ final class GlbMaterials {
         double diffuse = material.diffuse();
         StringBuilder json = new StringBuilder("{\"pbrMetallicRoughness\":{\"baseColorFactor\":")
                 .append(List.of(
-                        diffuse * color.linearRed(),
-                        diffuse * color.linearGreen(),
-                        diffuse * color.linearBlue(),
-                        1.0));
+                        diffuse * color.linearRed(), diffuse * color.linearGreen(), diffuse * color.linearBlue(), 1.0));
         if (texture != null) {
             json.append(",\"baseColorTexture\":{\"index\":")
                     .append(texture(texture))
@@ -102,8 +99,7 @@ final class GlbMaterials {
         if (texture instanceof Texture.Checker checker) {
             int first = checker.first().packed();
             int second = checker.second().packed();
-            return texture(
-                    new TwoColours(first, second, true), 2, 2, new int[] {second, first, first, second});
+            return texture(new TwoColours(first, second, true), 2, 2, new int[] {second, first, first, second});
         }
         Texture.Stripes stripes = (Texture.Stripes) texture;
         int first = stripes.first().packed();
@@ -176,8 +172,7 @@ final class GlbMaterials {
             }
             if (texture instanceof Texture.Stripes stripes) {
                 double each = 0.5 / stripes.size();
-                return new Mapping(
-                        -Degrees.sin(stripes.degrees()) * each, Degrees.cos(stripes.degrees()) * each, 0);
+                return new Mapping(-Degrees.sin(stripes.degrees()) * each, Degrees.cos(stripes.degrees()) * each, 0);
             }
             return null;
         }

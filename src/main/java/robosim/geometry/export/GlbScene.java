@@ -34,7 +34,12 @@ final class GlbScene {
     private record Painted(int shape, int material) {}
 
     /** A shape that no scale makes of another one, with what places its texture. */
-    private record Sized(GeometryObject.Kind kind, double a, double b, double c, @Nullable Mapping mapping) {}
+    private record Sized(
+            GeometryObject.Kind kind,
+            double a,
+            double b,
+            double c,
+            @Nullable Mapping mapping) {}
 
     /** Triangles or cells, or a part of them, with what places their texture. */
     private record Placed(Object shape, @Nullable Mapping mapping) {}
@@ -95,7 +100,8 @@ final class GlbScene {
                 List<Integer> members = new ArrayList<>();
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     String called = member.name();
-                    members.add(object(member, own, called == null ? member.kind().word() : called));
+                    members.add(
+                            object(member, own, called == null ? member.kind().word() : called));
                 }
                 return node(placed + ",\"children\":" + members);
             }
@@ -140,7 +146,8 @@ final class GlbScene {
             return List.of(painted(shape(new Placed(mesh, null), null, () -> GlbShape.mesh(mesh)), material));
         }
         if (pictured == 0 || !(material.texture() instanceof ImageTexture)) {
-            return List.of(painted(shape(new Placed(mesh, mapping), mapping, () -> GlbShape.faces(mesh, true)), material));
+            return List.of(
+                    painted(shape(new Placed(mesh, mapping), mapping, () -> GlbShape.faces(mesh, true)), material));
         }
         List<Painted> both = new ArrayList<>();
         Mapping shares = Mapping.SHARES;
@@ -228,9 +235,8 @@ final class GlbScene {
             known.put(key, number);
             GlbShape shape = made.get();
             float[] normals = shape.normals();
-            String places = mapping == null
-                    ? ""
-                    : ",\"TEXCOORD_0\":" + vectors(mapping.shares(shape.places()), "VEC2", false);
+            String places =
+                    mapping == null ? "" : ",\"TEXCOORD_0\":" + vectors(mapping.shares(shape.places()), "VEC2", false);
             shapes.add("\"attributes\":{\"POSITION\":" + vectors(shape.points(), "VEC3", true)
                     + (normals == null ? "" : ",\"NORMAL\":" + vectors(normals, "VEC3", false)) + places
                     + "},\"indices\":" + indices(shape.indices()));

@@ -217,7 +217,9 @@ final class PageData {
     private static int colour(Scene.Thing thing, int usual) {
         Integer told = thing.colour();
         Material material = thing.object().material();
-        return told != null ? told : material.isDefault() ? usual : material.color().packed();
+        return told != null
+                ? told
+                : material.isDefault() ? usual : material.color().packed();
     }
 
     /** What happened from one frame to before another. */

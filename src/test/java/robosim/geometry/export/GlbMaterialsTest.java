@@ -120,8 +120,8 @@ class GlbMaterialsTest {
                 .contains("\"baseColorFactor\":[0.5, 0.0, 0.0, 1.0],\"metallicFactor\":0.25")
                 .contains("\"roughnessFactor\":" + 0.5 * 0.75) // (2 / 32)^(1/4), three quarters of it
                 .contains("\"emissiveFactor\":[0.0, 1.0, 0.0]");
-        String matt = json(written(
-                new SphereObject(new Point(0, 0, 0), 1).withMaterial(Material.DEFAULT.withSpecular(0))));
+        String matt =
+                json(written(new SphereObject(new Point(0, 0, 0), 1).withMaterial(Material.DEFAULT.withSpecular(0))));
         assertThat(matt).contains("\"roughnessFactor\":1.0");
     }
 
@@ -227,7 +227,8 @@ class GlbMaterialsTest {
     }
 
     private static ByteBuffer accessor(byte[] glb, int number) {
-        Matcher accessors = Pattern.compile("\\{\"bufferView\":(\\d+),\"componentType\"").matcher(json(glb));
+        Matcher accessors =
+                Pattern.compile("\\{\"bufferView\":(\\d+),\"componentType\"").matcher(json(glb));
         for (int k = 0; k <= number; k++) {
             assertThat(accessors.find()).isTrue();
         }

@@ -344,21 +344,23 @@ class PageDataTest {
                 new SphereObject(new Point(2, 0, 0), 1).withMaterial(tape)));
         List<GeometryObject> objects = List.of(
                 new BoxObject(new Point(0, 0, 0), 1, 1, 1).withMaterial(tiles).named("a"),
-                new BoxObject(new Point(3, 0, 0), 1, 1, 1).withMaterial(tiles.withLabel(7)).named("b"),
+                new BoxObject(new Point(3, 0, 0), 1, 1, 1)
+                        .withMaterial(tiles.withLabel(7))
+                        .named("b"),
                 pair.movedTo(new Point(0, 0, 5)).withMaterial(Material.DEFAULT.withTexture(halves)),
-                new SphereObject(new Point(0, 5, 0), 1).withMaterial(Material.of(Color.parse("#445566"))
-                        .withEmission(Color.parse("#778899"))));
+                new SphereObject(new Point(0, 5, 0), 1)
+                        .withMaterial(Material.of(Color.parse("#445566")).withEmission(Color.parse("#778899"))));
         WorldSettings settings = new WorldSettings(20, 20, 20, Dimension.SPATIAL, Accuracy.EXACT);
         StateHistory film = Pages.film(List.of(new Step(new InitBundle(objects, settings), null)));
-        DecodedPage page = DecodedPage.of(
-                new PageData(film, 0, 1, new PageData.Labels("", "", ""), List.of()).toBytes());
+        DecodedPage page =
+                DecodedPage.of(new PageData(film, 0, 1, new PageData.Labels("", "", ""), List.of()).toBytes());
         double gloss = Math.rint(25.5);
         assertThat(page.looks)
                 .containsExactly(
                         List.of(255., 255., 255., 0., 0., 0., gloss, 51., 1., 16., 32., 48., 0.5),
                         List.of(188., 0., 0., 0., 0., 0., gloss, 0., 0.),
-                        List.of(0., 0., 0., 0., 0., 0., gloss, 0., 2., 255., 255., 255., 0.25, (double) (float)
-                                Math.toRadians(45)),
+                        List.of(0., 0., 0., 0., 0., 0., gloss, 0., 2., 255., 255., 255., 0.25, (double)
+                                (float) Math.toRadians(45)),
                         List.of(68., 85., 102., 119., 136., 153., gloss, 0., 0.));
         assertThat(page.lookOf).containsExactly(0, 0, 1, 2, 3);
     }

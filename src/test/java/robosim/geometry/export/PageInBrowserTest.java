@@ -156,7 +156,8 @@ class PageInBrowserTest {
         objects.add(new CylinderObject(new Point(5, 0.5, -14), 0.4, 1)
                 .withMaterial(Material.DEFAULT.withMirror(0.7).withEmission(Color.parse("#302010"))));
         WorldSettings settings = new WorldSettings(80, 8, 80, Dimension.PLANAR, Accuracy.EXACT);
-        Map<String, String> seen = visit(Pages.film(List.of(new Step(new InitBundle(objects, settings), null))), folder);
+        Map<String, String> seen =
+                visit(Pages.film(List.of(new Step(new InitBundle(objects, settings), null))), folder);
         assertThat(number(seen, "colors")).isGreaterThan(500);
     }
 
