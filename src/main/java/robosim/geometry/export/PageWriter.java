@@ -120,19 +120,19 @@ public final class PageWriter {
                 .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
     }
 
-    /** A program without the blanks beside its punctuation, other than in its strings and templates. */
+    /** A program without the blanks beside its punctuation, other than in its strings; shaders are templates. */
     private static String dense(String program) {
         StringBuilder dense = new StringBuilder(program.length());
-        char quote = 0;
+        boolean isQuoted = false;
         for (int k = 0; k < program.length(); k++) {
             char c = program.charAt(k);
-            if (quote == 0 && c == ' ' && (isPunctuation(program, k - 1) || isPunctuation(program, k + 1))) {
+            if (!isQuoted && c == ' ' && (isPunctuation(program, k - 1) || isPunctuation(program, k + 1))) {
                 continue;
             }
-            if (quote != 0 && (c == quote || (c == '\n' && quote != '`'))) {
-                quote = 0;
-            } else if (quote == 0 && (c == '\'' || c == '`')) {
-                quote = c;
+            if (isQuoted && (c == '\'' || c == '\n')) {
+                isQuoted = false;
+            } else if (c == '\'') {
+                isQuoted = true;
             }
             dense.append(c);
         }

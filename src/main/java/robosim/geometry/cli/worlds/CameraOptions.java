@@ -18,7 +18,8 @@ import robosim.geometry.render.Viewpoints;
 
 /** The options of a picture in three dimensions. */
 public final class CameraOptions {
-    private static final String ROBOT = "robot:";
+    /** What names a robot as a place. */
+    static final String ROBOT = "robot:";
 
     private static final double AZIMUTH = -62;
     private static final double ELEVATION = 38;
@@ -202,8 +203,7 @@ public final class CameraOptions {
             throw refused("--camera robot:NAME must name a moveable object of the world, of "
                     + String.join(", ", studio.carriers()) + " (got: " + name + ")");
         }
-        double high = robot.bounds().maxY() - robot.center().y();
-        Point place = mount == null ? new Point(0, high, 0) : point("--mount", mount);
+        Point place = mount == null ? new Point(0, studio.top(name), 0) : point("--mount", mount);
         return camera(studio, width(), height(), 80).on(name, Pose.of(place, 0));
     }
 

@@ -46,6 +46,8 @@ import robosim.geometry.world.World;
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
             "  robosim-geometry render worlds/rooms.xml --camera orbit --frames 36 -o rooms.png",
             "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
+            "  robosim-geometry render worlds/rooms.xml --show depth --camera robot:pad -o depth.png",
+            "  robosim-geometry render worlds/warehouse.xml --show points --lidar vlp16 -o cloud.png",
             "  robosim-geometry render worlds/maze.xml --plan --dark -o maze.png",
             "  robosim-geometry render arena.world --models ~/.gazebo/models -o arena.svg"
         })
@@ -76,9 +78,24 @@ public final class RenderCommand implements Callable<Integer> {
     @Option(names = "--plan", description = "draw the plan from above as a .png")
     private boolean plan;
 
+    @Option(
+            names = "--show",
+            paramLabel = "WHAT",
+            defaultValue = "colour",
+            completionCandidates = Look.Names.class,
+            converter = Look.Converter.class,
+            description = "${COMPLETION-CANDIDATES}: the world in its light, how far away surfaces are, which way they"
+                    + " face, which object or label each pixel shows, or what a lidar measures (default:"
+                    + " ${DEFAULT-VALUE})")
+    private Look show = Look.COLOUR;
+
     @Mixin
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CameraOptions cameras;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CloudOptions clouds;
 
     private RenderCommand() {}
 
@@ -109,16 +126,26 @@ public final class RenderCommand implements Callable<Integer> {
         Snapshot snapshot = studio.snapshot();
         int[] pixels = new int[cameras.width() * cameras.height()];
         ColorFrame frame = new ColorFrame();
+        double metres = read.unit() == null ? 1 : read.unit().metres();
         long shots = pictures.stream().mapToLong(List::size).sum();
         int taken = 0;
         for (int k = 0; k < pictures.size(); k++) {
             try (Progress progress = Progress.of(spec.commandLine(), "rendering", 100 * shots)) {
                 for (CameraOptions.Shot shot : pictures.get(k)) {
                     long before = 100L * taken++;
-                    shot.camera().render(snapshot, frame, percent -> progress.at(before + percent));
-                    for (int row = 0; row < frame.height(); row++) {
+                    int[] seen;
+                    if (show == Look.COLOUR) {
+                        shot.camera().render(snapshot, frame, percent -> progress.at(before + percent));
+                        seen = frame.pixels();
+                    } else {
+                        seen = show == Look.POINTS
+                                ? clouds.picture(shot.camera(), studio, snapshot, metres)
+                                : show.picture(shot.camera(), snapshot);
+                    }
+                    int wide = shot.camera().width();
+                    for (int row = 0; row < shot.camera().height(); row++) {
                         int to = (shot.top() + row) * cameras.width() + shot.left();
-                        System.arraycopy(frame.pixels(), row * frame.width(), pixels, to, frame.width());
+                        System.arraycopy(seen, row * wide, pixels, to, wide);
                     }
                 }
             }

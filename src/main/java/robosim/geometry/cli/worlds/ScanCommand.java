@@ -144,7 +144,7 @@ public final class ScanCommand implements Callable<Integer> {
             this.label = label;
         }
 
-        private Lidar lidar() {
+        Lidar lidar() {
             return switch (this) {
                 case VLP16 -> Lidar.velodyneVlp16(HERTZ);
                 case VLP32C -> Lidar.velodyneVlp32c(HERTZ);

@@ -4,6 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.Bounds;
@@ -11,14 +12,17 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.shared.Placement;
 
 /** A world as a camera sees it: with heights, whatever its dimension is, and on a floor. */
 final class Studio {
     /** A light and warm grey, on which shadows show. */
-    private static final Material FLOOR = Material.of(Color.parse("#c9c5bd")).withSpecular(0);
+    static final Material FLOOR = Material.of(Color.parse("#c9c5bd")).withSpecular(0);
 
     /** The floor reaches beyond what stands on it by this share. */
     private static final double RIM = 0.04;
@@ -100,6 +104,31 @@ final class Studio {
                 .filter(GeometryObject::isMoveable)
                 .map(object -> String.valueOf(object.name()))
                 .toList();
+    }
+
+    /** How high above its own origin an object of a name reaches. */
+    double top(String name) {
+        GeometryObject object = geometry.getObject(name);
+        return object.bounds().maxY() - object.center().y();
+    }
+
+    /** Where a camera is in the world. */
+    Pose pose(ColorCamera camera) {
+        String carrier = camera.carrier();
+        if (carrier == null) {
+            return camera.pose();
+        }
+        Pose robot = geometry.getObject(carrier).pose();
+        Placement on = Placement.turned(robot.center(), robot.rotation());
+        Pose mount = camera.pose();
+        return on.then(Placement.turned(mount.center(), mount.rotation())).pose();
+    }
+
+    /** How far the middle of the world is from a camera. */
+    double depth(ColorCamera camera) {
+        Point eye = pose(camera).center();
+        Point middle = middle(content);
+        return VectorMath.length(eye.x() - middle.x(), eye.y() - middle.y(), eye.z() - middle.z());
     }
 
     Snapshot snapshot() {
