@@ -32,6 +32,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
 
 /** The published schema and the codec accept the same messages, but for what a schema cannot say. */
@@ -72,7 +73,10 @@ class JsonSchemaTest {
             "seesCarrier must be false",
             "normals must have three numbers for each",
             "free must have",
-            "beams together");
+            "beams together",
+            "slidingFriction must be at most",
+            "must be left out for a drive",
+            "maxTurn of a car");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -106,6 +110,7 @@ class JsonSchemaTest {
         lines.add(JsonLines.write(BatchSamples.requests()));
         lines.add(JsonLines.write(BatchSamples.frames().get(0)));
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
+        StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         return lines;
     }
 
@@ -114,6 +119,7 @@ class JsonSchemaTest {
         return List.of(
                 JsonLines.write(new Reply(BatchSamples.frames().get(1))),
                 JsonLines.write(new Reply(made)),
+                JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
                         new DistanceBundle(List.of(0.0, 1.5, Double.POSITIVE_INFINITY, Double.NaN)),
