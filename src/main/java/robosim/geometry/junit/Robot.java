@@ -92,7 +92,7 @@ public final class Robot {
         Checks.present("other", other);
         world.known(other);
         if (world.meetings().stream().noneMatch(meeting -> meeting.isBetween(name, other))) {
-            throw failure(" was to hit " + Text.quoted(other) + ", but " + met() + world.moment() + "; it stands "
+            throw failure(" was to hit " + Text.quoted(other) + world.moment() + ", but " + met() + "; it stands "
                     + Words.place(object()));
         }
         return this;

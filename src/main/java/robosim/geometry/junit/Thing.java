@@ -39,6 +39,12 @@ public final class Thing {
         return this;
     }
 
+    /** Gives it sliding friction on the floor, 0 for what rolls; {@value BodyRequest#FLOOR_FRICTION} otherwise. */
+    public Thing hasFloorFriction(double friction) {
+        world.give(world.body(name).withFloorFriction(friction));
+        return this;
+    }
+
     /** Lets its speed, and its speed of turning, fall by shares each second, as on a floor that resists. */
     public Thing hasDamping(double ofSpeed, double ofTurn) {
         world.give(world.body(name).withDamping(ofSpeed, ofTurn));

@@ -95,7 +95,8 @@ final class AllowedClasses {
             DriveCommand.class,
             BodyAnswer.class,
             Velocity.class,
-            ContactAnswer.class);
+            ContactAnswer.class,
+            ContactAnswer.Phase.class);
 
     private static final Set<Class<?>> MADE = Set.of(
             BoxObject.class,

@@ -61,14 +61,20 @@ class DrivingTest {
     void itPushesWhatHasAMass() {
         RobotWorld world = RobotWorld.of(arena());
         world.object("crate").hasMass(5).hasDamping(1, 1);
-        world.robot("cart").drives(1, 0).forSeconds(8).hits("crate").isBumpedBy("crate").endsNear(4, 0, 1e-6);
+        world.robot("cart")
+                .drives(1, 0)
+                .forSeconds(8)
+                .hits("crate")
+                .isBumpedBy("crate")
+                .endsNear(4, 0, 1e-6);
         world.object("crate").endsNear(5, 0, 1e-6);
     }
 
     @Test
     void whatHasNoMassStandsStill() {
         RobotWorld world = RobotWorld.of(arena());
-        Robot cart = world.robot("cart").drives(1, 0).forSeconds(3).hits("crate").endsNear(1, 0, 1e-6);
+        Robot cart =
+                world.robot("cart").drives(1, 0).forSeconds(3).hits("crate").endsNear(1, 0, 1e-6);
         world.object("crate").endsNear(2, 0, 0);
         assertThatThrownBy(() -> cart.isBumpedBy("crate"))
                 .isInstanceOf(AssertionFailedError.class)
@@ -86,14 +92,18 @@ class DrivingTest {
         world.robot("drum").drives(1, 0).forSeconds(7);
         world.robot("drum").isBumpedBy("other");
         world.robot("other").isBumpedBy("drum");
-        double apart = world.robot("other").center().x() - world.robot("drum").center().x();
+        double apart =
+                world.robot("other").center().x() - world.robot("drum").center().x();
         assertThat(apart).isGreaterThanOrEqualTo(0.6);
     }
 
     @Test
     void aDriveHasItsLimits() {
         RobotWorld world = RobotWorld.of(arena());
-        world.robot("drum").hasDrive(new DifferentialDrive(0.5, 1, 0.5)).drives(9, 0).forSeconds(2);
+        world.robot("drum")
+                .hasDrive(new DifferentialDrive(0.5, 1, 0.5))
+                .drives(9, 0)
+                .forSeconds(2);
         // v of each step is 0.05 k: 0.05 * 0.1 * (1 + ... + 20).
         world.robot("drum").endsNear(-6 + 0.005 * 210, 5, 1e-9);
         world.robot("crate")
@@ -113,14 +123,14 @@ class DrivingTest {
                 .hasMessageContaining("it stands at (1, 0, 0)");
         assertThatThrownBy(() -> cart.hits("wall"))
                 .isInstanceOf(AssertionFailedError.class)
-                .hasMessageContaining("was to hit \"wall\", but has met \"crate\" in step 11");
+                .hasMessageContaining("was to hit \"wall\" in step 30, but has met \"crate\" in step 10 at (1.5, 0, ");
         assertThatThrownBy(() -> world.robot("drum").hits("wall")).hasMessageContaining("has met nothing");
         assertThatThrownBy(() -> cart.endsNear(3, 0, 0.5))
                 .isInstanceOf(AssertionFailedError.class)
                 .hasMessageContaining("was to be within 0.5 of (3, 0) in step 30, but is 2 away");
         assertThatThrownBy(() -> cart.neverTouches("crate"))
                 .isInstanceOf(AssertionFailedError.class)
-                .hasMessageContaining("but they met in step 11");
+                .hasMessageContaining("but they met in step 10");
         cart.neverTouches("wall");
     }
 
@@ -129,7 +139,8 @@ class DrivingTest {
         RobotWorld world = RobotWorld.of(arena());
         assertThatThrownBy(() -> world.robot("cart").drives(1, 0).forSeconds(0.25))
                 .hasMessageContaining("seconds must be a multiple of the clock's step of 0.1 s");
-        assertThatThrownBy(() -> world.robot("cart").drives(1, 0).forSeconds(-1)).hasMessageContaining("seconds must");
+        assertThatThrownBy(() -> world.robot("cart").drives(1, 0).forSeconds(-1))
+                .hasMessageContaining("seconds must");
         assertThatThrownBy(() -> world.object("cup")).hasMessageContaining("one of [\"wall\", \"cart\"");
         assertThatThrownBy(() -> world.object("crate").hasMass(-1)).hasMessageContaining("mass must be");
     }
@@ -173,7 +184,6 @@ class DrivingTest {
         assertThat(scenario.steps().size()).isGreaterThan(80);
         List<Mismatch> found = Replay.of(scenario);
         assertThat(found).isEmpty();
-        assertThat(scenario.steps()).isEqualTo(scenario.steps());
     }
 
     @Test
@@ -187,8 +197,5 @@ class DrivingTest {
         String picture = Files.readString(folder.resolve("last-moments.svg"), StandardCharsets.UTF_8);
         assertThat(picture).contains("cart");
         assertThat(Files.size(folder.resolve("last-moments.html"))).isGreaterThan(10_000);
-        Path keep = Path.of("target", "drive-evidence");
-        Files.createDirectories(keep);
-        Files.writeString(keep.resolve("last-moments.svg"), picture);
     }
 }

@@ -3,8 +3,11 @@ package robosim.geometry.net;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
@@ -66,8 +69,19 @@ class StepSessionTest {
                         0,
                         List.of(
                                 new BodyRequest(
-                                        "crate", 5, 1, new SurfaceSettings(0.5, 0.5, 0.25), 1, 2, 3, Math.PI, null, null),
-                                BodyRequest.of("cart").withMass(20).withDrive(DriveSettings.DEFAULT)),
+                                        "crate",
+                                        5,
+                                        1,
+                                        new SurfaceSettings(0.5, 0.5, 0.25),
+                                        1,
+                                        2,
+                                        3,
+                                        Math.PI,
+                                        0.125,
+                                        null,
+                                        null),
+                                BodyRequest.of("cart").withMass(20).withDrive(DriveSettings.DEFAULT),
+                                BodyRequest.of("wall").withSurface(new SurfaceSettings(0.25, 0, 0))),
                         List.of()));
         assertThat(first.bodies()).extracting(BodyAnswer::objectName).containsExactly("crate", "cart");
 
@@ -79,32 +93,40 @@ class StepSessionTest {
                 Body.of(5, 1)
                         .withSurface(new Surface(0.5, 0.5, 0.25))
                         .withDamping(1, 2)
-                        .withLimits(3, 180));
-        dynamics.add("cart", Body.ofMass(OBJECTS.get(1), 20));
+                        .withLimits(3, 180)
+                        .withFloorFriction(0.125));
+        dynamics.add("cart", Body.ofMass(OBJECTS.get(1), 20).withFloorFriction(0.5));
+        dynamics.surface("wall", new Surface(0.25, 0, 0));
         DifferentialDrive drive = new DifferentialDrive(1, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
         dynamics.drive("cart", drive);
         int met = 0;
+        Set<ContactAnswer.Phase> phases = EnumSet.noneOf(ContactAnswer.Phase.class);
         for (int k = 0; k < 200; k++) {
             double turn = 0.3 * Math.sin(k * 0.1);
-            StepBundle.Answer answer = step(
-                    session, new StepBundle(0.05, List.of(), List.of(new DriveCommand("cart", 1.5, turn))));
+            StepBundle.Answer answer =
+                    step(session, new StepBundle(0.05, List.of(), List.of(new DriveCommand("cart", 1.5, turn))));
             dynamics.drive("cart", drive.driving(1.5, Degrees.toDegrees(turn)));
             StepResult result = dynamics.step(0.05);
             for (BodyAnswer body : answer.bodies()) {
                 GeometryObject object = twin.getObject(body.objectName());
                 assertThat(body.center()).isEqualTo(object.center());
                 assertThat(body.heading()).isEqualTo(Degrees.toRadians(object.heading()));
-                assertThat(body.velocity().x()).isEqualTo(dynamics.velocity(body.objectName()).x());
+                assertThat(body.velocity().x())
+                        .isEqualTo(dynamics.velocity(body.objectName()).x());
                 assertThat(Objects.requireNonNull(session.world()).getObject(body.objectName()))
                         .isEqualTo(object);
             }
             assertThat(answer.contacts())
                     .extracting(ContactAnswer::impulse)
-                    .isEqualTo(result.contacts().stream().map(each -> each.impulse()).toList());
+                    .isEqualTo(Stream.concat(result.contacts().stream(), result.ended().stream())
+                            .map(each -> each.impulse())
+                            .toList());
+            answer.contacts().forEach(each -> phases.add(each.phase()));
             assertThat(answer.stopped()).isEqualTo(result.stopped());
             met += answer.contacts().size();
         }
         assertThat(met).isGreaterThan(3);
+        assertThat(phases).containsExactlyInAnyOrder(ContactAnswer.Phase.values());
     }
 
     @Test
@@ -114,7 +136,9 @@ class StepSessionTest {
                 session,
                 new StepBundle(
                         1,
-                        List.of(BodyRequest.of("nobody"), BodyRequest.of("ball").withVelocity(new Velocity(1, 0, 0, 0))),
+                        List.of(
+                                BodyRequest.of("nobody"),
+                                BodyRequest.of("ball").withFloorFriction(0).withVelocity(new Velocity(1, 0, 0, 0))),
                         List.of(new DriveCommand("wall", 1, 0), new DriveCommand("cart", -1, 0))));
         assertThat(reply.problems()).extracting(problem -> problem.index()).containsExactly(0, 2);
         assertThat(reply.problems().get(0).reason()).contains("\"nobody\"");
@@ -130,7 +154,10 @@ class StepSessionTest {
         Session session = session();
         step(session, new StepBundle(0, List.of(BodyRequest.of("ball")), List.of()));
         session.reply(new MoveBundle(List.of(new MoveRequest("ball", 0, 0, 2, 0, 0))));
-        assertThat(step(session, new StepBundle(1, List.of(), List.of())).bodies().get(0).center())
+        assertThat(step(session, new StepBundle(1, List.of(), List.of()))
+                        .bodies()
+                        .get(0)
+                        .center())
                 .isEqualTo(new Point(-5, 0, 2));
     }
 
@@ -139,7 +166,8 @@ class StepSessionTest {
         Session session = session();
         step(session, new StepBundle(0, List.of(BodyRequest.of("ball")), List.of()));
         session.reply(new InitBundle(OBJECTS, PLANE));
-        assertThat(step(session, new StepBundle(1, List.of(), List.of())).bodies()).isEmpty();
+        assertThat(step(session, new StepBundle(1, List.of(), List.of())).bodies())
+                .isEmpty();
     }
 
     @Test

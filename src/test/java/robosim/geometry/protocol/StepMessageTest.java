@@ -104,7 +104,9 @@ class StepMessageTest {
         Velocity rest = new Velocity(0, 0, 0, 0);
         refuses(() -> new BodyAnswer("b", new Point(), 4, Numbers.NONE, rest), "heading must be");
         refuses(() -> new BodyAnswer("b", new Point(), 0, Numbers.of(1, 2, 3), rest), "rotation");
-        refuses(() -> new ContactAnswer("b", null, new Point(), new Point(), -1), "impulse must be");
+        refuses(
+                () -> new ContactAnswer("b", null, new Point(), new Point(), -1, ContactAnswer.Phase.BEGIN),
+                "impulse must be");
     }
 
     @Test

@@ -31,6 +31,7 @@ public final class StepSamples {
                 2,
                 3,
                 4,
+                0.25,
                 DriveSettings.DEFAULT,
                 new Velocity(1, 0, -2, 0.5)));
         for (DriveSettings.Kind kind : DriveSettings.Kind.values()) {
@@ -54,8 +55,9 @@ public final class StepSamples {
                         new BodyAnswer(
                                 "b", new Point(), 0, Numbers.of(1, 0, 0, 0, 0, -1, 0, 1, 0), new Velocity(0, 0, 0, 0))),
                 List.of(
-                        new ContactAnswer("a", "b", new Point(0.5, 0, 0), new Point(1, 0, 0), 2.5),
-                        new ContactAnswer("a", null, new Point(), new Point(0, 0, -1), 0)),
+                        new ContactAnswer(
+                                "a", "b", new Point(0.5, 0, 0), new Point(1, 0, 0), 2.5, ContactAnswer.Phase.LAST),
+                        new ContactAnswer("a", null, new Point(), new Point(0, 0, -1), 0, ContactAnswer.Phase.END)),
                 List.of("b"));
     }
 
@@ -93,6 +95,7 @@ public final class StepSamples {
                     number(random, 0, 9),
                     limit(random),
                     limit(random),
+                    number(random, 0, 2),
                     random.nextBoolean() ? null : DriveSettings.DEFAULT,
                     random.nextBoolean()
                             ? null

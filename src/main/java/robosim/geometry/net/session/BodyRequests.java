@@ -31,6 +31,7 @@ public final class BodyRequests {
                 body.turnDamping(),
                 body.maxSpeed(),
                 radians(body.maxTurn()),
+                body.floorFriction(),
                 drive == null ? null : of(drive),
                 null);
     }

@@ -79,12 +79,21 @@ public final class Motion {
             return new StepBundle.Answer(places(), List.of(), List.of());
         }
         StepResult result = dynamics.step(step.seconds());
-        List<ContactAnswer> contacts = new ArrayList<>(result.contacts().size());
-        for (BodyContact contact : result.contacts()) {
-            contacts.add(new ContactAnswer(
-                    contact.body(), contact.other(), contact.point(), contact.normal(), contact.impulse()));
-        }
+        List<ContactAnswer> contacts =
+                new ArrayList<>(result.contacts().size() + result.ended().size());
+        result.contacts().forEach(contact -> contacts.add(answer(contact)));
+        result.ended().forEach(contact -> contacts.add(answer(contact)));
         return new StepBundle.Answer(places(), contacts, result.stopped());
+    }
+
+    private static ContactAnswer answer(BodyContact contact) {
+        ContactAnswer.Phase phase = switch (contact.phase()) {
+            case BEGIN -> ContactAnswer.Phase.BEGIN;
+            case LAST -> ContactAnswer.Phase.LAST;
+            case END -> ContactAnswer.Phase.END;
+        };
+        return new ContactAnswer(
+                contact.body(), contact.other(), contact.point(), contact.normal(), contact.impulse(), phase);
     }
 
     private void attempt(int index, String name, BiConsumer<Integer, String> refused, Runnable what) {
@@ -101,16 +110,22 @@ public final class Motion {
 
     private void add(BodyRequest asked) {
         GeometryObject object = world.getObject(asked.objectName());
+        SurfaceSettings given = asked.surface();
+        Surface surface = new Surface(given.restitution(), given.staticFriction(), given.slidingFriction());
+        if (!object.isMoveable()
+                && asked.equals(BodyRequest.of(asked.objectName()).withSurface(given))) {
+            dynamics.surface(asked.objectName(), surface);
+            return;
+        }
         if (!object.isMoveable()) {
-            throw new IllegalArgumentException(
-                    "objectName must be that of a moveable object (got: " + Text.quoted(asked.objectName()) + ")");
+            throw new IllegalArgumentException("a static object must have a surface alone (got: " + asked + ")");
         }
         checkCount(asked.objectName());
-        SurfaceSettings surface = asked.surface();
         Body body = BodyDefaults.of(object, asked.mass(), asked.inertia())
-                .withSurface(new Surface(surface.restitution(), surface.staticFriction(), surface.slidingFriction()))
+                .withSurface(surface)
                 .withDamping(asked.damping(), asked.turnDamping())
-                .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()));
+                .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()))
+                .withFloorFriction(asked.floorFriction());
         dynamics.add(asked.objectName(), body);
         bodies.add(asked.objectName());
         DriveSettings drive = asked.drive();
@@ -135,6 +150,10 @@ public final class Motion {
     private void command(DriveCommand command) {
         String name = command.objectName();
         if (!bodies.contains(name)) {
+            if (!world.getObject(name).isMoveable()) {
+                throw new IllegalArgumentException(
+                        "objectName must be that of a moveable object (got: " + Text.quoted(name) + ")");
+            }
             add(BodyRequest.of(name));
         }
         DriveSettings drive = drives.computeIfAbsent(name, unseen -> DriveSettings.DEFAULT);

@@ -59,6 +59,7 @@ final class JsonStepOutput {
         unless(0, "turnDamping", body.turnDamping());
         unless(NONE, "maxSpeed", body.maxSpeed());
         unless(NONE, "maxTurn", body.maxTurn());
+        unless(BodyRequest.FLOOR_FRICTION, "floorFriction", body.floorFriction());
         DriveSettings drive = body.drive();
         if (drive != null) {
             out.writeObjectFieldStart("drive");
@@ -114,6 +115,7 @@ final class JsonStepOutput {
         point("point", contact.point());
         point("normal", contact.normal());
         out.writeNumberField("impulse", contact.impulse());
+        out.writeStringField("phase", contact.phase().name());
         out.writeEndObject();
     }
 

@@ -24,15 +24,17 @@ final class JsonSteps {
     private static final Fields STEP = Fields.of("type seconds", "bodies commands");
     private static final Fields BODY = Fields.of(
             "objectName",
-            "mass inertia restitution staticFriction slidingFriction damping turnDamping maxSpeed maxTurn drive velocity");
+            "mass inertia restitution staticFriction slidingFriction damping turnDamping maxSpeed maxTurn"
+                    + " floorFriction drive velocity");
     private static final int MAX_SPEED = BODY.indexOf("maxSpeed");
+    private static final int FLOOR = BODY.indexOf("floorFriction");
     private static final int DRIVE = BODY.indexOf("drive");
     private static final Fields DRIVES = Fields.of("kind", "base maxSpeed maxAcceleration maxTurn maxTurnAcceleration");
     private static final Fields COMMAND = Fields.of("objectName", "forward right turn");
     private static final Fields VELOCITY = Fields.of("x y z ry", "");
     private static final Fields ANSWER = Fields.of("type bodies contacts stopped refused", "");
     private static final Fields PLACED = Fields.of("objectName center heading velocity", "rotation");
-    private static final Fields CONTACT = Fields.of("objectName point normal impulse", "other");
+    private static final Fields CONTACT = Fields.of("objectName point normal impulse phase", "other");
 
     private final JsonInput in;
 
@@ -67,7 +69,8 @@ final class JsonSteps {
     private BodyRequest body() throws IOException {
         String[] name = {""};
         double[] numbers = new double[BODY.count()];
-        Arrays.fill(numbers, MAX_SPEED, DRIVE, Double.POSITIVE_INFINITY);
+        Arrays.fill(numbers, MAX_SPEED, FLOOR, Double.POSITIVE_INFINITY);
+        numbers[FLOOR] = BodyRequest.FLOOR_FRICTION;
         @Nullable DriveSettings[] drive = new DriveSettings[1];
         @Nullable Velocity[] velocity = new Velocity[1];
         var members = in.object(BODY);
@@ -91,6 +94,7 @@ final class JsonSteps {
                 numbers[7],
                 numbers[8],
                 numbers[9],
+                numbers[FLOOR],
                 drive[0],
                 velocity[0]));
     }
@@ -182,6 +186,7 @@ final class JsonSteps {
         Point[] point = {new Point()};
         Point[] normal = {new Point()};
         double[] impulse = new double[1];
+        ContactAnswer.Phase[] phase = {ContactAnswer.Phase.BEGIN};
         @Nullable String[] other = new String[1];
         var members = in.object(CONTACT);
         for (int field = members.next(); field >= 0; field = members.next()) {
@@ -190,9 +195,10 @@ final class JsonSteps {
                 case 1 -> point[0] = point();
                 case 2 -> normal[0] = point();
                 case 3 -> impulse[0] = in.number();
+                case 4 -> phase[0] = in.constant(ContactAnswer.Phase.class);
                 default -> other[0] = in.text();
             }
         }
-        return in.make(() -> new ContactAnswer(name[0], other[0], point[0], normal[0], impulse[0]));
+        return in.make(() -> new ContactAnswer(name[0], other[0], point[0], normal[0], impulse[0], phase[0]));
     }
 }

@@ -18,6 +18,7 @@ import robosim.geometry.exact.Checks;
  * @param turnDamping the same of the speed of turning
  * @param maxSpeed    m/s; infinite for no limit
  * @param maxTurn     <b>radians</b> a second; infinite for no limit
+ * @param floorFriction sliding friction on the floor of a planar world, which slows what nothing drives; 0 for what rolls
  * @param drive       what drives it; null for what it had, at first nothing: it is pushed, and rolls out
  * @param velocity    its velocity; null for what it had, at first none
  */
@@ -30,11 +31,15 @@ public record BodyRequest(
         double turnDamping,
         double maxSpeed,
         double maxTurn,
+        double floorFriction,
         @Nullable DriveSettings drive,
         @Nullable Velocity velocity)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
+
+    /** The friction of a body on the floor if nobody says so, about that of a crate of wood. */
+    public static final double FLOOR_FRICTION = 0.5;
 
     /** Refuses null, and numbers that are out of range. */
     public BodyRequest {
@@ -46,40 +51,88 @@ public record BodyRequest(
         turnDamping = Amounts.atLeastZero("turnDamping", turnDamping);
         maxSpeed = Amounts.limit("maxSpeed", maxSpeed);
         maxTurn = Amounts.limit("maxTurn", maxTurn);
+        floorFriction = Amounts.atLeastZero("floorFriction", floorFriction);
     }
 
-    /** A smooth body of the default mass, which nothing drives, slows or limits. */
+    /** A smooth body of the default mass and friction on the floor, which nothing drives, dampens or limits. */
     public static BodyRequest of(String objectName) {
         double none = Double.POSITIVE_INFINITY;
-        return new BodyRequest(objectName, 0, 0, SurfaceSettings.SMOOTH, 0, 0, none, none, null, null);
+        return new BodyRequest(objectName, 0, 0, SurfaceSettings.SMOOTH, 0, 0, none, none, FLOOR_FRICTION, null, null);
     }
 
     /** This body with another mass, kg. */
     public BodyRequest withMass(double other) {
         return new BodyRequest(
-                objectName, other, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, drive, velocity);
+                objectName,
+                other,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity);
     }
 
     /** This body with another surface. */
     public BodyRequest withSurface(SurfaceSettings other) {
         return new BodyRequest(
-                objectName, mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn, drive, velocity);
+                objectName,
+                mass,
+                inertia,
+                other,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity);
     }
 
     /** This body with other dampings, shares of the speeds each second. */
     public BodyRequest withDamping(double ofSpeed, double ofTurn) {
-        return new BodyRequest(objectName, mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, drive, velocity);
+        return new BodyRequest(
+                objectName, mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction, drive, velocity);
+    }
+
+    /** This body with another friction on the floor. */
+    public BodyRequest withFloorFriction(double other) {
+        return new BodyRequest(
+                objectName, mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, other, drive, velocity);
     }
 
     /** This body with another drive. */
     public BodyRequest withDrive(DriveSettings other) {
         return new BodyRequest(
-                objectName, mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, other, velocity);
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                other,
+                velocity);
     }
 
     /** This body with a velocity. */
     public BodyRequest withVelocity(Velocity other) {
         return new BodyRequest(
-                objectName, mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, drive, other);
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                other);
     }
 }

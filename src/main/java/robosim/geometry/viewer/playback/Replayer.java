@@ -201,7 +201,7 @@ public final class Replayer {
         List<Frame.Bump> bumps = new ArrayList<>();
         for (ContactAnswer contact : answer.contacts()) {
             GeometryObject mover = mover(contact.objectName());
-            if (mover != null) {
+            if (mover != null && contact.phase() == ContactAnswer.Phase.BEGIN) {
                 bumps.add(new Frame.Bump(
                         mover, degrees(-contact.normal().x(), -contact.normal().z()), met(contact)));
             }
