@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
+import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.motion.Motion;
 import robosim.geometry.engine.motion.Slide;
@@ -85,6 +86,10 @@ import robosim.geometry.narrow.Scratch;
 public final class Geometry {
     private static final Point CENTER = new Point();
 
+    static {
+        Carrier.open(world -> ((Geometry) world).carrier());
+    }
+
     private final double width;
     private final double height;
     private final double length;
@@ -103,6 +108,7 @@ public final class Geometry {
     private final Slide slide;
     private final FreePlaces places;
     private final double[] vector = new double[6];
+    private @Nullable Carrier carrier;
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
     public Geometry() {
@@ -265,6 +271,13 @@ public final class Geometry {
     /** Puts an object of a snapshot back where it was, while a world is made from it. */
     void restore(GeometryObject object, long arrival) {
         registry.restore(object, arrival);
+    }
+
+    /** What moves objects by their ids, made when it is first asked for. */
+    private Carrier carrier() {
+        Carrier made = carrier == null ? new Carrier(registry, motion, fastPath) : carrier;
+        carrier = made;
+        return made;
     }
 
     /** Ends a series of calls of {@link #restore}, with the number of objects added to the original world so far. */

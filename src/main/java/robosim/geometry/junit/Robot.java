@@ -4,13 +4,18 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.MoveResult;
+import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.Drive;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.session.BodyRequests;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.world.SonarRing;
 
 /**
@@ -50,6 +55,91 @@ public final class Robot {
     /** Moves straight ahead, or back if negative; fails if anything blocks the way. */
     public Robot drives(double distance) {
         return moves(new Move(distance, 0, 0, 0, 0));
+    }
+
+    /**
+     * Tells it to drive from now on: it has a body, is driven within its limits, slides, pushes and is pushed, and never
+     * overlaps anything. Without a {@linkplain #hasBody body} or a {@linkplain #hasDrive drive} it gets that of a solid of
+     * its shape, 200 kg/m<sup>3</sup>, and two wheels as far apart as it is wide.
+     *
+     * @param speed m/s forward; a world unit is a metre
+     * @param turn  degrees a second, counter-clockwise; of a car the angle of its front wheels
+     */
+    public Driving drives(double speed, double turn) {
+        world.tell(name, speed, 0, turn);
+        return new Driving(world, this);
+    }
+
+    /** Tells it to drive in any direction from now on, as {@link #drives(double, double)}; for drives that can. */
+    public Driving drives(double forward, double right, double turn) {
+        world.tell(name, forward, right, turn);
+        return new Driving(world, this);
+    }
+
+    /** Gives it a body. */
+    public Robot hasBody(Body body) {
+        BodyRequest asked = BodyRequests.of(name, Checks.present("body", body), null);
+        DriveSettings drive = world.body(name).drive();
+        world.give(drive == null ? asked : asked.withDrive(drive));
+        return this;
+    }
+
+    /** Gives it a drive; its command does not count. */
+    public Robot hasDrive(Drive drive) {
+        world.give(world.body(name).withDrive(BodyRequests.of(Checks.present("drive", drive))));
+        return this;
+    }
+
+    /** Fails unless it and an object have met so far while bodies moved: one ran into the other. */
+    public Robot hits(String other) {
+        Checks.present("other", other);
+        world.known(other);
+        if (world.meetings().stream().noneMatch(meeting -> meeting.isBetween(name, other))) {
+            throw failure(" was to hit " + Text.quoted(other) + world.moment() + ", but " + met() + "; it stands "
+                    + Words.place(object()));
+        }
+        return this;
+    }
+
+    /** Fails unless it and another body have met so far. */
+    public Robot isBumpedBy(String other) {
+        hits(other);
+        if (!world.isBody(other)) {
+            throw failure(" was to be bumped by " + Text.quoted(other) + ", but that is no body, which stood still");
+        }
+        return this;
+    }
+
+    /** Fails if it has met anything so far while bodies moved. */
+    public Robot hitsNothing() {
+        if (world.meetings().stream().anyMatch(meeting -> meeting.isOf(name))) {
+            throw failure(" was to hit nothing, but " + met() + "; it stands " + Words.place(object()));
+        }
+        return this;
+    }
+
+    private String met() {
+        for (Bodies.Meeting meeting : world.meetings()) {
+            if (meeting.isOf(name)) {
+                String other = meeting.other(name);
+                long others = world.meetings().stream()
+                        .filter(each -> each.isOf(name) && !each.other(name).equals(other))
+                        .map(each -> each.other(name))
+                        .distinct()
+                        .count();
+                return "has met " + (other.isEmpty() ? "what has no name" : Text.quoted(other)) + " in step "
+                        + meeting.step() + " at "
+                        + Words.point(meeting.contact().point(), 0)
+                        + (others == 0 ? "" : " and " + others + " more");
+            }
+        }
+        return "has met nothing";
+    }
+
+    /** Fails if it is not within a distance of a place on the ground. */
+    public Robot endsNear(double x, double z, double within) {
+        world.checkNear("robot", name, x, z, within);
+        return this;
     }
 
     /** Turns in place about the vertical; fails if anything blocks it. */

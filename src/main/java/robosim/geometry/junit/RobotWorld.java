@@ -17,9 +17,16 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.net.session.Motion;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.world.SonarRing;
 
@@ -37,6 +44,8 @@ import robosim.geometry.world.SonarRing;
  * radians: quarter turns are exact, other angles are accurate to the last bits.
  */
 public final class RobotWorld {
+    private static final int MOST_STEPS = 10_000_000;
+
     private final Geometry geometry;
     private final VirtualClock clock;
     private final Transcript transcript;
@@ -48,6 +57,9 @@ public final class RobotWorld {
 
     /** The file that it came from, for colours, the unit and sonars; null if a program made it. */
     private final robosim.geometry.world.@Nullable World file;
+
+    /** Null as long as nothing has a body. */
+    private @Nullable Bodies bodies;
 
     /** A move that was blocked. */
     private record Refusal(String mover, @Nullable String obstacle, String words) {
@@ -65,6 +77,113 @@ public final class RobotWorld {
         this.clock = clock;
         this.transcript = new Transcript(geometry);
         transcript.catchUp();
+    }
+
+    private void catchUp() {
+        Bodies before = bodies;
+        boolean isNew = before != null && transcript.isBehind();
+        if (isNew) {
+            settle();
+        }
+        transcript.catchUp();
+        if (before != null && isNew) {
+            StepBundle anew = before.anew(geometry::hasObject);
+            bodies = before.again(new Motion(geometry));
+            run(bodies, anew);
+        }
+    }
+
+    /**
+     * Drops what poses keep beyond the bits that a recorded world has: what rounding took from the sums of many moves. Else a
+     * replay, which begins with the recorded world, would be off in the last bit.
+     */
+    private void settle() {
+        for (GeometryObject object : geometry.objects()) {
+            Pose pose = object.pose();
+            if (object.isMoveable() && object.name() != null) {
+                geometry.removeObject(object.name());
+                geometry.addObjectUnchecked(object.at(Pose.of(pose.center(), pose.rotation(), pose.heading(), 0)));
+            }
+        }
+    }
+
+    private Bodies bodies() {
+        catchUp();
+        Bodies all = bodies;
+        if (all == null) {
+            all = new Bodies(new Motion(geometry));
+            bodies = all;
+            clock.moving(this::step);
+        }
+        return all;
+    }
+
+    /** Carries out a step; fails if a body or a command cannot be given. */
+    private void run(Bodies all, StepBundle step) {
+        Reply reply = all.run(step, clock.steps());
+        transcript.stepped(step, reply, clock.steps());
+        if (!reply.problems().isEmpty()) {
+            throw new IllegalArgumentException(reply.problems().get(0).reason());
+        }
+    }
+
+    private void step() {
+        Bodies all = bodies();
+        run(all, all.next(clock.step().toNanos() / 1e9));
+        watches.forEach(this::check);
+    }
+
+    /** What an object was given as its body. */
+    BodyRequest body(String name) {
+        return bodies().of(name);
+    }
+
+    /** Gives an object a body. */
+    void give(BodyRequest body) {
+        Bodies all = bodies();
+        run(all, new StepBundle(0, List.of(body), List.of()));
+        all.give(body);
+    }
+
+    /** Tells a robot to drive, from the next step on. */
+    void tell(String name, double forward, double right, double degrees) {
+        bodies().tell(new DriveCommand(name, forward, right, Degrees.toRadians(degrees)));
+    }
+
+    /** Lets time pass. */
+    void elapse(double seconds) {
+        double step = clock.step().toNanos() / 1e9;
+        double steps = Math.rint(seconds / step);
+        if (!(seconds >= 0 && Math.abs(steps * step - seconds) <= 1e-9 * (1 + seconds) && steps <= MOST_STEPS)) {
+            throw new IllegalArgumentException("seconds must be a multiple of the clock's step of " + step
+                    + " s, of at most " + MOST_STEPS + " steps (got: " + seconds + ")");
+        }
+        bodies();
+        clock.advance((int) steps);
+    }
+
+    /** What bodies met so far, in order. */
+    List<Bodies.Meeting> meetings() {
+        Bodies all = bodies;
+        return all == null ? List.of() : all.meetings();
+    }
+
+    boolean isBody(String name) {
+        Bodies all = bodies;
+        return all != null && all.has(name);
+    }
+
+    void checkNear(String kind, String name, double x, double z, double within) {
+        Robot.check("within", within);
+        Point at = known(name).center();
+        double dx = at.x() - x;
+        double dz = at.z() - z;
+        double off = Math.sqrt(dx * dx + dz * dz);
+        if (!(off <= within)) {
+            throw new AssertionFailedError(kind + " " + Text.quoted(name) + " was to be within " + Words.number(within)
+                    + " of (" + Words.number(x) + ", " + Words.number(z) + ")" + moment() + ", but is "
+                    + Words.apart(off, within) + " away; it stands " + Words.place(known(name)));
+        }
     }
 
     /** For tests without the extension; a step of its clock is a tenth of a second. */
@@ -106,6 +225,17 @@ public final class RobotWorld {
                     + " (got: " + Text.quoted(name) + ")");
         }
         return robots.computeIfAbsent(name, each -> new Robot(this, each));
+    }
+
+    /**
+     * An object, to give it a mass, so that robots push it.
+     *
+     * @throws IllegalArgumentException if there is none of that name; the message lists those that exist
+     */
+    public Thing object(String name) {
+        Checks.present("name", name);
+        known(name);
+        return new Thing(this, name);
     }
 
     /** All moveable objects, in the order in which they were added. */
@@ -153,7 +283,7 @@ public final class RobotWorld {
     }
 
     MoveResult move(String name, Move move) {
-        transcript.catchUp();
+        catchUp();
         MoveRequest request = new MoveRequest(
                 name, move.x(), move.y(), move.z(), Degrees.toRadians(move.rx()), Degrees.toRadians(move.ry()));
         Move asked = new Move(
@@ -177,7 +307,7 @@ public final class RobotWorld {
 
     /** Measures as a peer does whose beam it is, with the opening angle in radians. */
     double measure(String name, double x, double z, Beam beam) {
-        transcript.catchUp();
+        catchUp();
         double distance =
                 geometry.getSonarDistance(name, x, z, beam.min(), beam.max(), Degrees.toDegrees(beam.width()));
         transcript.measured(name, x, z, beam, distance, clock.steps());
@@ -215,6 +345,12 @@ public final class RobotWorld {
         for (Refusal refusal : refusals) {
             if (refusal.isBetween(watch.robot, watch.other)) {
                 throw new AssertionFailedError(pair + ", but " + refusal.words);
+            }
+        }
+        for (Bodies.Meeting meeting : meetings()) {
+            if (meeting.isBetween(watch.robot, watch.other)) {
+                throw new AssertionFailedError(pair + ", but they met in step " + meeting.step() + " at "
+                        + Words.point(meeting.contact().point(), 0));
             }
         }
         if (geometry.hasObject(watch.other) && geometry.hasObject(watch.robot) && touch(watch.robot, watch.other)) {

@@ -16,6 +16,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
@@ -34,6 +35,11 @@ final class Transcript {
         this.geometry = geometry;
     }
 
+    /** Whether the world was changed by other means since the last request. */
+    boolean isBehind() {
+        return !geometry.objects().equals(known);
+    }
+
     /** Called before the next request is carried out. */
     void catchUp() {
         List<GeometryObject> present = geometry.objects();
@@ -44,6 +50,12 @@ final class Transcript {
             steps.add(new Step(0, notes, new InitBundle(present, settings), null, null));
             known = present;
         }
+    }
+
+    /** Called after a step was carried out. */
+    void stepped(StepBundle step, Reply reply, long clock) {
+        add(step, reply, clock);
+        known = geometry.objects();
     }
 
     /** Called after a move was carried out. */

@@ -18,6 +18,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.channel.MessageChannel;
 
@@ -237,7 +238,10 @@ final class Connection implements Runnable {
         if (request instanceof BatchRequestBundle batch) {
             return tooMany("a bundle", "beams, poses, edges and pixels", batch.size(), quotas.requests());
         }
-        return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
+        if (request instanceof StepBundle step) {
+            return tooMany("a bundle", "bodies and commands", step.size(), quotas.requests());
+        }
+        return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a StepBundle (got: "
                 + request.getClass().getSimpleName() + ")";
     }
 

@@ -15,6 +15,7 @@ import robosim.geometry.model.Move;
 import robosim.geometry.net.session.Batches;
 import robosim.geometry.net.session.Extent;
 import robosim.geometry.net.session.LogBudget;
+import robosim.geometry.net.session.Motion;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
 import robosim.geometry.net.session.World;
@@ -30,6 +31,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
@@ -50,6 +52,8 @@ import robosim.geometry.protocol.batch.PictureRequest;
  *   <li>A {@link SonarRequestBundle} is answered by one distance for each request, in order.
  *   <li>A {@link BatchRequestBundle} is answered by one answer for each request, in order, with the bits of the single
  *       calls.
+ *   <li>A {@link StepBundle} gives bodies and commands to objects, lets time pass, and is answered by where all bodies are and
+ *       what they met. A body or command that cannot be given is left out and logged.
  *   <li>A request with a name that is unknown, missing or of a static object, or that its world refuses (in a planar
  *       world, a sonar pointing straight up), is logged: a move is left out of the answer, a distance is NaN, a request of
  *       a batch has a {@link NoAnswer}. Before the first InitBundle every name is unknown. The session goes on.
@@ -72,6 +76,10 @@ public final class Session {
     private final Batches batches = new Batches();
 
     private @Nullable World world;
+
+    /** The bodies of the world; null before the first step. */
+    private @Nullable Motion motion;
+
     private Set<String> moveable = Set.of();
     private double radians;
     private double degrees;
@@ -145,7 +153,7 @@ public final class Session {
      * Carries out a request; the short form of {@link #reply}.
      *
      * @return the answer; null after an {@link InitBundle}
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, an answer and no request
+     * @throws IllegalArgumentException if it {@linkplain Bundle#isAnswer is an answer}
      */
     public @Nullable Bundle answer(Bundle request) {
         Reply reply = reply(request);
@@ -155,14 +163,15 @@ public final class Session {
     /**
      * Carries out a request, and reports what was refused and why.
      *
-     * @return the answer, with a problem for each move that is left out, each distance that is NaN and each
-     *     {@link NoAnswer}; null after an {@link InitBundle}
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, an answer and no request
+     * @return the answer, with a problem for each move that is left out, each distance that is NaN, each
+     *     {@link NoAnswer} and each body or command that is left out; null after an {@link InitBundle}
+     * @throws IllegalArgumentException if it {@linkplain Bundle#isAnswer is an answer}
      */
     public @Nullable Reply reply(Bundle request) {
-        if (request == null || request instanceof DistanceBundle || request instanceof BatchAnswerBundle) {
+        if (request == null || request.isAnswer()) {
             throw new IllegalArgumentException(
-                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
+                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a StepBundle"
+                            + " (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
@@ -189,6 +198,9 @@ public final class Session {
         if (request instanceof BatchRequestBundle batch) {
             return answer(batch);
         }
+        if (request instanceof StepBundle step) {
+            return step(step);
+        }
         return request instanceof MoveBundle moves ? move(moves) : measure((SonarRequestBundle) request);
     }
 
@@ -213,6 +225,7 @@ public final class Session {
         world = made;
         moveable = movers;
         batches.forget();
+        motion = null;
     }
 
     private WorldSettings settings(InitBundle init) {
@@ -334,6 +347,32 @@ public final class Session {
             problems.add(Problem.of(index, reason));
             return new NoAnswer();
         }
+    }
+
+    private Reply step(StepBundle step) {
+        List<Problem> problems = new ArrayList<>();
+        StepBundle.Answer nothing = new StepBundle.Answer(List.of(), List.of(), List.of());
+        Geometry geometry = world();
+        if (geometry == null) {
+            return new Reply(nothing, List.of(notStepped("there is no world yet")));
+        }
+        breath.run();
+        try {
+            motion = motion == null ? new Motion(geometry) : motion;
+            return new Reply(motion.step(step, (index, reason) -> problems.add(leftOut(index, reason))), problems);
+        } catch (IllegalArgumentException e) {
+            return new Reply(nothing, List.of(notStepped(reason(e))));
+        }
+    }
+
+    private Problem leftOut(int index, String reason) {
+        complaints.warn("body or command " + index + " of a step is left out: " + reason);
+        return Problem.of(index, reason);
+    }
+
+    private Problem notStepped(String reason) {
+        complaints.warn("a step moves nothing: " + reason);
+        return Problem.of(0, reason);
     }
 
     /** The width of a beam in degrees; cached, since most beams are as wide as the last. */

@@ -30,6 +30,13 @@ import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.Velocity;
 
 /** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
 final class AllowedClasses {
@@ -86,6 +93,20 @@ final class AllowedClasses {
             int[].class,
             byte[].class);
 
+    /** Steps of bodies, and their answers. */
+    private static final Set<Class<?>> STEPS = Set.of(
+            StepBundle.class,
+            StepBundle.Answer.class,
+            BodyRequest.class,
+            SurfaceSettings.class,
+            DriveSettings.class,
+            DriveSettings.Kind.class,
+            DriveCommand.class,
+            BodyAnswer.class,
+            Velocity.class,
+            ContactAnswer.class,
+            ContactAnswer.Phase.class);
+
     private static final Set<Class<?>> MADE = Set.of(
             BoxObject.class,
             CylinderObject.class,
@@ -106,7 +127,7 @@ final class AllowedClasses {
 
     AllowedClasses(Set<Class<?>> translated) {
         for (Set<Class<?>> some :
-                List.of(BUNDLES, VALUES, BATCHES, SerialForms.classes(), Material.serialClasses(), translated)) {
+                List.of(BUNDLES, VALUES, BATCHES, STEPS, SerialForms.classes(), Material.serialClasses(), translated)) {
             for (Class<?> type : some) {
                 named.put(type.getName(), type);
             }

@@ -19,4 +19,9 @@ public record BatchAnswerBundle(List<BatchAnswer> answers) implements Bundle {
     public BatchAnswerBundle {
         answers = Checks.copy("answers", answers, BatchAnswer.class);
     }
+
+    @Override
+    public boolean isAnswer() {
+        return true;
+    }
 }

@@ -16,6 +16,7 @@ import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.xml.SafeXml;
@@ -216,7 +217,8 @@ final class WorldHandler extends DefaultHandler {
         if (ObjectBuilder.isObject(element)) {
             GeometryObject object = builder.object(element);
             if (parent.parent == null) {
-                objects.add(new WorldObject(object, element.attribute("color"), element.sonars));
+                ObjectBody body = ObjectBuilder.body(element.motion, object);
+                objects.add(new WorldObject(object, element.attribute("color"), element.sonars, body));
             } else {
                 parent.members.add(object);
             }
@@ -225,6 +227,7 @@ final class WorldHandler extends DefaultHandler {
         switch (element.name) {
             case "bounds" -> parent.bounds = element.members.get(0);
             case "sonar" -> parent.sonars.add(builder.sonar(element));
+            case "body", "drive" -> parent.motion = element;
             case "material" -> builder.materials.define(element);
             case "checker", "stripes", "image" -> parent.texture = builder.materials.texture(element);
             case "uv" -> parent.uv = element.uv;

@@ -223,7 +223,7 @@ final class JsonMessages {
         return new Reply(new MoveBundle(moves), problems);
     }
 
-    private Problem problem() throws IOException {
+    Problem problem() throws IOException {
         int index = 0;
         String reason = "";
         JsonMembers members = in.object(REFUSED);

@@ -32,6 +32,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
 
 /** The published schema and the codec accept the same messages, but for what a schema cannot say. */
@@ -75,7 +76,10 @@ class JsonSchemaTest {
             "rgb must have",
             "pixels together",
             "rays for pictures",
-            "beams together");
+            "beams together",
+            "slidingFriction must be at most",
+            "must be left out for a drive",
+            "maxTurn of a car");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -110,6 +114,7 @@ class JsonSchemaTest {
         lines.add(JsonLines.write(BatchSamples.frames().get(0)));
         lines.add(JsonLines.write(BatchSamples.pictures().get(0)));
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
+        StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         return lines;
     }
 
@@ -119,6 +124,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(BatchSamples.frames().get(1))),
                 JsonLines.write(new Reply(BatchSamples.pictures().get(1))),
                 JsonLines.write(new Reply(made)),
+                JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
                         new DistanceBundle(List.of(0.0, 1.5, Double.POSITIVE_INFINITY, Double.NaN)),
