@@ -13,10 +13,24 @@ import robosim.geometry.world.rosmap.MapWalls;
  * @param scale      world units per unit of a mesh file; above 0
  * @param up         which axis of a mesh file points up
  * @param models     folders whose subfolders are models, for SDFormat's {@code model://}
+ * @param unknown    what the cells of a ROS map are of which it knows nothing
+ * @param isMapCentred whether the world of a ROS map is centred at the middle of its image, and so as large as the image,
+ *     instead of at the origin of the map's frame
  */
-public record ImportOptions(double wallHeight, double scale, Up up, List<Path> models) {
+public record ImportOptions(
+        double wallHeight, double scale, Up up, List<Path> models, Unknown unknown, boolean isMapCentred) {
     /** Walls as high as a door, meshes unscaled, no model folders. */
     public static final ImportOptions DEFAULT = new ImportOptions(MapWalls.HEIGHT, 1, Up.Y, List.of());
+
+    /** What cells are of which a map knows nothing. */
+    public enum Unknown {
+        /** A robot may drive there, and rays pass through. */
+        FREE,
+        /** Walls as all others. */
+        OCCUPIED,
+        /** Walls too, but of an object of their own, {@code unknown part of the map}. */
+        EDGE
+    }
 
     /** An axis of a mesh file. */
     public enum Up {
@@ -32,11 +46,27 @@ public record ImportOptions(double wallHeight, double scale, Up up, List<Path> m
         }
         MeshFiles.checkScale(scale);
         Checks.present("up", up);
+        Checks.present("unknown", unknown);
         models = Checks.list("models", models);
+    }
+
+    /** Options with unknown cells free, and maps where their frame has them. */
+    public ImportOptions(double wallHeight, double scale, Up up, List<Path> models) {
+        this(wallHeight, scale, up, models, Unknown.FREE, false);
     }
 
     /** These options with other model folders. */
     public ImportOptions withModels(List<Path> folders) {
-        return new ImportOptions(wallHeight, scale, up, folders);
+        return new ImportOptions(wallHeight, scale, up, folders, unknown, isMapCentred);
+    }
+
+    /** These options with unknown cells of another kind. */
+    public ImportOptions withUnknown(Unknown cells) {
+        return new ImportOptions(wallHeight, scale, up, models, cells, isMapCentred);
+    }
+
+    /** These options with the middle of a map's image, or the origin of its frame, at the centre of the world. */
+    public ImportOptions withMapCentred(boolean isCentred) {
+        return new ImportOptions(wallHeight, scale, up, models, unknown, isCentred);
     }
 }

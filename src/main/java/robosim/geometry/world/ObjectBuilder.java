@@ -43,8 +43,10 @@ final class ObjectBuilder {
     private final Map<MeshKey, MeshObject> files = new HashMap<>();
     private final Map<MeshObject, MeshObject> meshes = new HashMap<>();
 
-    /** The number of cells of all grids so far. */
+    /** The number of cells of all grids so far that are spelled out, and of those of included files. */
     private long cells;
+
+    private long includedCells;
 
     private record MeshKey(
             Path file,
@@ -129,7 +131,7 @@ final class ObjectBuilder {
             default -> mesh(element);
         };
         Material material = materials.of(element);
-        GeometryObject placed = tagged(element, shape.at(pose(element)));
+        GeometryObject placed = tagged(element, shape.at(pose(element, "center")));
         return material == null ? placed : placed.withMaterial(material);
     }
 
@@ -155,8 +157,9 @@ final class ObjectBuilder {
         return moveable ? object.moveable(name) : object.named(name);
     }
 
-    private Pose pose(Element element) {
-        Point center = center(element);
+    /** @param place the attribute with its point */
+    Pose pose(Element element, String place) {
+        Point center = point(element, place);
         String heading = element.attribute("heading");
         String turned = element.attribute("turned");
         String rotation = element.attribute("rotation");
@@ -182,9 +185,9 @@ final class ObjectBuilder {
         return Pose.of(center, attitude, 0);
     }
 
-    private Point center(Element element) {
-        String[] parts = Numbers.words(element.attribute("center", "0 0 0"));
-        return named("center", () -> {
+    private Point point(Element element, String attribute) {
+        String[] parts = Numbers.words(element.attribute(attribute, "0 0 0"));
+        return named(attribute, () -> {
             Unit unit = unit(element);
             return new Point(Unit.length(parts[0], unit), Unit.length(parts[1], unit), Unit.length(parts[2], unit));
         });
@@ -309,6 +312,17 @@ final class ObjectBuilder {
                 throw e;
             }
             throw new FileProblem(source, element.text.line(), element.text.column(), "<grid>: " + e.getMessage(), e);
+        }
+    }
+
+    /** Counts the cells of a grid of an included file. */
+    void countCells(GeometryObject object) {
+        if (object instanceof GridObject grid) {
+            includedCells += (long) grid.columns() * grid.rows();
+            if (includedCells > Limits.MAX_MAP_CELLS) {
+                throw new IllegalArgumentException("included grids must have at most " + Limits.MAX_MAP_CELLS
+                        + " cells together (got: " + includedCells + ")");
+            }
         }
     }
 

@@ -1,16 +1,16 @@
 package robosim.geometry.world;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.stream.Stream;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.world.rosmap.MapFiles;
 import robosim.geometry.world.rosmap.MapSettings;
 import robosim.geometry.world.rosmap.MapWalls;
@@ -28,8 +28,9 @@ import robosim.geometry.world.shared.FileProblem;
  * the origin of the map's frame, is as high as its walls, and extends one cell beyond its contents on all sides. These
  * are the whole image, free cells included, and its edges. Yaw is a heading.
  *
- * <p>The map ends where its image does: four more walls, one cell thick, stand along its edges outside the image, so
- * that no robot that starts in the map leaves it, and no ray. They are named {@code left}, {@code right}, {@code upper}
+ * <p>The map ends where its image does: four more walls stand along its edges outside the image, so that no robot that
+ * starts in the map leaves it, and no ray. They fill the world, unless the image stands at an angle to it: then they are one
+ * cell thick. They are named {@code left}, {@code right}, {@code upper}
  * and {@code lower edge of the map} and can be removed with {@code removeObject}.
  *
  * <p>In modes trinary and scale a cell is a wall if ROS gives it the value 100; in mode raw if its value is above 100
@@ -59,26 +60,38 @@ public final class RosMapReader {
      * @throws WorldException naming file and line, if the map or its image cannot be read
      */
     public static World read(Path yaml, double height) throws WorldException {
-        return readImport(yaml, height).world();
-    }
-
-    /** Reads a map, with a report of what was read. */
-    static WorldImport readImport(Path yaml, double height) throws WorldException {
         Checks.present("yaml", yaml);
         if (!(height > 0 && height <= 0x1p100)) {
             throw new IllegalArgumentException("height must be above 0 and at most 2^100 (got: " + height + ")");
         }
+        ImportOptions usual = ImportOptions.DEFAULT;
+        return readImport(yaml, new ImportOptions(height, usual.scale(), usual.up(), usual.models()))
+                .world();
+    }
+
+    /** Reads a map, with a report of what was read. */
+    static WorldImport readImport(Path yaml, ImportOptions options) throws WorldException {
         try {
             MapSettings settings = MapFiles.settings(yaml);
-            OccupancyGrid grid = MapFiles.grid(yaml, settings);
-            MapWalls map = new MapWalls(settings, grid, height);
+            List<String> remarks = new ArrayList<>(settings.remarks());
+            OccupancyGrid grid = MapFiles.grid(yaml, settings, remarks);
+            int unknown = grid.unknown();
+            if (options.unknown() == ImportOptions.Unknown.OCCUPIED) {
+                grid.occupied.or(grid.unknown);
+            }
+            double height = options.wallHeight();
+            MapWalls map = new MapWalls(settings, grid, height, options.isMapCentred());
             double width = 2 * map.extent(0);
             double length = 2 * map.extent(2);
-            Optional<GridObject> walls = map.walls();
             List<BoxObject> edges = map.edges();
-            List<WorldObject> objects = Stream.<GeometryObject>concat(walls.stream(), edges.stream())
-                    .map(WorldObject::new)
-                    .toList();
+            List<GeometryObject> all = new ArrayList<>();
+            map.walls().ifPresent(all::add);
+            if (options.unknown() == ImportOptions.Unknown.EDGE) {
+                map.unknown().ifPresent(all::add);
+            }
+            all.addAll(edges);
+            List<WorldObject> objects = all.stream().map(WorldObject::new).toList();
+            addRemarks(yaml, settings, map, options, remarks);
             World world = new World(width, height, length, Unit.METRE, Dimension.SPATIAL, Accuracy.EXACT, objects);
             return new WorldImport(
                     world,
@@ -88,11 +101,13 @@ public final class RosMapReader {
                             grid.width * grid.height,
                             "occupied cell",
                             grid.occupied.cardinality(),
+                            "unknown cell",
+                            unknown,
                             "edge",
                             edges.size()),
                     Map.of(),
                     List.of(),
-                    remarks(yaml, settings));
+                    remarks);
         } catch (FileProblem e) {
             throw new WorldException(e);
         } catch (IllegalArgumentException e) {
@@ -100,13 +115,18 @@ public final class RosMapReader {
         }
     }
 
-    private static List<String> remarks(Path yaml, MapSettings settings) {
-        if (!(settings.free() > settings.occupied())) {
-            return List.of();
+    private static void addRemarks(
+            Path yaml, MapSettings settings, MapWalls map, ImportOptions options, List<String> remarks) {
+        if (settings.free() > settings.occupied()) {
+            remarks.add(yaml + ":" + settings.freeLine() + ": free_thresh should be at most occupied_thresh, "
+                    + settings.occupied()
+                    + "; as in the map server of ROS 2, each cell above occupied_thresh is a wall and no"
+                    + " cell is unknown (got: " + settings.free() + ")");
         }
-        return List.of(yaml + ":" + settings.freeLine() + ": free_thresh should be at most occupied_thresh, "
-                + settings.occupied()
-                + "; as in the map server of ROS 2, each cell above occupied_thresh is a wall and no"
-                + " cell is unknown (got: " + settings.free() + ")");
+        if (options.isMapCentred()) {
+            Point origin = map.origin();
+            remarks.add(yaml + ": the middle of the image is the world's centre; the origin of the map's frame is at X "
+                    + origin.x() + ", Z " + origin.z());
+        }
     }
 }

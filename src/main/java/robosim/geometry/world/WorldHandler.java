@@ -16,9 +16,11 @@ import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.Placement;
 import robosim.geometry.world.xml.SafeXml;
 
 /**
@@ -30,6 +32,8 @@ final class WorldHandler extends DefaultHandler {
     private final ValidatorHandler validator;
     private final ObjectBuilder builder;
     private final @Nullable List<FileProblem> problems;
+    private final @Nullable Path base;
+    private final XmlWorld reader;
     private final Map<String, Integer> linesOfNames = new HashMap<>();
     private final List<WorldObject> objects = new ArrayList<>();
 
@@ -44,9 +48,17 @@ final class WorldHandler extends DefaultHandler {
      * A handler of one file.
      *
      * @param problems receives the problems, and reading continues; null to throw the first one
+     * @param reader   reads the files that it includes
      */
-    WorldHandler(String source, @Nullable Path base, ValidatorHandler validator, @Nullable List<FileProblem> problems) {
+    WorldHandler(
+            String source,
+            @Nullable Path base,
+            ValidatorHandler validator,
+            @Nullable List<FileProblem> problems,
+            XmlWorld reader) {
         this.source = source;
+        this.base = base;
+        this.reader = reader;
         this.problems = problems;
         this.builder = new ObjectBuilder(source, base);
         this.validator = validator;
@@ -224,6 +236,10 @@ final class WorldHandler extends DefaultHandler {
             }
             return;
         }
+        if (element.name.equals("include")) {
+            include(element);
+            return;
+        }
         switch (element.name) {
             case "bounds" -> parent.bounds = element.members.get(0);
             case "sonar" -> parent.sonars.add(builder.sonar(element));
@@ -235,6 +251,38 @@ final class WorldHandler extends DefaultHandler {
             case "vertices" -> parent.vertices.addAll(element.vertices);
             default -> parent.faces.addAll(element.faces);
         }
+    }
+
+    /** Adds the objects of another file. */
+    private void include(Element element) throws FileProblem {
+        List<WorldObject> included =
+                reader.include(element, base, Placement.of(builder.pose(element, "at")), builder.unit(element));
+        for (WorldObject each : included) {
+            count += members(each.object());
+            builder.countCells(each.object());
+            if (count > Limits.MAX_OBJECTS) {
+                throw new IllegalArgumentException(
+                        "a world must have at most " + Limits.MAX_OBJECTS + " objects, included ones too (got: more)");
+            }
+            String name = each.object().name();
+            Integer earlier = name == null ? null : linesOfNames.putIfAbsent(name, element.line);
+            if (earlier != null) {
+                throw new IllegalArgumentException(
+                        "names must be unique in a world, and one of the file is also in line " + earlier
+                                + "; give a prefix (got twice: " + name + ")");
+            }
+        }
+        objects.addAll(included);
+    }
+
+    private static int members(GeometryObject object) {
+        int count = 1;
+        if (object instanceof ObjectGroup group) {
+            for (GeometryObject member : group.members()) {
+                count += members(member);
+            }
+        }
+        return count;
     }
 
     // Errors of the parser: not well-formed, or beyond its limits.

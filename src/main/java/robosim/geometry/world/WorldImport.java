@@ -149,12 +149,10 @@ public record WorldImport(
             case "obj" -> mesh(file, "Wavefront OBJ", options);
             case "stl" -> mesh(file, "STL", options);
             case "dae" -> mesh(file, "COLLADA", options);
-            case "yaml", "yml" -> RosMapReader.readImport(file, options.wallHeight());
+            case "yaml", "yml" -> RosMapReader.readImport(file, options);
             default -> {
                 try {
-                    World world = XmlWorld.read(file);
-                    yield new WorldImport(
-                            world, "world", Map.of("object", world.objects().size()));
+                    yield XmlWorld.read(file, options);
                 } catch (FileProblem e) {
                     throw new WorldException(e);
                 }

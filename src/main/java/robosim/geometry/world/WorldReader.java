@@ -93,7 +93,7 @@ public final class WorldReader {
         } catch (WorldException first) {
             List<FileProblem> problems;
             try {
-                problems = XmlWorld.problems(file);
+                problems = XmlWorld.problems(file, options);
             } catch (IOException e) {
                 return List.of(first);
             }

@@ -4,52 +4,240 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import javax.xml.XMLConstants;
 import javax.xml.validation.Schema;
 import javax.xml.validation.SchemaFactory;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.SAXException;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.Placement;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
 
-/** The module's own format: how its files are opened, checked against the schema and read. */
+/**
+ * The module's own format: how its files are opened, checked against the schema and read, with the files that they
+ * include, each of which is read once.
+ */
 final class XmlWorld {
-    private XmlWorld() {}
+    /** The folders in whose trees included files lie: that of the world that is read, and those of models. */
+    private final List<Path> folders = new ArrayList<>();
 
-    static World read(Path file) throws FileProblem {
+    private final ImportOptions options;
+
+    /** The files that are being read, each of which includes the next, as they are named to users. */
+    private final Map<Path, String> open = new LinkedHashMap<>();
+
+    private final Map<Path, WorldImport> known = new HashMap<>();
+    private final Set<Skipped> skipped = new LinkedHashSet<>();
+    private final Set<String> remarks = new LinkedHashSet<>();
+    private final Map<String, Integer> read = new HashMap<>();
+    private long bytes;
+
+    private XmlWorld(@Nullable Path base, ImportOptions options) {
+        this.options = options;
+        if (base != null) {
+            folders.add(base);
+        }
+        folders.addAll(options.models());
+    }
+
+    static WorldImport read(Path file, ImportOptions options) throws FileProblem {
         try (InputStream in = RegularFile.open(file)) {
-            return read(in, file.toString(), file.toAbsolutePath().getParent());
+            Path base = file.toAbsolutePath().getParent();
+            XmlWorld reader = new XmlWorld(base, options);
+            reader.open.put(file.toRealPath(), String.valueOf(file.getFileName()));
+            World world = reader.parse(in, file.toString(), base, null).world();
+            reader.read.put("object", world.objects().size());
+            return new WorldImport(
+                    world, "world", reader.read, Map.of(), List.copyOf(reader.skipped), List.copyOf(reader.remarks));
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);
         }
     }
 
     static World read(InputStream in, String source, @Nullable Path base) throws FileProblem {
-        return parse(in, source, base, null).world();
+        return new XmlWorld(base, ImportOptions.DEFAULT)
+                .parse(in, source, base, null)
+                .world();
     }
 
     /** All problems of a file, as far as it can be read; fails if it cannot be opened. */
-    static List<FileProblem> problems(Path file) throws IOException {
+    static List<FileProblem> problems(Path file, ImportOptions options) throws IOException {
         List<FileProblem> problems = new ArrayList<>();
         try (InputStream in = RegularFile.open(file)) {
-            parse(in, file.toString(), file.toAbsolutePath().getParent(), problems);
+            Path base = file.toAbsolutePath().getParent();
+            XmlWorld reader = new XmlWorld(base, options);
+            reader.open.put(file.toRealPath(), String.valueOf(file.getFileName()));
+            reader.parse(in, file.toString(), base, problems);
         } catch (FileProblem last) {
             problems.add(last);
         }
         return problems;
     }
 
-    private static WorldHandler parse(
-            InputStream in, String source, @Nullable Path base, @Nullable List<FileProblem> problems)
+    /**
+     * The objects of a file that an element names, where the element puts them.
+     *
+     * @param base the folder of the file with the element; null if it has none
+     * @throws IllegalArgumentException saying what is wrong with the element or with that file
+     */
+    List<WorldObject> include(Element element, @Nullable Path base, Placement place, @Nullable Unit unit)
+            throws FileProblem {
+        WorldImport included = included(locate(element.attribute("file", ""), base));
+        Unit other = included.world().unit();
+        if (unit != null && other != null && unit != other) {
+            throw new IllegalArgumentException("an included file must have the unit of the world, " + unit.symbol()
+                    + "; convert one of them (got: " + other.symbol() + ")");
+        }
+        String prefix = element.attribute("prefix");
+        List<WorldObject> objects = new ArrayList<>(included.world().objects().size());
+        for (WorldObject each : included.world().objects()) {
+            objects.add(placed(each, place, prefix == null ? "" : prefix));
+        }
+        return objects;
+    }
+
+    private static WorldObject placed(WorldObject given, Placement place, String prefix) {
+        GeometryObject object = given.object();
+        String name = object.name();
+        Point origin = place.origin();
+        if (!(place.isShift() && origin.equals(new Point()))) {
+            object = place.isShift()
+                    ? object.movedTo(new Point(
+                            object.center().x() + origin.x(),
+                            object.center().y() + origin.y(),
+                            object.center().z() + origin.z()))
+                    : object.at(place.then(Placement.of(object.pose())).pose());
+        }
+        if (name != null && !prefix.isEmpty()) {
+            object = object.isMoveable() ? object.moveable(prefix + name) : object.named(prefix + name);
+        }
+        return new WorldObject(object, given.color(), given.sonars());
+    }
+
+    /** A file that exists and lies in the tree of one of the folders, also after following links. */
+    private Path locate(String file, @Nullable Path base) throws FileProblem {
+        if (base == null) {
+            throw new IllegalArgumentException(
+                    "a world from a stream without a folder cannot include files (got: " + file + ")");
+        }
+        try {
+            if (file.indexOf('\\') >= 0 || Path.of(file).isAbsolute()) {
+                throw outside(file);
+            }
+            int scheme = file.indexOf("://");
+            List<Path> candidates = new ArrayList<>();
+            if (scheme < 0) {
+                candidates.add(base.resolve(file).normalize());
+            }
+            for (Path folder : folders) {
+                candidates.add(folder.resolve(scheme < 0 ? file : file.substring(scheme + 3))
+                        .normalize());
+            }
+            for (Path candidate : candidates) {
+                if (Files.exists(candidate)) {
+                    return within(candidate.toRealPath(), file);
+                }
+            }
+            throw new IllegalArgumentException("there is no such file in " + base
+                    + (options.models().isEmpty() ? "" : ", nor below a folder of models")
+                    + "; check the path (got: " + file + ")");
+        } catch (InvalidPathException e) {
+            throw new IllegalArgumentException("file must be a path (got: " + file + ")", e);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(base.resolve(file), e);
+        }
+    }
+
+    private Path within(Path real, String file) throws IOException {
+        for (Path folder : folders) {
+            if (real.startsWith(folder.toRealPath())) {
+                return real;
+            }
+        }
+        throw outside(file);
+    }
+
+    private static IllegalArgumentException outside(String file) {
+        return new IllegalArgumentException("file must be a path with / relative to the world file's folder, and lie"
+                + " below the folder of the world that is read, or below one of models (got: " + file + ")");
+    }
+
+    private WorldImport included(Path real) throws FileProblem {
+        WorldImport before = known.get(real);
+        if (before != null) {
+            return before;
+        }
+        String name = shown(real);
+        if (open.containsKey(real)) {
+            throw new IllegalArgumentException("a world must not include itself; remove one of these (got: "
+                    + String.join(", which includes ", open.values()) + ", which includes " + name + ")");
+        }
+        if (open.size() > Limits.MAX_GROUPS) {
+            throw new IllegalArgumentException(
+                    "files must be included at most " + Limits.MAX_GROUPS + " deep (got: one more)");
+        }
+        WorldImport made;
+        open.put(real, name);
+        try {
+            bytes += Files.isRegularFile(real) ? Files.size(real) : 0;
+            if (bytes > Limits.MAX_INCLUDED_BYTES) {
+                throw new IllegalArgumentException("all included files must have at most " + Limits.MAX_INCLUDED_BYTES
+                        + " bytes together (got: more, with " + name + ")");
+            }
+            made = name.toLowerCase(Locale.ROOT).endsWith(".xml")
+                    ? nested(real, name)
+                    : WorldImport.read(real, options.withModels(folders));
+        } catch (WorldException | FileProblem e) {
+            throw new IllegalArgumentException(String.valueOf(e.getMessage()), e);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(real, e);
+        } finally {
+            open.remove(real);
+        }
+        known.put(real, made);
+        skipped.addAll(made.skipped());
+        remarks.addAll(made.remarks());
+        read.merge("included " + made.format(), 1, Integer::sum);
+        return made;
+    }
+
+    /** A file's path as it is told to users: relative to the world that is read, if it lies below its folder. */
+    private String shown(Path real) throws FileProblem {
+        try {
+            Path first = folders.get(0).toRealPath();
+            return real.startsWith(first) ? first.relativize(real).toString() : real.toString();
+        } catch (IOException e) {
+            throw FileProblem.unreadable(folders.get(0), e);
+        }
+    }
+
+    private WorldImport nested(Path file, String name) throws IOException {
+        try (InputStream in = RegularFile.open(file)) {
+            World world = parse(in, name, file.getParent(), null).world();
+            return new WorldImport(world, "world", Map.of());
+        }
+    }
+
+    private WorldHandler parse(InputStream in, String source, @Nullable Path base, @Nullable List<FileProblem> problems)
             throws FileProblem {
         ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
-        WorldHandler handler = new WorldHandler(source, base, validator, problems);
+        WorldHandler handler = new WorldHandler(source, base, validator, problems, this);
         try {
             validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
             SafeXml.parse(new BufferedInputStream(in), source, handler);

@@ -83,20 +83,117 @@ class RosMapReaderTest {
                         new WorldObject(
                                 new GridObject(new Point(0, 0, 1.25), 0.5, 3, 4, 3, BitSet.valueOf(new byte[] {3, 8}))
                                         .named("map")),
-                        // The image, from -1 to 1 and from 0.5 to 2, has a cell of wall around it.
+                        // Around the image, from -1 to 1 and from 0.5 to 2, all is wall to half a cell from the border.
                         new WorldObject(
-                                new BoxObject(new Point(-1.25, 0, 1.25), 0.5, 3, 1.5).named("left edge of the map")),
+                                new BoxObject(new Point(-1.375, 0, 1.25), 0.75, 3, 1.5).named("left edge of the map")),
                         new WorldObject(
-                                new BoxObject(new Point(1.25, 0, 1.25), 0.5, 3, 1.5).named("right edge of the map")),
-                        new WorldObject(new BoxObject(new Point(0, 0, 0.25), 3, 3, 0.5).named("upper edge of the map")),
+                                new BoxObject(new Point(1.375, 0, 1.25), 0.75, 3, 1.5).named("right edge of the map")),
                         new WorldObject(
-                                new BoxObject(new Point(0, 0, 2.25), 3, 3, 0.5).named("lower edge of the map")));
+                                new BoxObject(new Point(0, 0, -1.125), 3.5, 3, 3.25).named("upper edge of the map")),
+                        new WorldObject(
+                                new BoxObject(new Point(0, 0, 2.375), 3.5, 3, 0.75).named("lower edge of the map")));
         assertThat(world.unit()).isEqualTo(Unit.METRE);
         assertThat(new double[] {world.width(), world.height(), world.length()}).containsExactly(4, 3, 6);
         GridObject walls = (GridObject) world.objects().get(0).object();
         assertThat(walls.box(1, 0)).isEqualTo(new BoxObject(new Point(-0.25, 0, 0.75), 0.5, 3, 0.5));
         assertThat(walls.box(3, 2)).isEqualTo(new BoxObject(new Point(0.75, 0, 1.75), 0.5, 3, 0.5));
         assertThat(world.toGeometry().objects()).hasSize(5);
+    }
+
+    /** ROS 1 writes the path that the image had where the map was made. */
+    @Test
+    void anAbsoluteImageIsFoundByItsNameAndUnknownKeysAreTold() throws IOException {
+        Path yaml = map("P2 2 1 1 0 1");
+        World plain = RosMapReader.read(yaml);
+        Files.writeString(
+                yaml, Files.readString(yaml).replace("map.img", "/home/me/maps/map.img") + "colour: [1, 2]\n");
+        WorldImport read = WorldImport.read(yaml, ImportOptions.DEFAULT);
+        assertThat(read.world()).isEqualTo(plain);
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.remarks()).hasSize(2);
+        assertThat(read.remarks().get(0))
+                .startsWith(yaml + ":8: a key should be image, ")
+                .endsWith("(got: colour)");
+        assertThat(read.remarks().get(1))
+                .startsWith(yaml + ":1: image should be a path relative to this file")
+                .endsWith("(got: /home/me/maps/map.img)");
+    }
+
+    @Test
+    void unknownCellsAreWhatIsAskedFor() throws IOException {
+        Path yaml = map("P2 4 1 255 0 205 254 205"); // a wall, unknown, free, unknown
+        ImportOptions options = ImportOptions.DEFAULT;
+        assertThat(cells(yaml, options)).isEqualTo("map:{0}");
+        assertThat(cells(yaml, options.withUnknown(ImportOptions.Unknown.OCCUPIED)))
+                .isEqualTo("map:{0, 1, 3}");
+        assertThat(cells(yaml, options.withUnknown(ImportOptions.Unknown.EDGE)))
+                .isEqualTo("map:{0} unknown part of the map:{1, 3}");
+        assertThat(WorldImport.read(yaml, options).read()).containsEntry("unknown cell", 2);
+    }
+
+    private static String cells(Path yaml, ImportOptions options) throws WorldException {
+        StringBuilder all = new StringBuilder();
+        for (WorldObject each : WorldImport.read(yaml, options).world().objects()) {
+            if (each.object() instanceof GridObject grid) {
+                all.append(' ').append(grid.name()).append(':').append(grid.occupied());
+            }
+        }
+        return all.substring(1);
+    }
+
+    /** The same map, moved so that the world is no larger than it. */
+    @Test
+    void aCentredMapIsTheMapMoved() throws IOException {
+        Path yaml = map("P2 4 3 255  0 0 254 254  254 254 254 254  254 254 254 0");
+        String text = Files.readString(yaml);
+        for (String origin : new String[] {"-1, -2, 0", "3, -8, 0", "3, -8, 0.7", "30, 20, 1.5707963267948966"}) {
+            Files.writeString(yaml, text.replace("-1, -2, 0", origin));
+            World usual = RosMapReader.read(yaml);
+            WorldImport read = WorldImport.read(yaml, ImportOptions.DEFAULT.withMapCentred(true));
+            World centred = read.world();
+            Point map = usual.objects().get(0).object().center();
+            assertThat(centred.objects().get(0).object().center()).isEqualTo(new Point());
+            assertThat(read.remarks()).singleElement().asString().contains("the origin of the map's frame is at X ");
+            String[] at = read.remarks().get(0).split("at X ")[1].split(", Z ");
+            assertThat(Double.parseDouble(at[0])).isCloseTo(-map.x(), within(1e-12));
+            assertThat(Double.parseDouble(at[1])).isCloseTo(-map.z(), within(1e-12));
+            // The image with two cells on each side, however it is turned.
+            assertThat(centred.width()).isBetween(1.5 + 2, 5.0);
+            assertThat(centred.length()).isBetween(1.5 + 2, 5.0);
+            assertThat(centred.toGeometry().objects()).hasSize(5);
+        }
+    }
+
+    /** Nowhere outside the image is there room for a robot wider than half a cell. */
+    @Test
+    void outsideTheImageNothingIsFree() throws IOException {
+        Path yaml = map("P2 9 7 1" + " 1".repeat(63));
+        String text = Files.readString(yaml);
+        SplittableRandom random = new SplittableRandom(3);
+        int inside = 0;
+        for (String yaw : new String[] {"0", "1.5707963267948966", "3.141592653589793", "-1.5707963267948966"}) {
+            Files.writeString(yaml, text.replace("-1, -2, 0", "3, -8, " + yaw));
+            World world = RosMapReader.read(yaml);
+            Geometry geometry = world.toGeometry();
+            assertThat(geometry.objects()).hasSize(4);
+            for (int k = 0; k < 1000; k++) {
+                double x = random.nextDouble(-0.5, 0.5) * (world.width() - 0.6);
+                double z = random.nextDouble(-0.5, 0.5) * (world.length() - 0.6);
+                // Back into the image: a turn about its lower left corner, which is at (3, -8) of the map.
+                double cos = StrictMath.cos(-Double.parseDouble(yaw));
+                double sin = StrictMath.sin(-Double.parseDouble(yaw));
+                double right = (x - 3) * cos - (-z + 8) * sin;
+                double up = (x - 3) * sin + (-z + 8) * cos;
+                boolean isFree = right > 0.3 && right < 4.2 && up > 0.3 && up < 3.2;
+                inside += isFree ? 1 : 0;
+                boolean isEdge = Math.abs(right - 0.3) < 1e-9 || Math.abs(up - 0.3) < 1e-9;
+                if (!isEdge) {
+                    assertThat(geometry.testObject(new SphereObject(new Point(x, 0, z), 0.3)))
+                            .isEqualTo(!isFree);
+                }
+            }
+        }
+        assertThat(inside).isBetween(40, 1000);
     }
 
     /** A robot that maps replaces what it was given. */
@@ -280,8 +377,8 @@ class RosMapReaderTest {
             delimiter = '|',
             value = {
                 "P3 1 1 1 0|1|P2 or P5 must come next (got: P3)",
-                "P2;# size;0 5 255|3|the width must be a whole number from 1 to 16777216 (got: 0)",
-                "P5 100000 100000 255;|1|an image must have 1 to 16777216 pixels (got: 100000 x 100000)",
+                "P2;# size;0 5 255|3|the width must be a whole number from 1 to 268435456 (got: 0)",
+                "P5 100000 100000 255;|1|an image must have 1 to 268435456 pixels (got: 100000 x 100000)",
                 "P5 9999999999 1 255;|1|(got: 9999999999)",
                 "P2 2 1 70000 0 0|1|the value of white must be a whole number from 1 to 65535 (got: 70000)",
                 "P2 2 1;9;0|3|a pixel must come next (got: the end of the file)",
@@ -326,7 +423,7 @@ class RosMapReaderTest {
         Path yaml = map(png, 0, "trinary");
         assertThatThrownBy(() -> RosMapReader.read(yaml))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("an image must have 1 to 16777216 pixels (got: 8323112 x 40)");
+                .hasMessageContaining("an image must have 1 to 268435456 pixels (got: 8323112 x 40)");
     }
 
     @ParameterizedTest
@@ -336,9 +433,10 @@ class RosMapReaderTest {
             value = {
                 "image: map.img|image: gone.pgm|1|there is no such image file in ",
                 "image: map.img|image: ../map.img|1|stay inside it (got: ../map.img)",
-                "image: map.img|image: /map.img|1|stay inside it (got: /map.img)",
+                "image: map.img|image: /maps/gone.pgm|1|there is no such image file in ",
+                "image: map.img|image: /maps/|1|image must be the path of a file (got: /maps/)",
                 "image: map.img|image: [a, b]|1|image must be a single value (got: a sequence)",
-                "image: map.img|picture: map.img|1|remove it (got: picture)",
+                "image: map.img|picture: map.img|0|a map must have image; add it (got: none)",
                 "image: map.img|image: map.img;image: map.img|2|a key must occur only once; remove one of them (got twice: image)",
                 "image: map.img|~~|0|a map must have image; add it (got: none)",
                 "resolution: 0.5|resolution: 0|2|resolution must be above 0 metres per cell (got: 0.0)",

@@ -16,6 +16,7 @@ import robosim.geometry.world.check.Needs;
 import robosim.geometry.world.check.Overlap;
 import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
+import robosim.geometry.world.check.StandIn;
 import robosim.geometry.world.check.WorldCheck;
 
 /** A checked world as JSON, for scripts. docs/command-line.md describes the fields. */
@@ -132,7 +133,17 @@ public final class CheckJson {
                 "proven", needs.isProven(),
                 "met", needs.met(),
                 "seed", needs.seed(),
+                "standIn", standIn(needs.standIn()),
                 "settings", needs.settings().stream().map(CheckJson::setting).toList());
+    }
+
+    private static @Nullable Map<String, @Nullable Object> standIn(@Nullable StandIn standIn) {
+        return standIn == null
+                ? null
+                : fields(
+                        "radius", standIn.body().radius(),
+                        "height", standIn.body().height(),
+                        "floor", standIn.floor());
     }
 
     private static Map<String, @Nullable Object> setting(Setting setting) {

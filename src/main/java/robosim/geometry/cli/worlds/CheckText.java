@@ -19,6 +19,7 @@ import robosim.geometry.world.check.Needs;
 import robosim.geometry.world.check.Overlap;
 import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
+import robosim.geometry.world.check.StandIn;
 import robosim.geometry.world.check.WorldCheck;
 
 /** A checked world as text for people. */
@@ -230,17 +231,31 @@ public final class CheckText {
     private void needs() {
         Needs needs = check.needs();
         Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
+        StandIn standIn = needs.standIn();
         if (check.robots().isEmpty()) {
             add(
-                    "needs",
-                    "unknown, for there is no robot: name an object and make it moveable to learn which accuracy"
-                            + " its queries need");
+                    "robot",
+                    standIn == null
+                            ? "none, and no place for one from which anything is seen; the command add puts one there"
+                            : "none; in its place a cylinder of radius %s and height %s asked, on a floor at Y %s;"
+                                    + " the command add puts a robot there",
+                    standIn == null
+                            ? new Object[0]
+                            : new Object[] {
+                                length(standIn.body().radius()),
+                                length(standIn.body().height()),
+                                length(standIn.floor())
+                            });
+        }
+        if (check.robots().isEmpty() && standIn == null) {
+            add("needs", "unknown, for there is no robot");
             return;
         }
         if (truth.isAskedEnough() && !needs.isTold()) {
             add(
                     "needs",
-                    "unknown: none of %,d places, %,d moves and %,d distances hit anything; stay with %s, %s",
+                    "unknown: only %,d of %,d places, %,d moves and %,d distances hit anything; stay with %s, %s",
+                    needs.met(),
                     truth.places(),
                     truth.moves(),
                     truth.distances(),

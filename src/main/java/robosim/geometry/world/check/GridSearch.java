@@ -26,6 +26,9 @@ final class GridSearch {
      */
     private static final double MOST = 60_000;
 
+    /** That of the first grid, which is enough where robots have room: some tenths of a second. */
+    private static final double MOST_FIRST = 3_000;
+
     /**
      * Maximum number of places and headings explored near the start, where the whole world would need too coarse a
      * step.
@@ -40,6 +43,20 @@ final class GridSearch {
 
     /** The step of a robot without extent, as a fraction of the world. */
     private static final double POINT_STEP = 1.0 / 256;
+
+    /** How far in steps a clearance is measured: farther costs more, and spares little. */
+    private static final double STEPS = 16;
+
+    /** After so many clearances it is seen whether they are worth their time: one in so many must spare moves. */
+    private static final int TRIED = 64;
+
+    private static final int LEAST_USE = 4;
+
+    /** Of the size of the world. */
+    private static final double ROUNDED = 1e-11;
+
+    /** Above 2 sin(45 / 2), in degrees. */
+    private static final double TURN_CHORD = 0.766;
 
     private final World world;
     private final Geometry geometry;
@@ -62,8 +79,18 @@ final class GridSearch {
     private final int beforeX;
     private final int beforeZ;
 
+    /** How far the body reaches from its centre, seen from above. */
+    private final double reach;
+
+    private final String work;
     private BitSet seen = new BitSet();
     private int[] queue = new int[1024];
+
+    /** By entry of the queue, a distance that the body has at least from everything there; 0 if none is known. */
+    private double[] clearances = new double[1024];
+
+    private int asked;
+    private int useful;
     private int queued;
     private double heading;
     private int places;
@@ -76,15 +103,16 @@ final class GridSearch {
     /**
      * A search of the whole world, at the finest step that is affordable.
      *
-     * @param halvings how often the first step is halved
+     * @param level 0 for a first look, of few places; then how often the desired step is halved, plus 1
      */
-    static GridSearch far(World world, Geometry geometry, GeometryObject robot, int halvings) {
+    static GridSearch far(World world, Geometry geometry, GeometryObject robot, int level) {
         double wanted = wanted(world, robot);
         int turns = turns(robot);
+        double most = level == 0 ? MOST_FIRST : MOST;
         double affordable = Math.max(
-                Math.sqrt(world.width() / MOST) * Math.sqrt(world.length()) * Math.sqrt(turns),
-                Math.max(world.width(), world.length()) / MOST * turns);
-        double step = Math.max(StrictMath.scalb(wanted, -halvings), affordable);
+                Math.sqrt(world.width() / most) * Math.sqrt(world.length()) * Math.sqrt(turns),
+                Math.max(world.width(), world.length()) / most * turns);
+        double step = Math.max(StrictMath.scalb(wanted, -Math.max(0, level - 1)), affordable);
         return new GridSearch(world, geometry, robot, step, Integer.MAX_VALUE);
     }
 
@@ -107,7 +135,12 @@ final class GridSearch {
         this.wanted = wanted(world, robot);
         this.step = step;
         this.limit = limit;
+        this.work = "the paths of " + name;
         Point c = robot.center();
+        Bounds bounds = robot.bounds();
+        reach = StrictMath.hypot(
+                Math.max(bounds.maxX() - c.x(), c.x() - bounds.minX()),
+                Math.max(bounds.maxZ() - c.z(), c.z() - bounds.minZ()));
         beforeX = steps(c.x() + world.width() / 2);
         beforeZ = steps(c.z() + world.length() / 2);
         countX = beforeX + steps(world.width() / 2 - c.x()) + 1;
@@ -207,9 +240,10 @@ final class GridSearch {
      * Runs the search.
      *
      * @param others robots that may be reached
+     * @param isOver whether it is over when all of them are reached
      * @param met    called with the index of each robot that is reached
      */
-    void run(List<GeometryObject> others, IntConsumer met, Watch watch) {
+    void run(List<GeometryObject> others, boolean isOver, IntConsumer met, Watch watch) {
         if (!geometry.addObjectUnchecked(body)) {
             throw new IllegalStateException("the robot is not within the world: " + body);
         }
@@ -218,24 +252,29 @@ final class GridSearch {
             BitSet placesSeen = new BitSet();
             BitSet missing = new BitSet();
             missing.set(0, others.size());
+            double[] diagonals =
+                    others.stream().mapToDouble(GridSearch::diagonal).toArray();
             int turned = 0;
             for (int at = 0; at < queued; at++) {
                 if (at >= limit) {
                     isWhole = false;
                     break;
                 }
-                watch.at("the paths of " + name, at, Math.min(limit, (long) countX * countZ * turns));
+                watch.at(work, at, Math.min(limit, (long) countX * countZ * turns));
                 int state = queue[at];
                 int place = state / turns;
                 if (!placesSeen.get(place)) {
                     placesSeen.set(place);
                     count(place / countZ, place % countZ);
                 }
-                meet(state, others, missing, met);
-                spread(state);
+                meet(state, others, diagonals, missing, met);
+                if (isOver && missing.isEmpty()) {
+                    break;
+                }
+                spread(at);
                 // Turns cost most, so they are tried only if no straight move leads on.
                 while (turns > 1 && at == queued - 1 && turned < queued) {
-                    turn(queue[turned++]);
+                    turn(turned++);
                 }
             }
         } finally {
@@ -254,6 +293,7 @@ final class GridSearch {
         queue = some;
         queued = kept;
         seen = new BitSet();
+        clearances = new double[0];
     }
 
     private void start() {
@@ -265,7 +305,7 @@ final class GridSearch {
         if (turns > 1 && square != heading && geometry.simpleTurn(name, square - heading)) {
             heading = square;
         }
-        enqueue((beforeX * countZ + beforeZ) * turns);
+        enqueue((beforeX * countZ + beforeZ) * turns, 0);
     }
 
     private void count(int i, int j) {
@@ -276,43 +316,93 @@ final class GridSearch {
         mostZ = Math.max(mostZ, j);
     }
 
-    private void enqueue(int state) {
+    private void enqueue(int state, double clearance) {
         seen.set(state);
         if (queued == queue.length) {
             queue = Arrays.copyOf(queue, 2 * queued);
+            clearances = Arrays.copyOf(clearances, 2 * queued);
         }
+        clearances[queued] = clearance;
         queue[queued++] = state;
     }
 
-    private void spread(int state) {
+    private void spread(int at) {
+        int state = queue[at];
         int place = state / turns;
         int i = place / countZ;
         int j = place % countZ;
-        attempt(state, i > 0, state - countZ * turns, -step, 0);
-        attempt(state, i + 1 < countX, state + countZ * turns, step, 0);
-        attempt(state, j > 0, state - turns, 0, -step);
-        attempt(state, j + 1 < countZ, state + turns, 0, step);
-    }
-
-    private void turn(int state) {
-        int turn = state % turns;
-        attemptTurn(state, state - turn + (turn + 1) % turns, TURN);
-        attemptTurn(state, state - turn + (turn + turns - 1) % turns, -TURN);
-    }
-
-    private void attempt(int from, boolean exists, int to, double dx, double dz) {
-        if (exists
-                && !seen.get(to)
-                && put(from)
-                && geometry.moveGlobal(name, new Move(dx, 0, dz, 0, 0)).allowed()) {
-            enqueue(to);
+        boolean[] open = {
+            i > 0 && !seen.get(state - countZ * turns),
+            i + 1 < countX && !seen.get(state + countZ * turns),
+            j > 0 && !seen.get(state - turns),
+            j + 1 < countZ && !seen.get(state + turns)
+        };
+        if (open[0] || open[1] || open[2] || open[3]) {
+            double clearance = clearance(at);
+            attempt(state, open[0], clearance, state - countZ * turns, -step, 0);
+            attempt(state, open[1], clearance, state + countZ * turns, step, 0);
+            attempt(state, open[2], clearance, state - turns, 0, -step);
+            attempt(state, open[3], clearance, state + turns, 0, step);
         }
     }
 
-    private void attemptTurn(int from, int to, double degrees) {
+    /**
+     * What the body has at least as a distance from everything there. No move that is shorter meets anything, so that most
+     * places of an open floor need no question; what is near something is asked for each of its moves.
+     */
+    private double clearance(int at) {
+        if (clearances[at] > step || (asked >= TRIED && useful * LEAST_USE < asked) || !put(queue[at])) {
+            return clearances[at];
+        }
+        asked++;
+        double most = STEPS * step;
+        double measured = Math.min(most, geometry.getProximity(name, most));
+        int place = queue[at] / turns;
+        double border = Math.min(
+                        world.width() / 2 - Math.abs(x(place / countZ)),
+                        world.length() / 2 - Math.abs(z(place % countZ)))
+                - reach;
+        // Far above the error of either number, which is that of a few roundings.
+        double slack = ROUNDED * (world.width() + world.height() + world.length());
+        double clearance = Math.max(0, Math.min(measured, border) - slack);
+        useful += clearance > step ? 1 : 0;
+        clearances[at] = clearance;
+        return clearance;
+    }
+
+    private void turn(int at) {
+        int state = queue[at];
+        int turn = state % turns;
+        attemptTurn(at, state - turn + (turn + 1) % turns, TURN);
+        attemptTurn(at, state - turn + (turn + turns - 1) % turns, -TURN);
+    }
+
+    private void attempt(int from, boolean isOpen, double clearance, int to, double dx, double dz) {
+        if (!isOpen) {
+            return;
+        }
+        if (clearance > step) {
+            enqueue(to, clearance - step);
+        } else if (put(from)
+                && geometry.moveGlobal(name, new Move(dx, 0, dz, 0, 0)).allowed()) {
+            enqueue(to, 0);
+        }
+    }
+
+    private void attemptTurn(int at, int to, double degrees) {
+        if (seen.get(to)) {
+            return;
+        }
+        // A point at the distance 1 from the axis moves along an arc within twice the sine of half the turn.
+        double swept = TURN_CHORD * reach;
+        if (clearances[at] > swept) {
+            enqueue(to, clearances[at] - swept);
+            return;
+        }
+        int from = queue[at];
         // Checking whether it may stand there at all is fast.
-        if (!seen.get(to) && put(to) && put(from) && geometry.simpleTurn(name, degrees)) {
-            enqueue(to);
+        if (put(to) && put(from) && geometry.simpleTurn(name, degrees)) {
+            enqueue(to, 0);
         }
     }
 
@@ -332,13 +422,13 @@ final class GridSearch {
         return free;
     }
 
-    private void meet(int state, List<GeometryObject> others, BitSet missing, IntConsumer met) {
+    private void meet(int state, List<GeometryObject> others, double[] diagonals, BitSet missing, IntConsumer met) {
         int place = state / turns;
         double x = x(place / countZ);
         double z = z(place % countZ);
         for (int k = missing.nextSetBit(0); k >= 0; k = missing.nextSetBit(k + 1)) {
             Point other = others.get(k).center();
-            double near = (diagonal + diagonal(others.get(k))) / 2 + 2 * step;
+            double near = (diagonal + diagonals[k]) / 2 + 2 * step;
             if (StrictMath.hypot(other.x() - x, other.z() - z) <= near && meets(state, others.get(k))) {
                 missing.clear(k);
                 met.accept(k);

@@ -1,6 +1,7 @@
 package robosim.geometry.world.check;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
@@ -13,12 +14,22 @@ import robosim.geometry.model.Dimension;
  * @param isProven  whether PLANAR is sufficient for all level moves and sonars: every object stands upright and reaches
  *                  the height of every robot's centre
  * @param met       number of queries that hit something: a place that is taken, a move that is refused, a sonar that
- *                  gets an echo; with none, nothing is decided
+ *                  gets an echo; with fewer than {@link Setting#MIN_ANSWERS}, nothing is decided
  * @param seed      seed of the queries
- * @param settings  the answers of each setting, PLANAR before SPATIAL and the coarsest first
+ * @param settings  the answers of each setting, PLANAR before SPATIAL and the coarsest first. One that was seen to answer
+ *                  otherwise is asked no more than the first queries
+ * @param standIn   what was asked in the place of a robot, in a world without one; null if there is a robot, or nothing
+ *                  that a stand-in could meet
  */
 public record Needs(
-        Dimension dimension, Accuracy accuracy, boolean isProven, int met, long seed, List<Setting> settings) {
+        Dimension dimension,
+        Accuracy accuracy,
+        boolean isProven,
+        int met,
+        long seed,
+        List<Setting> settings,
+        @Nullable StandIn standIn) {
+
     /** Copies the list. */
     public Needs {
         settings = List.copyOf(settings);
@@ -26,7 +37,7 @@ public record Needs(
 
     /** Whether enough queries were made, and enough of them hit something, for a decision. */
     public boolean isTold() {
-        return met > 0 && settings.stream().allMatch(Setting::isAskedEnough);
+        return met >= Setting.MIN_ANSWERS && settings.stream().allMatch(Setting::isAskedEnough);
     }
 
     /** The answers of one setting. */

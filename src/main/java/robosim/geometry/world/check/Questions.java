@@ -3,6 +3,7 @@ package robosim.geometry.world.check;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
@@ -20,7 +21,13 @@ final class Questions {
     private static final long SEED = 1;
 
     /** Number of free places from which moves and sonars are queried, over all robots. */
-    private static final int PLACES = 2000;
+    private static final int PLACES = 600;
+
+    /** That number where objects are meshes, among which a query takes up to a thousand times as long. */
+    private static final int PLACES_AMONG_MESHES = 120;
+
+    /** Free places at which all settings are queried; later only those that have answered as the truth until then. */
+    private static final int FIRST = 60;
 
     /** A robot that is a mesh is slow to move, so it gets fewer queries by this factor. */
     private static final int FEWER = 20;
@@ -28,8 +35,11 @@ final class Questions {
     /** Maximum number of places tried for each free one. */
     private static final int TRIES = 10;
 
-    /** One place tried in this many is one that the robot's search reached. */
+    /** One place tried in this many is one that the robot's search reached, and another one near a static object. */
     private static final int OF_SEARCH = 4;
+
+    /** How near, in diagonals of the robot. */
+    private static final double NEAR = 2;
 
     /** The largest length of a move, in diagonals of the robot. */
     private static final double FAR = 5;
@@ -45,8 +55,16 @@ final class Questions {
     private final Sheet truth;
     private final double slack;
 
+    /** The bounds of static objects, or of all if none is static. */
+    private final List<Bounds> obstacles;
+
+    private final @Nullable StandIn standIn;
+
     /** Number of queries whose true answer is a hit. */
     private int met;
+
+    /** Number of free places so far. */
+    private int freeSoFar;
 
     /** One setting, with its answers. */
     private static final class Sheet {
@@ -66,6 +84,10 @@ final class Questions {
             this.accuracy = accuracy;
             geometry = new Geometry(world.width(), world.height(), world.length(), dimension, accuracy);
             world.objects().forEach(object -> geometry.addObjectUnchecked(object.object()));
+        }
+
+        boolean hasFailed() {
+            return placesOtherwise + movesOtherwise + distancesOtherwise > 0;
         }
 
         Setting setting() {
@@ -97,39 +119,71 @@ final class Questions {
                 .filter(sheet -> sheet.dimension == world.dimension() && sheet.accuracy == Accuracy.EXACT)
                 .findFirst()
                 .orElseThrow();
+        standIn = world.objects().stream().anyMatch(object -> object.object().isMoveable())
+                ? null
+                : StandIn.of(world, truth.geometry);
+        obstacles = world.objects().stream()
+                .map(WorldObject::object)
+                .filter(object -> !object.isMoveable())
+                .map(GeometryObject::bounds)
+                .toList();
     }
 
-    Needs ask() {
+    /** The settings that are still queried. */
+    private List<Sheet> open() {
+        return freeSoFar < FIRST
+                ? sheets
+                : sheets.stream()
+                        .filter(sheet -> sheet == truth || !sheet.hasFailed())
+                        .toList();
+    }
+
+    /**
+     * The robots whose queries are made: a mesh takes seconds for a single move among other meshes, so it is left out where
+     * there is any other robot.
+     */
+    static List<WorldObject> asked(World world) {
         List<WorldObject> robots = world.objects().stream()
                 .filter(object -> object.object().isMoveable())
                 .toList();
-        int each = Math.max(1, PLACES / Math.max(1, robots.size()));
+        List<WorldObject> quick = robots.stream()
+                .filter(robot -> !RobotReachability.isMany(robot.object()))
+                .toList();
+        return quick.isEmpty() ? robots : quick;
+    }
+
+    Needs ask() {
+        List<WorldObject> robots = standIn == null ? asked(world) : List.of(new WorldObject(standIn.body()));
+        boolean hasMeshes = world.objects().stream().anyMatch(object -> RobotReachability.isMany(object.object()));
+        int places = hasMeshes ? PLACES_AMONG_MESHES : PLACES;
+        int each = Math.max(1, places / Math.max(1, robots.size()));
         int few = Math.max(1, each / FEWER);
         // If there are many robots, not all are used.
-        int asked = Math.min(robots.size(), PLACES);
+        int asked = Math.min(robots.size(), places);
         for (int k = 0; k < asked; k++) {
             ask(robots.get(k), RobotReachability.isMany(robots.get(k).object()) ? few : each, k, asked);
         }
-        boolean proven = !robots.isEmpty() && isProven(robots);
+        boolean proven = !robots.isEmpty() && isProven(world, robots);
         Sheet enough = sheets.stream()
                 .filter(sheet -> world.dimension() == Dimension.SPATIAL || sheet.dimension == Dimension.PLANAR)
                 .filter(sheet -> sheet.setting().isSame())
                 .findFirst()
                 .orElse(truth);
-        boolean told = truth.setting().isAskedEnough() && met > 0;
+        boolean told = truth.setting().isAskedEnough() && met >= Setting.MIN_ANSWERS;
         return new Needs(
                 told ? enough.dimension : world.dimension(),
                 told ? enough.accuracy : world.accuracy(),
                 proven,
                 met,
                 SEED,
-                sheets.stream().map(Sheet::setting).toList());
+                sheets.stream().map(Sheet::setting).toList(),
+                standIn);
     }
 
     private void ask(WorldObject robot, int count, int number, int robots) {
         GeometryObject home = robot.object();
         String name = String.valueOf(home.name());
-        GridSearch search = reachability.search(name);
+        GridSearch search = standIn == null ? reachability.search(name) : null;
         sheets.forEach(sheet -> sheet.geometry.removeObject(name));
         int free = 0;
         for (int tries = 0; free < count && tries < count * TRIES; tries++) {
@@ -138,21 +192,43 @@ final class Questions {
                     ? home
                     : tries % OF_SEARCH == 0 && search != null && search.kept() > 0
                             ? search.reached(random.nextInt(search.kept()), home)
-                            : anywhere(home);
+                            : tries % OF_SEARCH == 2 || standIn != null ? nearSomething(home) : anywhere(home);
             if (mayStand(body)) {
                 free++;
+                freeSoFar++;
                 move(body, name);
                 listen(robot, body, name);
             }
         }
-        sheets.forEach(sheet -> sheet.geometry.addObjectUnchecked(home));
+        if (standIn == null) {
+            sheets.forEach(sheet -> sheet.geometry.addObjectUnchecked(home));
+        }
+    }
+
+    /** A place within some diagonals of the robot around a static object. */
+    private GeometryObject nearSomething(GeometryObject home) {
+        if (obstacles.isEmpty()) {
+            return anywhere(home);
+        }
+        Bounds near = obstacles.get(random.nextInt(obstacles.size()));
+        double more = NEAR * GridSearch.diagonal(home);
+        return placed(
+                home,
+                within(near.minX() - more, near.maxX() + more, world.width()),
+                within(near.minZ() - more, near.maxZ() + more, world.length()));
+    }
+
+    private double within(double least, double most, double extent) {
+        double from = Math.max(least, -extent / 2);
+        return from + random.nextDouble() * Math.max(0, Math.min(most, extent / 2) - from);
     }
 
     private GeometryObject anywhere(GeometryObject home) {
-        GeometryObject body = home.movedTo(new Point(
-                (random.nextDouble() - 0.5) * world.width(),
-                home.center().y(),
-                (random.nextDouble() - 0.5) * world.length()));
+        return placed(home, (random.nextDouble() - 0.5) * world.width(), (random.nextDouble() - 0.5) * world.length());
+    }
+
+    private GeometryObject placed(GeometryObject home, double x, double z) {
+        GeometryObject body = home.movedTo(new Point(x, home.center().y(), z));
         double turn = random.nextDouble(-180, 180);
         return home.pose().isUpright() ? body.turned(0, turn) : body;
     }
@@ -168,7 +244,7 @@ final class Questions {
         truth.geometry.removeObject(name);
         boolean right = !truth.geometry.testObject(body);
         met += right ? 0 : 1;
-        for (Sheet sheet : sheets) {
+        for (Sheet sheet : open()) {
             sheet.places++;
             sheet.placesOtherwise += sheet.geometry.testObject(body) == right ? 1 : 0;
         }
@@ -181,7 +257,7 @@ final class Questions {
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);
         met += right ? 0 : 1;
-        for (Sheet sheet : sheets) {
+        for (Sheet sheet : open()) {
             sheet.moves++;
             sheet.movesOtherwise += moves(sheet, body, name, move) == right ? 0 : 1;
         }
@@ -200,7 +276,7 @@ final class Questions {
         Ray mount = ring.mount(random.nextInt(ring.count()));
         double right = hears(truth, body, name, mount, ring);
         met += Double.isFinite(right) ? 1 : 0;
-        for (Sheet sheet : sheets) {
+        for (Sheet sheet : open()) {
             double heard = hears(sheet, body, name, mount, ring);
             sheet.distances++;
             if (Double.compare(heard, right) != 0 && !(Math.abs(heard - right) <= slack)) {
@@ -231,7 +307,7 @@ final class Questions {
     }
 
     /** Whether heights cannot affect any level move or sonar. */
-    private boolean isProven(List<WorldObject> robots) {
+    private static boolean isProven(World world, List<WorldObject> robots) {
         List<Bounds> bounds = new ArrayList<>();
         for (WorldObject object : world.objects()) {
             if (!isPrism(object.object())) {

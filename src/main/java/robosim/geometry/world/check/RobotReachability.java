@@ -16,8 +16,8 @@ import robosim.geometry.world.WorldObject;
 
 /** Decides which robots of a world can reach each other, and so which are shut in, as {@link WorldCheck} defines it. */
 final class RobotReachability {
-    /** How often the step is halved. */
-    private static final int HALVINGS = 2;
+    /** The levels of searches after the first: at the desired step, and with that halved twice. */
+    private static final int LEVELS = 3;
 
     private final World world;
     private final Watch watch;
@@ -57,9 +57,9 @@ final class RobotReachability {
                 statics.addObjectUnchecked(object.object());
             }
         }
-        for (int halvings = 0; halvings <= HALVINGS; halvings++) {
-            for (int k : toSearch(halvings)) {
-                search(statics, k, halvings);
+        for (int level = 0; level <= LEVELS; level++) {
+            for (int k : toSearch(level)) {
+                search(statics, k, level);
             }
             if (isDone()) {
                 break;
@@ -93,9 +93,11 @@ final class RobotReachability {
      * out.
      */
     private void lookNear(Geometry statics) {
-        for (List<Integer> group : groups()) {
+        List<List<Integer>> groups = groups();
+        for (List<Integer> group : groups) {
             GridSearch far = largest(group);
-            if (far == null || far.isFine()) {
+            boolean isMain = groups.size() > 1 && group == groups.get(0) && !isStuck(group);
+            if (far == null || far.isFine() || isMain) {
                 continue;
             }
             int k = group.stream().min(narrowestFirst()).orElseThrow();
@@ -103,7 +105,7 @@ final class RobotReachability {
             if (near == null) {
                 continue;
             }
-            explore(near, k);
+            explore(near, k, false);
             // An unfinished search says less than the coarse one through the whole world.
             if (near.isWhole()) {
                 group.forEach(each -> searches[each] = null);
@@ -113,13 +115,15 @@ final class RobotReachability {
     }
 
     /**
-     * The robots to search for, at first all, later one of each room, in order of how well they fit through doors. A
-     * robot that has been reached by another need not search.
+     * The robots to search for, at first all, later one of each room but the main one, which a way out of another leads to,
+     * in order of how well they fit through doors. A robot that has been reached by another need not search.
      */
-    private List<Integer> toSearch(int halvings) {
+    private List<Integer> toSearch(int level) {
         Comparator<Integer> order = narrowestFirst();
-        if (halvings > 0) {
-            return groups().stream()
+        if (level > 0) {
+            List<List<Integer>> groups = groups();
+            return groups.stream()
+                    .filter(group -> group != groups.get(0) || isStuck(group))
                     .map(group -> group.stream().min(order).orElseThrow())
                     .toList();
         }
@@ -145,18 +149,24 @@ final class RobotReachability {
         };
     }
 
-    private void search(Geometry statics, int k, int halvings) {
-        GridSearch search = GridSearch.far(world, statics, robots.get(k), halvings);
+    private boolean isStuck(List<Integer> group) {
+        GridSearch largest = largest(group);
+        return largest != null && largest.places() == 1;
+    }
+
+    private void search(Geometry statics, int k, int level) {
+        GridSearch search = GridSearch.far(world, statics, robots.get(k), level);
         GridSearch last = searches[k];
         boolean coarse = last != null && search.step() >= last.step();
-        if (coarse || (halvings == 0 && hasSearched(k))) {
+        if (coarse || (level == 0 && hasSearched(k))) {
             return;
         }
         searches[k] = search;
-        explore(search, k);
+        explore(search, k, level > 0);
     }
 
-    private void explore(GridSearch search, int k) {
+    /** @param isOver whether the search ends when all others are reached */
+    private void explore(GridSearch search, int k, boolean isOver) {
         List<Integer> others = new ArrayList<>();
         for (int other = 0; other < robots.size(); other++) {
             if (leader(other) != leader(k)) {
@@ -164,7 +174,7 @@ final class RobotReachability {
             }
         }
         List<GeometryObject> wanted = others.stream().map(robots::get).toList();
-        search.run(wanted, met -> leaders[leader(others.get(met))] = leader(k), watch);
+        search.run(wanted, isOver && !wanted.isEmpty(), met -> leaders[leader(others.get(met))] = leader(k), watch);
     }
 
     private boolean hasSearched(int k) {

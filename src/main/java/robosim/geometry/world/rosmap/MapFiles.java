@@ -3,7 +3,11 @@ package robosim.geometry.world.rosmap;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
@@ -31,28 +35,57 @@ public final class MapFiles {
 
     /** The cells of the image that the settings name. */
     public static OccupancyGrid grid(Path yaml, MapSettings settings) throws FileProblem {
+        return grid(yaml, settings, new ArrayList<>());
+    }
+
+    /**
+     * The cells of the image that the settings name.
+     *
+     * @param remarks receives what a user should know
+     */
+    public static OccupancyGrid grid(Path yaml, MapSettings settings, List<String> remarks) throws FileProblem {
         Path image;
         try {
-            image = Folder.locate(yaml.toAbsolutePath().resolveSibling(""), settings.image(), "map", "image");
+            image = Folder.locate(
+                    yaml.toAbsolutePath().resolveSibling(""), name(yaml, settings, remarks), "map", "image");
         } catch (IllegalArgumentException e) {
             throw new FileProblem(yaml.toString(), settings.imageLine(), 0, String.valueOf(e.getMessage()), e);
         } catch (IOException e) {
             throw new FileProblem(yaml.toString(), settings.imageLine(), 0, "the image could not be read: " + e, e);
         }
-        byte[] bytes = bytes(image, Limits.MAX_BYTES);
+        byte[] bytes = bytes(image, Limits.MAX_IMAGE_BYTES);
         return PngReader.isPng(bytes)
                 ? PngReader.read(bytes, image.toString(), settings)
                 : PgmReader.read(bytes, image.toString(), settings);
     }
 
+    /** The image's name relative to the settings: of an absolute path, which ROS 1 writes, the last part. */
+    private static String name(Path yaml, MapSettings settings, List<String> remarks) {
+        String image = settings.image();
+        if (!image.startsWith("/")) {
+            return image;
+        }
+        String name = image.substring(image.lastIndexOf('/') + 1);
+        if (name.isEmpty()) {
+            throw new IllegalArgumentException("image must be the path of a file (got: " + image + ")");
+        }
+        remarks.add(yaml + ":" + settings.imageLine()
+                + ": image should be a path relative to this file; read is the file of that name beside this one, "
+                + name + " (got: " + image + ")");
+        return name;
+    }
+
+    /** All bytes of a file, whose size is checked before there is room for them. */
     private static byte[] bytes(Path file, long most) throws FileProblem {
         try (InputStream in = RegularFile.open(file)) {
-            byte[] bytes = in.readNBytes((int) most + 1);
-            if (bytes.length > most) {
+            long size = Files.size(file);
+            if (size > most) {
                 throw new FileProblem(
                         file.toString(), 0, 0, "the file must have at most " + most + " bytes (got: more)");
             }
-            return bytes;
+            byte[] bytes = new byte[(int) size];
+            int read = in.readNBytes(bytes, 0, bytes.length);
+            return read == bytes.length ? bytes : Arrays.copyOf(bytes, read);
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);
         }

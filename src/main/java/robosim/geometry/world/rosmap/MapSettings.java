@@ -1,5 +1,6 @@
 package robosim.geometry.world.rosmap;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -36,6 +37,7 @@ import robosim.geometry.world.shared.Numbers;
  * @param occupied   the fraction above which a cell is a wall
  * @param free       the fraction below which a cell is free, if it is not a wall
  * @param freeLine   the line of that setting
+ * @param remarks    what a user should know of the settings
  */
 public record MapSettings(
         String image,
@@ -48,7 +50,13 @@ public record MapSettings(
         Mode mode,
         double occupied,
         double free,
-        int freeLine) {
+        int freeLine,
+        List<String> remarks) {
+
+    /** Keeps a copy of the list. */
+    public MapSettings {
+        remarks = List.copyOf(remarks);
+    }
 
     /** The modes, by their ROS names. */
     enum Mode {
@@ -68,6 +76,7 @@ public record MapSettings(
     private static final class Reader {
         private final String source;
         private final Map<String, Node> values = new LinkedHashMap<>();
+        private final List<String> remarks = new ArrayList<>();
 
         Reader(String source) {
             this.source = source;
@@ -124,10 +133,12 @@ public record MapSettings(
             Node node = entry.getKeyNode();
             String key = text("a key", node);
             if (!KEYS.contains(key)) {
-                throw wrong(
-                        node,
-                        "a key must be image, resolution, origin, negate, occupied_thresh, free_thresh or mode;"
-                                + " remove it (got: " + key + ")");
+                remarks.add(wrong(
+                                node,
+                                "a key should be image, resolution, origin, negate, occupied_thresh, free_thresh or mode;"
+                                        + " this one is ignored (got: " + Numbers.shown(key) + ")")
+                        .getMessage());
+                return;
             }
             if (values.putIfAbsent(key, entry.getValueNode()) != null) {
                 throw wrong(node, "a key must occur only once; remove one of them (got twice: " + key + ")");
@@ -160,7 +171,8 @@ public record MapSettings(
                     mode,
                     occupied,
                     free,
-                    line(value("free_thresh")));
+                    line(value("free_thresh")),
+                    remarks);
         }
 
         private double[] origin() throws FileProblem {

@@ -1,5 +1,6 @@
 package robosim.geometry.world.rosmap;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import robosim.geometry.exact.Degrees;
@@ -16,6 +17,9 @@ public final class MapWalls {
     /** The name of the grid. */
     private static final String NAME = "map";
 
+    /** The name of the grid of what is unknown. */
+    private static final String UNKNOWN = "unknown part of the map";
+
     /** Cells must be far larger than the rounding of their coordinates, and not more than 2^30 of them from the origin. */
     private static final double LEAST_ULPS = 0x1p25;
 
@@ -23,38 +27,91 @@ public final class MapWalls {
     private final OccupancyGrid grid;
     private final double height;
 
-    /** @param height height of the walls in metres; above 0 */
-    public MapWalls(MapSettings settings, OccupancyGrid grid, double height) {
+    /** The point of the map's frame at the world's centre. */
+    private final double originX;
+
+    private final double originY;
+
+    /**
+     * The walls of a map.
+     *
+     * @param height    height of the walls in metres; above 0
+     * @param isCentred whether the world's centre is the middle of the image, instead of the origin of the map's frame
+     */
+    public MapWalls(MapSettings settings, OccupancyGrid grid, double height, boolean isCentred) {
         this.settings = settings;
         this.grid = grid;
         this.height = height;
+        double right = grid.width / 2.0 * settings.resolution();
+        double up = grid.height / 2.0 * settings.resolution();
+        originX = isCentred ? x(right, up) : 0;
+        originY = isCentred ? y(right, up) : 0;
+    }
+
+    /** Where the origin of the map's frame is in the world. */
+    public Point origin() {
+        return new Point(0 - originX, 0, originY);
     }
 
     /** The occupied cells; empty if there are none. */
     public Optional<GridObject> walls() {
-        if (grid.occupied.isEmpty()) {
+        return grid(grid.occupied, NAME);
+    }
+
+    /** The cells of which nothing is known; empty if there are none. */
+    public Optional<GridObject> unknown() {
+        return grid(grid.unknown, UNKNOWN);
+    }
+
+    private Optional<GridObject> grid(BitSet cells, String name) {
+        if (cells.isEmpty()) {
             return Optional.empty();
         }
         // Rows of the image, from its top, are rows of the grid, whose own Z is down in the image.
-        GridObject walls =
-                new GridObject(new Point(), settings.resolution(), height, grid.width, grid.height, grid.occupied);
+        GridObject walls = new GridObject(new Point(), settings.resolution(), height, grid.width, grid.height, cells);
         Point center = place(grid.width / 2.0 * settings.resolution(), grid.height / 2.0 * settings.resolution());
-        return Optional.of(walls.at(Pose.of(center, heading())).named(NAME));
+        return Optional.of(walls.at(Pose.of(center, heading())).named(name));
     }
 
-    /** A wall one cell thick around the image, since the map ends there although the world may not. */
+    /**
+     * Walls around the image, since the map ends there although the world may not. They fill the world to half a cell from its
+     * border, or are one cell thick if the image stands at an angle to it.
+     */
     public List<BoxObject> edges() {
         int width = grid.width;
         int rows = grid.height;
+        double left = thickness(0, rows / 2.0, -1, 0);
+        double right = thickness(width, rows / 2.0, 1, 0);
+        double upper = thickness(width / 2.0, rows, 0, 1);
+        double lower = thickness(width / 2.0, 0, 0, -1);
         return List.of(
-                edge("left", -1, 0, 0, rows),
-                edge("right", width, 0, width + 1, rows),
-                edge("upper", -1, -1, width + 1, 0),
-                edge("lower", -1, rows, width + 1, rows + 1));
+                edge("left", -left, 0, 0, rows),
+                edge("right", width, 0, width + right, rows),
+                edge("upper", -left, -upper, width + right, 0),
+                edge("lower", -left, rows, width + right, rows + lower));
+    }
+
+    /**
+     * How many cells there are from the middle of a side of the image to half a cell from the world's border.
+     *
+     * @param right that middle, in cells from the lower left corner
+     * @param outX  the direction out of the image
+     */
+    private double thickness(double right, double up, int outX, int outY) {
+        double cos = Degrees.cos(heading());
+        double sin = Degrees.sin(heading());
+        if (cos != 0 && sin != 0) {
+            return 1;
+        }
+        double x = outX * cos - outY * sin;
+        double y = outX * sin + outY * cos;
+        Point middle = place(right * settings.resolution(), up * settings.resolution());
+        double free = extent(x != 0 ? 0 : 2) - (middle.x() * x - middle.z() * y);
+        return Math.max(1, free / settings.resolution() - 0.5);
     }
 
     /** A box in the place of the cells of columns {@code [fromX, toX)} in rows {@code [fromRow, toRow)}. */
-    private BoxObject edge(String side, int fromX, int fromRow, int toX, int toRow) {
+    private BoxObject edge(String side, double fromX, double fromRow, double toX, double toRow) {
         BoxObject box = new BoxObject(
                 new Point(), (toX - fromX) * settings.resolution(), height, (toRow - fromRow) * settings.resolution());
         Point center = place(
@@ -69,11 +126,15 @@ public final class MapWalls {
 
     /** The world coordinates of a point of the image, given in metres right and up from its lower left corner. */
     private Point place(double right, double up) {
-        double cos = Degrees.cos(heading());
-        double sin = Degrees.sin(heading());
-        double x = settings.x() + (right * cos - up * sin);
-        double y = settings.y() + (right * sin + up * cos);
-        return new Point(x, 0, -y);
+        return new Point(x(right, up) - originX, 0, -(y(right, up) - originY));
+    }
+
+    private double x(double right, double up) {
+        return settings.x() + (right * Degrees.cos(heading()) - up * Degrees.sin(heading()));
+    }
+
+    private double y(double right, double up) {
+        return settings.y() + (right * Degrees.sin(heading()) + up * Degrees.cos(heading()));
     }
 
     /** How far the image with its edges extends from the origin along X (0) or Z (2), plus one cell. */

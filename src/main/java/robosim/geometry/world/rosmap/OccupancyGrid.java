@@ -16,8 +16,10 @@ public final class OccupancyGrid {
     /** The walls: cell {@code x} of row {@code row} is bit {@code row * width + x}. */
     public final BitSet occupied;
 
+    /** The cells that are neither walls nor free. */
+    public final BitSet unknown;
+
     private final MapSettings settings;
-    private int unknown;
 
     /** A grid of free cells; the size must have passed {@link #checkSize}. */
     OccupancyGrid(int width, int height, MapSettings settings) {
@@ -25,19 +27,20 @@ public final class OccupancyGrid {
         this.height = height;
         this.settings = settings;
         this.occupied = new BitSet(width * height);
+        this.unknown = new BitSet(width * height);
     }
 
     /** Refuses an image with no or too many cells, before memory is allocated. */
     static void checkSize(int width, int height) {
-        if (width < 1 || height < 1 || (long) width * height > Limits.MAX_CELLS) {
-            throw new IllegalArgumentException(
-                    "an image must have 1 to " + Limits.MAX_CELLS + " pixels (got: " + width + " x " + height + ")");
+        if (width < 1 || height < 1 || (long) width * height > Limits.MAX_MAP_CELLS) {
+            throw new IllegalArgumentException("an image must have 1 to " + Limits.MAX_MAP_CELLS + " pixels (got: "
+                    + width + " x " + height + ")");
         }
     }
 
-    /** Cells that are neither walls nor free. */
+    /** How many cells are neither walls nor free. */
     public int unknown() {
-        return unknown;
+        return unknown.cardinality();
     }
 
     /** What a cell is. */
@@ -52,7 +55,7 @@ public final class OccupancyGrid {
         if (cell == Cell.WALL) {
             occupied.set(row * width + x);
         } else if (cell == Cell.UNKNOWN) {
-            unknown++;
+            unknown.set(row * width + x);
         }
     }
 

@@ -13,8 +13,8 @@ public final class PgmReader {
     static OccupancyGrid read(byte[] bytes, String source, MapSettings settings) throws FileProblem {
         AsciiScanner words = new AsciiScanner(bytes, source, '#');
         boolean isText = words.expect("P2 or P5", "P2", "P5") == 0;
-        int width = words.digits("the width", 1, Limits.MAX_CELLS);
-        int height = words.digits("the height", 1, Limits.MAX_CELLS);
+        int width = words.digits("the width", 1, Limits.MAX_MAP_CELLS);
+        int height = words.digits("the height", 1, Limits.MAX_MAP_CELLS);
         try {
             OccupancyGrid.checkSize(width, height);
         } catch (IllegalArgumentException e) {

@@ -54,10 +54,19 @@ public final class Limits {
     public static final int MAX_NUMBERS = 20_000_000;
 
     /**
-     * Cells of one map, and of all grids of one world file, since a few characters may claim any number. A hall of 200 x
+     * Cells of all grids that one world file spells out, since a few characters may claim any number. A hall of 200 x
      * 200 m with cells of 5 cm has 16,000,000, which take 16 MB of memory.
      */
     public static final int MAX_CELLS = 1 << 24;
+
+    /**
+     * Pixels of the image of a map, and cells of all maps that one world includes, each of which takes a byte: as many as
+     * one grid may have. A town of 800 x 800 m with cells of 5 cm has 256,000,000.
+     */
+    public static final int MAX_MAP_CELLS = 1 << 28;
+
+    /** Bytes of the image of a map: two for each pixel, and a header. */
+    public static final long MAX_IMAGE_BYTES = 2L * MAX_MAP_CELLS + (64 << 10);
 
     /** Bytes of a map's settings. The longest seen has 200. */
     public static final int MAX_SETTINGS = 64 << 10;

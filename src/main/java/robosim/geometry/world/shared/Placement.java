@@ -42,6 +42,17 @@ public final class Placement {
         return new Placement(origin, rotation.clone(), false, 0, 0);
     }
 
+    /** That of an object. */
+    public static Placement of(Pose pose) {
+        double heading = pose.heading();
+        double lost = pose.lostHeading();
+        double[] attitude = Attitude.identity();
+        Attitude.setHeading(attitude, 0, heading, lost);
+        return pose.isUpright() && Pose.of(pose.center(), attitude, 0).equals(pose)
+                ? upright(pose.center(), heading, lost)
+                : turned(pose.center(), pose.rotation());
+    }
+
     /** The pose of a frame within this one, relative to the outer frame. */
     public Placement then(Placement inner) {
         Point place = apply(inner.origin);
@@ -87,6 +98,11 @@ public final class Placement {
     /** Whether this has no rotation and moves at most along the vertical. */
     public boolean isOnTheSpot() {
         return upright && heading == 0 && lost == 0 && origin.x() == 0 && origin.z() == 0;
+    }
+
+    /** Whether this only moves. */
+    public boolean isShift() {
+        return upright && heading == 0 && lost == 0;
     }
 
     public Pose pose() {

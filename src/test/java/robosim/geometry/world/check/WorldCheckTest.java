@@ -444,7 +444,7 @@ class WorldCheckTest {
         assertThat(check.rooms()).isEmpty();
         assertThat(check.isFine()).isTrue();
         assertThat(WorldCheck.of(world(Dimension.SPATIAL)).isFine()).isTrue();
-        assertThatThrownBy(() -> new Needs(Dimension.PLANAR, Accuracy.EXACT, false, 0, 1, List.of())
+        assertThatThrownBy(() -> new Needs(Dimension.PLANAR, Accuracy.EXACT, false, 0, 1, List.of(), null)
                         .setting(Dimension.PLANAR, Accuracy.EXACT))
                 .isInstanceOf(IllegalArgumentException.class);
     }

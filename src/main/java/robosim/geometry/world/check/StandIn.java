@@ -1,0 +1,180 @@
+package robosim.geometry.world.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.world.Unit;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+
+/**
+ * What stands for a robot in a world that has none: an upright cylinder on the floor of the scene.
+ *
+ * <p>The floor is one of a few heights: the world's ground, the lowest point of all objects, 0, and the surfaces that lie
+ * below some places. At each of them the stand-in is tried at the same random places; the floor is the lowest height of
+ * those at which it most often finds room with something in sight.
+ *
+ * @param body  the cylinder, a little above the floor, since what touches cannot move; moveable, and named {@value #NAME}
+ * @param floor the height of the floor, world units
+ */
+public record StandIn(CylinderObject body, double floor) {
+    /** Its name, unlike any of an object of a file. */
+    static final String NAME = "stand-in of a check";
+
+    /** Radius in metres of a robot for indoors. */
+    private static final double RADIUS = 0.2;
+
+    /** The most of the scene's smaller side that the radius may be. */
+    private static final double LARGEST = 1.0 / 20;
+
+    /** The gap below it, as a part of its height. */
+    private static final double GAP = 1.0 / 32;
+
+    private static final long SEED = 2;
+    private static final int PLACES = 100;
+    private static final int RAYS = 4;
+
+    /** Heights from which floors are looked for below a place. */
+    private static final int LEVELS = 4;
+
+    private static final int MOST_FLOORS = 12;
+
+    /**
+     * A stand-in for a world.
+     *
+     * @param geometry of the world's objects
+     * @return null where there is nothing, or no place from which anything is seen
+     */
+    static @Nullable StandIn of(World world, Geometry geometry) {
+        Bounds scene = scene(world);
+        if (scene == null) {
+            return null;
+        }
+        double side = Math.min(scene.width(), scene.length());
+        double room = Math.min(world.width(), world.length());
+        double size = side > 0 ? side : room / 4;
+        Unit unit = world.unit();
+        double radius = Math.min(size * LARGEST, unit == null ? size : RADIUS / unit.metres());
+        double height = Math.min(2 * radius, world.height() / 2);
+        StandIn best = null;
+        int most = 0;
+        for (double floor : floors(world, geometry, scene)) {
+            CylinderObject body = new CylinderObject(
+                    new Point(scene.middleX(), floor + height * (0.5 + GAP), scene.middleZ()), radius, height);
+            int found = found(geometry, scene, body);
+            if (found > most) {
+                most = found;
+                best = new StandIn(body.moveable(NAME), floor);
+            }
+        }
+        return best;
+    }
+
+    /** The bounds of all that is static, or of everything if nothing is. */
+    private static @Nullable Bounds scene(World world) {
+        Bounds all = null;
+        Bounds fixed = null;
+        for (WorldObject each : world.objects()) {
+            GeometryObject object = each.object();
+            Bounds bounds = object.bounds();
+            all = all == null ? bounds : all.and(bounds);
+            if (!object.isMoveable()) {
+                fixed = fixed == null ? bounds : fixed.and(bounds);
+            }
+        }
+        return fixed == null ? all : fixed;
+    }
+
+    /**
+     * The height of the floor of a world, for a robot that is to be put there.
+     *
+     * @return the world's ground if there is no other
+     */
+    public static double floorOf(World world) {
+        StandIn found = of(world, world.toGeometry(refused -> {}));
+        return found == null ? -world.height() / 2 : found.floor;
+    }
+
+    /** From the lowest. */
+    private static List<Double> floors(World world, Geometry geometry, Bounds scene) {
+        List<Double> floors = new ArrayList<>();
+        double ground = -world.height() / 2;
+        add(floors, ground, scene);
+        if (world.dimension() == Dimension.PLANAR) {
+            return floors; // where heights do not count
+        }
+        add(floors, scene.minY(), scene);
+        if (scene.minY() < 0 && scene.maxY() > 0) {
+            add(floors, 0, scene);
+        }
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int k = 0; k < PLACES && floors.size() < MOST_FLOORS; k++) {
+            Point from = new Point(
+                    scene.minX() + random.nextDouble() * scene.width(),
+                    scene.minY() + (1 + k % LEVELS) * (scene.maxY() - scene.minY()) / LEVELS,
+                    scene.minZ() + random.nextDouble() * scene.length());
+            if (Math.abs(from.y()) <= world.height() / 2) {
+                double down =
+                        geometry.getRayDistance(new Ray(from, new Point(0, -1, 0)), 0, Double.POSITIVE_INFINITY, 0);
+                if (down > 0 && down < Double.POSITIVE_INFINITY) {
+                    add(floors, from.y() - down, scene);
+                }
+            }
+        }
+        floors.sort(null);
+        return floors;
+    }
+
+    /** Adds a height unless it is almost one of the others. */
+    private static void add(List<Double> floors, double height, Bounds scene) {
+        double same = (scene.maxY() - scene.minY()) / 64;
+        if (floors.stream().noneMatch(other -> Math.abs(other - height) <= same)) {
+            floors.add(height);
+        }
+    }
+
+    /** At how many places it has room and sees something at its own height. */
+    private static int found(Geometry geometry, Bounds scene, CylinderObject body) {
+        SplittableRandom random = new SplittableRandom(SEED);
+        int found = 0;
+        for (int k = 0; k < PLACES; k++) {
+            Point at = new Point(
+                    scene.minX() + random.nextDouble() * scene.width(),
+                    body.center().y(),
+                    scene.minZ() + random.nextDouble() * scene.length());
+            CylinderObject there = body.movedTo(at);
+            if (!geometry.testObject(there) && isInside(geometry, there) && seesSomething(geometry, at)) {
+                found++;
+            }
+        }
+        return found;
+    }
+
+    private static boolean isInside(Geometry geometry, CylinderObject body) {
+        Bounds b = body.bounds();
+        return b.minX() >= -geometry.width() / 2
+                && b.maxX() <= geometry.width() / 2
+                && b.minY() >= -geometry.height() / 2
+                && b.maxY() <= geometry.height() / 2
+                && b.minZ() >= -geometry.length() / 2
+                && b.maxZ() <= geometry.length() / 2;
+    }
+
+    private static boolean seesSomething(Geometry geometry, Point at) {
+        for (int k = 0; k < RAYS; k++) {
+            Point way = new Point(k == 0 ? 1 : k == 1 ? -1 : 0, 0, k == 2 ? 1 : k == 3 ? -1 : 0);
+            if (Double.isFinite(geometry.getRayDistance(new Ray(at, way), 0, Double.POSITIVE_INFINITY, 0))) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
