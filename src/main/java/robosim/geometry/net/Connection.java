@@ -194,6 +194,7 @@ final class Connection implements Runnable {
             around.figures().carriedOut(request, reply);
             if (reply != null) {
                 channel.write(reply);
+                in.answered();
                 answers++;
                 around.figures().answered(System.nanoTime() - start);
             }
