@@ -27,6 +27,8 @@ import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
 final class AllowedClasses {
@@ -74,6 +76,17 @@ final class AllowedClasses {
             SenseAnswer.class,
             FreeAnswer.class,
             NoAnswer.class,
+            WorldRequest.Describe.class,
+            WorldRequest.Locate.class,
+            WorldRequest.Place.class,
+            WorldRequest.Add.class,
+            WorldRequest.Remove.class,
+            WorldRequest.Go.class,
+            WorldAnswer.LeftOut.class,
+            WorldAnswer.Described.class,
+            WorldAnswer.Located.class,
+            WorldAnswer.Changed.class,
+            WorldAnswer.Went.class,
             int[].class,
             byte[].class);
 

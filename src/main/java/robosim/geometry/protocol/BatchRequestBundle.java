@@ -7,8 +7,8 @@ import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
 
 /**
- * Requests with packed numbers: all beams of sensors, many poses and edges of planners; answered by a
- * {@link BatchAnswerBundle} with one answer for each request, in order.
+ * Requests of several kinds, carried out in order: all beams of sensors, many poses and edges of planners, changes of the
+ * world and questions about it; answered by a {@link BatchAnswerBundle} with one answer for each request, in order.
  *
  * @param requests what to find out
  */
@@ -18,12 +18,12 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
 
     /**
      * Refuses a list or a request that is null, and more than {@link MessageLimits#MAX_BEAMS} beams or {@link MessageLimits#MAX_POSES}
-     * poses and edges, counted in every request that refers to them.
+     * poses, edges and requests of other kinds, counted in every request that refers to them.
      */
     public BatchRequestBundle {
         requests = Checks.copy("requests", requests, BatchRequest.class);
         check("beams", beams(requests), MessageLimits.MAX_BEAMS);
-        check("poses and edges", size(requests) - beams(requests), MessageLimits.MAX_POSES);
+        check("poses, edges and requests of other kinds", size(requests) - beams(requests), MessageLimits.MAX_POSES);
     }
 
     private static void check(String what, long count, int most) {
@@ -49,7 +49,7 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
         return size;
     }
 
-    /** How many beams, poses and edges there are in all. */
+    /** How many beams, poses and edges there are in all, each request of another kind counted as one. */
     public int size() {
         return (int) size(requests);
     }

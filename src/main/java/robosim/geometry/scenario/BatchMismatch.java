@@ -10,6 +10,8 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Says where the answers to a batch differ. */
 final class BatchMismatch {
@@ -76,6 +78,9 @@ final class BatchMismatch {
     }
 
     private static String words(BatchRequest request) {
+        if (request instanceof WorldRequest) {
+            return Text.line(request.toString());
+        }
         String what =
                 request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
         return "batch of " + request.size() + " " + what + " of " + Text.quoted(request.objectName());
@@ -91,7 +96,7 @@ final class BatchMismatch {
         if (answer instanceof FreeAnswer free) {
             return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
         }
-        return "no answer";
+        return answer instanceof WorldAnswer ? Text.line(answer.toString()) : "no answer";
     }
 
     private static String normal(SenseAnswer answer, int beam) {

@@ -3,7 +3,12 @@ package robosim.geometry.protocol.json;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.MessageLimits;
@@ -15,19 +20,28 @@ import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Reads requests with packed numbers from JSON. */
 final class JsonBatches {
     private static final Fields BATCH = Fields.of("type requests", "");
-    private static final Fields REQUEST =
-            Fields.of("kind objectName", "mount pattern min max width seesCarrier normals poses edges objects motion");
+    private static final Fields REQUEST = Fields.of(
+            "kind",
+            "objectName mount pattern min max width seesCarrier normals poses edges objects motion"
+                    + " center heading object overlapping x y z rx ry");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
-            new String[] {"sense", "pattern", "mount min max width seesCarrier normals objects motion"},
-            new String[] {"poses", "poses", ""},
-            new String[] {"edges", "edges", ""});
+            new String[] {"sense", "objectName pattern", "mount min max width seesCarrier normals objects motion"},
+            new String[] {"poses", "objectName poses", ""},
+            new String[] {"edges", "objectName edges", ""},
+            new String[] {"world", "", ""},
+            new String[] {"pose", "objectName", ""},
+            new String[] {"place", "objectName center", "heading"},
+            new String[] {"add", "object", "overlapping"},
+            new String[] {"remove", "objectName", ""},
+            new String[] {"move", "objectName", "x y z rx ry"});
     private static final Fields MOTION = Fields.of("duration", "x y z ry");
-    private static final Fields MOUNT = Fields.of("place", "rotation");
+    private static final Fields MOUNT = Fields.of("place", "rotation heading");
     private static final Fields PATTERN =
             Fields.of("kind", "first step count elevations width height fieldOfView directions");
     private static final JsonKinds PATTERNS = new JsonKinds(
@@ -37,10 +51,14 @@ final class JsonBatches {
             new String[] {"pinhole", "width height fieldOfView", ""},
             new String[] {"directions", "directions", ""});
 
+    private static final int OVERLAPPING = 16;
+
     private final JsonInput in;
+    private final JsonObjects objects;
 
     JsonBatches(JsonInput in) {
         this.in = in;
+        objects = new JsonObjects(in);
     }
 
     BatchRequestBundle batch() throws IOException {
@@ -74,13 +92,24 @@ final class JsonBatches {
         private boolean objects;
         private ScanMotion motion = ScanMotion.NONE;
         private Numbers places = Numbers.NONE;
+        private Point center = new Point();
+        private double heading;
+        private @Nullable GeometryObject object;
+        private boolean overlapping;
+        private final double[] move = new double[5];
 
         private BatchRequest make() {
             return switch (kind) {
                 case 0 ->
                     new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
                 case 1 -> new FreePosesRequest(name, places);
-                default -> new FreeEdgesRequest(name, places);
+                case 2 -> new FreeEdgesRequest(name, places);
+                case 3 -> new WorldRequest.Describe();
+                case 4 -> new WorldRequest.Locate(name);
+                case 5 -> new WorldRequest.Place(name, center, heading);
+                case 6 -> new WorldRequest.Add(Checks.present("object", object), overlapping);
+                case 7 -> new WorldRequest.Remove(name);
+                default -> new WorldRequest.Go(name, move[0], move[1], move[2], move[3], move[4]);
             };
         }
     }
@@ -102,7 +131,12 @@ final class JsonBatches {
                 case 9 -> draft.places = packed(FreePosesRequest.STRIDE, MessageLimits.MAX_POSES);
                 case 10 -> draft.places = packed(FreeEdgesRequest.STRIDE, MessageLimits.MAX_POSES);
                 case 11 -> draft.objects = in.flag();
-                default -> draft.motion = motion();
+                case 12 -> draft.motion = motion();
+                case 13 -> draft.center = objects.point();
+                case 14 -> draft.heading = JsonObjects.heading(in);
+                case 15 -> draft.object = objects.one();
+                case OVERLAPPING -> draft.overlapping = in.flag();
+                default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }
         }
         REQUESTS.check(in, draft.kind, members::has);
@@ -127,11 +161,17 @@ final class JsonBatches {
         Numbers[] rotation = {Mount.CENTER.rotation()};
         var members = in.object(MOUNT);
         for (int field = members.next(); field >= 0; field = members.next()) {
-            if (field == 0) {
-                place = in.numbers(3);
-            } else {
-                rotation[0] = new Numbers(in.numbers(9));
+            switch (field) {
+                case 0 -> place = in.numbers(3);
+                case 1 -> rotation[0] = new Numbers(in.numbers(9));
+                default -> {
+                    Pose facing = Pose.of(new Point(), Degrees.toDegrees(JsonObjects.heading(in)));
+                    rotation[0] = new Numbers(facing.rotation());
+                }
             }
+        }
+        if (members.has(1) && members.has(2)) {
+            throw in.refused("heading and rotation must not both be given (got: both)");
         }
         double[] at = place;
         return in.make(() -> new Mount(new Point(at[0], at[1], at[2]), rotation[0]));
