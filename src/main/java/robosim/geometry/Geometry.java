@@ -107,6 +107,7 @@ public final class Geometry {
     private final TranslationFastPath fastPath;
     private final Slide slide;
     private final FreePlaces places;
+    private final ObjectSearch search;
     private final double[] vector = new double[6];
     private @Nullable Carrier carrier;
 
@@ -169,6 +170,7 @@ public final class Geometry {
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
         slide = new Slide(registry, motion);
         places = new FreePlaces(registry, motion, scratch);
+        search = new ObjectSearch(registry, scratch);
     }
 
     /** Extent along X in world units. */
@@ -252,6 +254,11 @@ public final class Geometry {
     /** Whether there is an object of that name. */
     public boolean hasObject(String name) {
         return objects.find(Checks.present("name", name)) >= 0;
+    }
+
+    /** Which objects are where: in the way of an addition or a placement, in a box, nearest. */
+    public ObjectSearch search() {
+        return search;
     }
 
     /** All objects at their present places, in the order in which they were added. */
@@ -663,5 +670,12 @@ public final class Geometry {
     /** Answers some edges. */
     int someEdges(String name, double[] edges, int from, int to, long[] free) {
         return places.edges(view, registry.mover(name), edges, from, to, free);
+    }
+
+    /** As in {@code SPATIAL EXACT world of 20.0 x 5.0 x 20.0 with 113 objects, 8 of them moveable}. */
+    @Override
+    public String toString() {
+        return dimension + " " + accuracy + " world of " + width + " x " + height + " x " + length + " with "
+                + objects.ids().count() + " objects, " + objects.moverCount() + " of them moveable";
     }
 }

@@ -19,6 +19,7 @@ import robosim.geometry.net.session.Motion;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
 import robosim.geometry.net.session.World;
+import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
@@ -38,6 +39,7 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /**
  * A conversation about one world at a time: takes a request bundle and returns an answer bundle or nothing. It is
@@ -74,13 +76,14 @@ public final class Session {
     private Runnable breath = () -> {};
 
     private final Batches batches = new Batches();
+    private final WorldRequests about = new WorldRequests();
 
     private @Nullable World world;
 
     /** The bodies of the world; null before the first step. */
     private @Nullable Motion motion;
 
-    private Set<String> moveable = Set.of();
+    private Set<String> moveable = new HashSet<>();
     private double radians;
     private double degrees;
 
@@ -116,7 +119,7 @@ public final class Session {
     public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
         this(options, listener, name, log, World::of);
         this.world = World.over(Checks.present("world", world));
-        moveable = new HashSet<>();
+        about.begin(world.objects().size());
         for (GeometryObject object : world.objects()) {
             String mover = object.name();
             if (object.isMoveable() && mover != null) {
@@ -211,8 +214,10 @@ public final class Session {
             made = maker.make(settings(init));
         } catch (IllegalArgumentException e) {
             complaints.warn("this world cannot be made, the previous one stays: " + reason(e));
+            about.failed(reason(e));
             return;
         }
+        about.begin(0);
         Set<String> names = new HashSet<>();
         Set<String> movers = new HashSet<>();
         int index = 0;
@@ -229,33 +234,46 @@ public final class Session {
     }
 
     private WorldSettings settings(InitBundle init) {
-        if (init.settings() != null) {
-            return init.settings();
+        WorldSettings given = init.settings() == null ? WorldSettings.NONE : init.settings();
+        if (given.isComplete()) {
+            return given;
         }
         double[] sizes = Extent.worldFor(init.objects());
-        return new WorldSettings(sizes[0], sizes[1], sizes[2], options.dimension(), options.accuracy());
+        return new WorldSettings(
+                given.width() > 0 ? given.width() : sizes[0],
+                given.height() > 0 ? given.height() : sizes[1],
+                given.length() > 0 ? given.length() : sizes[2],
+                given.dimension() == null ? options.dimension() : given.dimension(),
+                given.accuracy() == null ? options.accuracy() : given.accuracy());
     }
 
     private boolean add(World made, GeometryObject object, int index, Set<String> names) {
+        String reason = refusal(made, object, names);
         String name = object.name();
-        String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
-        if (name != null && names.contains(name)) {
-            complaints.warn(label + " was not added: an earlier object has its name");
+        if (reason != null) {
+            String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
+            complaints.warn(label + " was not added: " + reason);
+            about.leftOut(index, name, reason);
             return false;
         }
-        try {
-            if (!made.add(object)) {
-                complaints.warn(label + " was not added: it would leave the world");
-                return false;
-            }
-        } catch (IllegalArgumentException e) {
-            complaints.warn(label + " was not added: " + reason(e));
-            return false;
-        }
+        about.added();
         if (name != null) {
             names.add(name);
         }
         return true;
+    }
+
+    /** Adds an object; returns why it was not added, or null. */
+    private static @Nullable String refusal(World made, GeometryObject object, Set<String> names) {
+        String name = object.name();
+        if (name != null && names.contains(name)) {
+            return "an earlier object has its name";
+        }
+        try {
+            return made.add(object) ? null : "it would leave the world";
+        } catch (IllegalArgumentException e) {
+            return reason(e);
+        }
     }
 
     private Reply move(MoveBundle bundle) {
@@ -334,13 +352,18 @@ public final class Session {
 
     private BatchAnswer answer(BatchRequest request, int index, List<Problem> problems) {
         String name = request.objectName();
-        boolean isFree = request instanceof PictureRequest picture && !picture.isCarried();
-        if (world == null || !(isFree || moveable.contains(name))) {
+        boolean isOfMover = request instanceof WorldRequest
+                ? request instanceof WorldRequest.Place || request instanceof WorldRequest.Go
+                : !(request instanceof PictureRequest picture) || picture.isCarried();
+        if (world == null || (isOfMover && !moveable.contains(name))) {
             problems.add(unknown(name, index, "its batches have no answer"));
             return new NoAnswer();
         }
         try {
-            return batches.answer(world, request, breath);
+            Geometry geometry = world.geometry();
+            return request instanceof WorldRequest asked && geometry != null
+                    ? about.answer(geometry, asked, moveable, this::tried)
+                    : batches.answer(world, request, breath);
         } catch (IllegalArgumentException e) {
             String reason = reason(e);
             complaints.warn("a batch of object " + Text.quoted(name) + " has no answer: " + reason);
@@ -375,6 +398,15 @@ public final class Session {
         return Problem.of(0, reason);
     }
 
+    private void tried(WorldRequest.Go go, MoveResult result) {
+        listener.tried(new MoveRequest(go.objectName(), go.x(), go.y(), go.z(), go.rx(), go.ry()), result);
+    }
+
+    /** How many objects the world has. */
+    int objectCount() {
+        return about.present();
+    }
+
     /** The width of a beam in degrees; cached, since most beams are as wide as the last. */
     private double degrees(Beam beam) {
         if (beam.width() != radians) {
@@ -387,7 +419,9 @@ public final class Session {
     /** A problem that is logged and part of the reply. */
     private Problem unknown(String name, int index, String consequence) {
         String rest = world == null ? ", there is no world yet" : "";
-        Supplier<String> words = () -> "no moveable object " + Text.quoted(name) + rest;
+        Supplier<String> words = () -> name.isEmpty() && world == null
+                ? "there is no world yet"
+                : "no moveable object " + Text.quoted(name) + rest;
         complaints.warn(words.get() + ": " + consequence);
         return Problem.of(index, words); // reasons may be much larger than the bundle, so their text is not kept
     }

@@ -37,6 +37,8 @@ import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
 final class AllowedClasses {
@@ -90,6 +92,17 @@ final class AllowedClasses {
             SenseAnswer.class,
             FreeAnswer.class,
             NoAnswer.class,
+            WorldRequest.Describe.class,
+            WorldRequest.Locate.class,
+            WorldRequest.Place.class,
+            WorldRequest.Add.class,
+            WorldRequest.Remove.class,
+            WorldRequest.Go.class,
+            WorldAnswer.LeftOut.class,
+            WorldAnswer.Described.class,
+            WorldAnswer.Located.class,
+            WorldAnswer.Changed.class,
+            WorldAnswer.Went.class,
             int[].class,
             byte[].class);
 

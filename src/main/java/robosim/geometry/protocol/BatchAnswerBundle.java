@@ -9,7 +9,7 @@ import robosim.geometry.protocol.batch.NoAnswer;
 /**
  * The answer to a {@link BatchRequestBundle}.
  *
- * @param answers one for each request, in order; a {@link NoAnswer} if the request names no moveable object
+ * @param answers one for each request, in order; a {@link NoAnswer} if the request names no such object
  */
 public record BatchAnswerBundle(List<BatchAnswer> answers) implements Bundle {
     @Serial

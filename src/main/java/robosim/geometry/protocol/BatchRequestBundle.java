@@ -8,8 +8,9 @@ import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
 
 /**
- * Requests with packed numbers: all beams of sensors, many poses and edges of planners, and pictures; answered by a
- * {@link BatchAnswerBundle} with one answer for each request, in order.
+ * Requests of several kinds, carried out in order: all beams of sensors, many poses and edges of planners, pictures,
+ * changes of the world and questions about it; answered by a {@link BatchAnswerBundle} with one answer for each request, in
+ * order.
  *
  * @param requests what to find out
  */
@@ -19,7 +20,7 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
 
     /**
      * Refuses a list or a request that is null, and more than {@link MessageLimits#MAX_BEAMS} beams, {@link MessageLimits#MAX_POSES}
-     * poses and edges, {@link MessageLimits#MAX_PICTURE_PIXELS} pixels or {@link MessageLimits#MAX_PICTURE_RAYS} rays for
+     * poses, edges and requests of other kinds, {@link MessageLimits#MAX_PICTURE_PIXELS} pixels or {@link MessageLimits#MAX_PICTURE_RAYS} rays for
      * them, counted in every request that refers to them.
      */
     public BatchRequestBundle {
@@ -39,7 +40,7 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
             }
         }
         check("beams", beams, MessageLimits.MAX_BEAMS);
-        check("poses and edges", places, MessageLimits.MAX_POSES);
+        check("poses, edges and requests of other kinds", places, MessageLimits.MAX_POSES);
         check("pixels", pixels, MessageLimits.MAX_PICTURE_PIXELS);
         check(
                 "rays for pictures (pixels times samples times sources of light and one times mirrors and one)",

@@ -15,6 +15,8 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /**
  * An object stream that trusts nothing: classes are taken from a list by their exact names, and depth, references,
@@ -132,6 +134,8 @@ final class BundleInputStream extends ObjectInputStream {
     protected Object resolveObject(Object made) throws IOException {
         if (made instanceof List<?> items && !items.isEmpty() && items.get(0) instanceof GeometryObject) {
             add(sum(items));
+        } else if (made instanceof List<?> items && !items.isEmpty() && items.get(0) instanceof BatchRequest) {
+            addAdditions(items);
         } else if (made instanceof MeshObject mesh) {
             // With a material it comes a second time, as the same triangles.
             add(mesh.material().isDefault() ? partsOf(mesh) : 0);
@@ -141,6 +145,15 @@ final class BundleInputStream extends ObjectInputStream {
             groups.put(group, sum(group.members()));
         }
         return made;
+    }
+
+    /** The objects that a batch adds, counted at every reference to them. */
+    private void addAdditions(List<?> items) throws IOException {
+        long sum = 0;
+        for (Object item : items) {
+            sum += item instanceof WorldRequest.Add add ? partsOf(add.object()) : 0;
+        }
+        add(sum);
     }
 
     private long sum(List<?> items) {

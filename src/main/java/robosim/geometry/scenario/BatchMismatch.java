@@ -12,6 +12,8 @@ import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Says where the answers to a batch differ. */
 final class BatchMismatch {
@@ -94,6 +96,9 @@ final class BatchMismatch {
                     + picture.camera().height() + " pixels "
                     + (picture.isCarried() ? "by " + Text.quoted(picture.objectName()) : "in the world");
         }
+        if (request instanceof WorldRequest) {
+            return Text.line(request.toString());
+        }
         String what =
                 request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
         return "batch of " + request.size() + " " + what + " of " + Text.quoted(request.objectName());
@@ -115,7 +120,7 @@ final class BatchMismatch {
                     : "#%06x at column %d of row %d"
                             .formatted(color(picture, item), item % picture.width(), item / picture.width());
         }
-        return "no answer";
+        return answer instanceof WorldAnswer ? Text.line(answer.toString()) : "no answer";
     }
 
     private static String normal(SenseAnswer answer, int beam) {

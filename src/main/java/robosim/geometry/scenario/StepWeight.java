@@ -17,6 +17,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Estimates the memory of a step in units of some 60 bytes, the most that one object, move or distance takes. */
 final class StepWeight {
@@ -50,6 +51,7 @@ final class StepWeight {
         } else if (step.request() instanceof BatchRequestBundle batch) {
             for (BatchRequest request : batch.requests()) {
                 weight += 1 + text(request.objectName());
+                weight += request instanceof WorldRequest.Add add ? of(List.of(add.object())) : 0;
             }
             weight += batch.workBytes() / UNIT_BYTES;
         } else if (step.request() instanceof StepBundle bodies) {

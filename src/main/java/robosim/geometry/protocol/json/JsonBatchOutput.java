@@ -3,6 +3,7 @@ package robosim.geometry.protocol.json;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.List;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.batch.BatchAnswer;
@@ -19,13 +20,23 @@ import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Writes requests with packed numbers, and their answers, as JSON. */
 final class JsonBatchOutput {
     private final JsonGenerator out;
+    private final ObjectWriter objects;
 
-    JsonBatchOutput(JsonGenerator out) {
+    /** Writes an object. */
+    @FunctionalInterface
+    interface ObjectWriter {
+        void write(GeometryObject object) throws IOException;
+    }
+
+    JsonBatchOutput(JsonGenerator out, ObjectWriter objects) {
         this.out = out;
+        this.objects = objects;
     }
 
     void requests(List<BatchRequest> requests) throws IOException {
@@ -43,6 +54,8 @@ final class JsonBatchOutput {
             } else if (request instanceof PictureRequest picture) {
                 out.writeStringField("kind", "picture");
                 picture(picture);
+            } else if (request instanceof WorldRequest about) {
+                new JsonWorldOutput(out, objects).request(about);
             } else {
                 FreeEdgesRequest edges = (FreeEdgesRequest) request;
                 out.writeStringField("kind", "edges");
@@ -207,6 +220,8 @@ final class JsonBatchOutput {
             } else if (answers.get(k) instanceof FreeAnswer free) {
                 out.writeNumberField("count", free.count());
                 out.writeBinaryField("free", free.free());
+            } else if (answers.get(k) instanceof WorldAnswer about) {
+                new JsonWorldOutput(out, objects).answer(about);
             } else {
                 boolean known =
                         problem < problems.size() && problems.get(problem).index() == k;

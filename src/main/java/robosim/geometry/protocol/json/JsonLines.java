@@ -117,7 +117,15 @@ public final class JsonLines {
     static Bundle request(String type, JsonInput in) throws IOException {
         JsonMessages messages = new JsonMessages(in);
         return switch (type) {
-            case "init" -> messages.init();
+            case "init" -> {
+                Bundle init = messages.init();
+                if (messages.wantsAnswer()) {
+                    throw new ProtocolException("at /answer: must be left out here, where the question what became of"
+                            + " an init is a line of its own, {\"type\":\"batch\",\"requests\":[{\"kind\":\"world\"}]}"
+                            + " (got: true)");
+                }
+                yield init;
+            }
             case "moves" -> messages.moves();
             case "sonars" -> messages.sonars();
             case "batch" -> new JsonBatches(in).batch();

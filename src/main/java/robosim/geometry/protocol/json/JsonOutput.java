@@ -60,7 +60,7 @@ final class JsonOutput {
             out.writeEndObject();
         } else if (request instanceof BatchRequestBundle batch) {
             begin("batch");
-            new JsonBatchOutput(out).requests(batch.requests());
+            new JsonBatchOutput(out, this::object).requests(batch.requests());
             out.writeEndObject();
         } else if (request instanceof StepBundle step) {
             begin("step");
@@ -85,7 +85,7 @@ final class JsonOutput {
             refused(reply.problems());
         } else if (reply.bundle() instanceof BatchAnswerBundle batch) {
             begin("answers");
-            new JsonBatchOutput(out).answers(batch.answers(), reply.problems());
+            new JsonBatchOutput(out, this::object).answers(batch.answers(), reply.problems());
         } else {
             begin("distances");
             distances(((DistanceBundle) reply.bundle()).distances(), reply.problems());
@@ -142,12 +142,22 @@ final class JsonOutput {
             return;
         }
         out.writeObjectFieldStart("settings");
-        out.writeNumberField("width", settings.width());
-        out.writeNumberField("height", settings.height());
-        out.writeNumberField("length", settings.length());
-        out.writeStringField("dimension", settings.dimension().name());
-        out.writeStringField("accuracy", settings.accuracy().name());
+        size("width", settings.width());
+        size("height", settings.height());
+        size("length", settings.length());
+        if (settings.dimension() != null) {
+            out.writeStringField("dimension", settings.dimension().name());
+        }
+        if (settings.accuracy() != null) {
+            out.writeStringField("accuracy", settings.accuracy().name());
+        }
         out.writeEndObject();
+    }
+
+    private void size(String field, double size) throws IOException {
+        if (size > 0) {
+            out.writeNumberField(field, size);
+        }
     }
 
     private void moves(List<MoveRequest> moves) throws IOException {

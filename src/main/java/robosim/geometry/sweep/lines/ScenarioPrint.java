@@ -62,12 +62,16 @@ public final class ScenarioPrint {
         }
     }
 
+    private static String name(@Nullable Enum<?> constant) {
+        return constant == null ? "" : constant.name();
+    }
+
     private void addWorld(InitBundle init) {
         WorldSettings settings = init.settings();
         print.add(settings == null ? 0 : 1);
         if (settings != null) {
             print.add(settings.width()).add(settings.height()).add(settings.length());
-            print.add(settings.dimension().name()).add(settings.accuracy().name());
+            print.add(name(settings.dimension())).add(name(settings.accuracy()));
         }
         print.add(init.objects().size());
         init.objects().forEach(print::add);

@@ -30,6 +30,8 @@ import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -71,13 +73,7 @@ public final class Replayer {
                 return open(step, init);
             }
             if (step.request() instanceof BatchRequestBundle batch) {
-                return frame(
-                        step,
-                        null,
-                        Map.of(),
-                        List.of(),
-                        Map.of(),
-                        "a batch of " + NumberText.count(batch.size(), "item"));
+                return batch(step, batch);
             }
             if (step.request() instanceof StepBundle stepped) {
                 return step(step, stepped);
@@ -110,6 +106,27 @@ public final class Replayer {
         Frame.Setting setting = Frame.Setting.of(world, colours);
         String words = "a new world of " + NumberText.count(setting.things().size(), "object");
         return frame(step, setting, Map.of(), List.of(), Map.of(), words);
+    }
+
+    /** Carries out what a batch changes; what it only asks is not shown. */
+    private Frame batch(Step step, BatchRequestBundle batch) {
+        Frame.Setting setting = null;
+        Map<String, Pose> placed = new LinkedHashMap<>();
+        if (batch.requests().stream().anyMatch(WorldRequest.class::isInstance)) {
+            session.reply(batch);
+            Geometry world = session.world();
+            for (BatchRequest request : batch.requests()) {
+                boolean isOther = request instanceof WorldRequest.Add || request instanceof WorldRequest.Remove;
+                setting = isOther && world != null ? Frame.Setting.of(world, colours) : setting;
+                boolean isElsewhere = request instanceof WorldRequest.Place || request instanceof WorldRequest.Go;
+                GeometryObject mover = isElsewhere ? mover(request.objectName()) : null;
+                if (mover != null) {
+                    placed.put(request.objectName(), mover.pose());
+                }
+            }
+        }
+        String words = "a batch of " + NumberText.count(batch.size(), "item");
+        return frame(step, setting, placed, List.of(), Map.of(), words);
     }
 
     private Frame move(Step step, List<MoveRequest> asked) {

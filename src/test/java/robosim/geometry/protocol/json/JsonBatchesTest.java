@@ -165,7 +165,7 @@ class JsonBatchesTest {
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
-                        "must be sense, poses, edges or picture (got: \"x\")"),
+                        "must be sense, poses, edges, picture, world, pose, place, add, remove or move (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),
@@ -277,7 +277,8 @@ class JsonBatchesTest {
         String one = "{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":\"" + packed(0, 0, 0, 0) + "\"}";
         String many = "{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":\"" + largest + "\"}";
         assertThatThrownBy(() -> JsonLines.readRequest(batch(many + "," + one)))
-                .hasMessageContaining("requests must have at most 262144 poses and edges together (got: 262145)");
+                .hasMessageContaining(
+                        "requests must have at most 262144 poses, edges and requests of other kinds together (got: 262145)");
         String half = "{\"kind\":\"sense\",\"objectName\":\"r\",\"pattern\":"
                 + "{\"kind\":\"fan\",\"first\":0,\"step\":0,\"count\":524288}}";
         assertThat(((BatchRequestBundle) JsonLines.readRequest(batch(half + "," + half))).size())

@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
@@ -73,6 +74,9 @@ class JsonSchemaTest {
             "seesCarrier must be false",
             "normals must have three numbers for each",
             "free must have",
+            "heading and rotation must not both",
+            "obstacle must be left out",
+            "contact and normal must be given",
             "rgb must have",
             "pixels together",
             "rays for pictures",
@@ -113,6 +117,17 @@ class JsonSchemaTest {
         lines.add(JsonLines.write(BatchSamples.requests()));
         lines.add(JsonLines.write(BatchSamples.frames().get(0)));
         lines.add(JsonLines.write(BatchSamples.pictures().get(0)));
+        for (Bundle bundle : BatchSamples.world()) {
+            if (!(bundle instanceof BatchAnswerBundle)) {
+                lines.add(JsonLines.write(bundle));
+            }
+        }
+        lines.add("{\"type\":\"init\",\"answer\":true,\"objects\":[{\"kind\":\"box\",\"center\":[0,0,0],\"width\":1,"
+                + "\"height\":1,\"length\":1,\"heading\":0.5}],\"settings\":{\"dimension\":\"SPATIAL\"}}");
+        lines.add(
+                "{\"type\":\"batch\",\"requests\":[{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{\"place\":[0,0,0],"
+                        + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
+                        + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         return lines;
@@ -123,6 +138,7 @@ class JsonSchemaTest {
         return List.of(
                 JsonLines.write(new Reply(BatchSamples.frames().get(1))),
                 JsonLines.write(new Reply(BatchSamples.pictures().get(1))),
+                JsonLines.write(new Reply(BatchSamples.world().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
@@ -286,6 +302,11 @@ class JsonSchemaTest {
             "unknown",
             "boundingVolume",
             "refused",
+            "heading",
+            "answer",
+            "object",
+            "obstacle",
+            "done",
             "index",
             "error");
 
