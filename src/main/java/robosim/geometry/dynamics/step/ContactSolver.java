@@ -227,9 +227,11 @@ final class ContactSolver {
                 bodies.w[body] += sums[3 * body + 2] + rests[3 * body + 2];
             }
             if (change <= rest) {
+ if(Boolean.getBoolean("dbg"))System.out.println("ROUNDS "+round+" of "+count);
                 return;
             }
         }
+if(Boolean.getBoolean("dbg"))System.out.println("ROUNDS all of "+count+" bodies "+bodyCount);
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             double change = 0;
             for (int c = 0; c < count; c++) {

@@ -42,6 +42,20 @@ final class FrontToBack {
     private double[] atX = new double[FIRST];
     private double[] atZ = new double[FIRST];
     private double[] atAngle = new double[FIRST];
+
+    // By body: the same before its last motion, to which it may be taken back.
+    private double[] fromTime = new double[FIRST];
+    private double[] fromX = new double[FIRST];
+    private double[] fromZ = new double[FIRST];
+    private double[] fromAngle = new double[FIRST];
+    private int[] fromLeg = new int[FIRST];
+
+    /** The bodies that were taken back for the one on its way, and to when they are to be brought again. */
+    private final int[] back = new int[16];
+
+    private final double[] backTime = new double[16];
+    private int backCount;
+
     private boolean[] isOnWay = new boolean[FIRST];
 
     /** Whether a body could not be carried where it was to go. */
@@ -81,12 +95,18 @@ final class FrontToBack {
             atX = new double[room];
             atZ = new double[room];
             atAngle = new double[room];
+            fromTime = new double[room];
+            fromX = new double[room];
+            fromZ = new double[room];
+            fromAngle = new double[room];
+            fromLeg = new int[room];
             isOnWay = new boolean[room];
             isBlocked = new boolean[room];
         }
         for (int b = 0; b < bodies.count; b++) {
             firstLeg[b] = -1;
             done[b] = 0;
+            fromTime[b] = 0;
             atX[b] = bodies.x[b];
             atZ[b] = bodies.z[b];
             atAngle[b] = 0;
@@ -94,12 +114,11 @@ final class FrontToBack {
         }
     }
 
-    /** Adds where a body is at the time it has come to, if it has moved since; calls are in the order of times. */
+    /** Adds where a body is at the time it has come to; calls are in the order of times. */
     void leg(int b) {
-        double fromX = firstLeg[b] < 0 ? atX[b] : x[lastLeg[b]];
-        double fromZ = firstLeg[b] < 0 ? atZ[b] : z[lastLeg[b]];
-        double fromAngle = firstLeg[b] < 0 ? 0 : angle[lastLeg[b]];
-        if (bodies.x[b] == fromX && bodies.z[b] == fromZ && bodies.angle[b] == fromAngle) {
+        // What stands for now may go later: only the legs of those that never do are left out.
+        boolean isStill = firstLeg[b] < 0 && bodies.x[b] == atX[b] && bodies.z[b] == atZ[b] && bodies.angle[b] == 0;
+        if (bodies.time[b] == 0 || (isStill && bodies.isStill(b))) {
             return;
         }
         if (legs == body.length) {
@@ -132,8 +151,15 @@ final class FrontToBack {
             int b = body[leg];
             if (!isBlocked[b] && done[b] < time[leg]) {
                 waiting = 0;
+                backCount = 0;
                 if (!bring(b, time[leg])) {
                     settle(b);
+                }
+                while (backCount > 0) {
+                    int other = back[--backCount];
+                    if (!isBlocked[other] && !bring(other, backTime[backCount])) {
+                        settle(other);
+                    }
                 }
             }
         }
@@ -187,6 +213,11 @@ final class FrontToBack {
                     && goes(b, until, toX, toZ, toAngle, halves + 1);
         }
         if (isMade) {
+            fromTime[b] = done[b];
+            fromX[b] = atX[b];
+            fromZ[b] = atZ[b];
+            fromAngle[b] = atAngle[b];
+            fromLeg[b] = firstLeg[b];
             done[b] = until;
             atX[b] = toX;
             atZ[b] = toZ;
@@ -217,18 +248,40 @@ final class FrontToBack {
         return false;
     }
 
-    /** Lets whoever is in the way go first; false if there is nobody who could. */
+    /**
+     * Lets whoever is in the way go first, or back to where it came from last if it has been brought there already; false if
+     * there is nobody who could.
+     */
     private boolean letGo(int b, double until, double dx, double dz, double degrees) {
         int obstacle = carrier.blocker(bodies.id[b], dx, 0, dz, degrees);
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
-        if (other < 0 || isOnWay[other] || isBlocked[other] || firstLeg[other] < 0 || done[other] >= until) {
+        if (other < 0 || isOnWay[other] || isBlocked[other] || ++waiting > MOST_WAITING) {
             return false;
         }
-        if (++waiting > MOST_WAITING) {
+        if (done[other] >= until) {
+            return backCount < back.length && goesBack(other);
+        }
+        if (firstLeg[other] < 0) {
             return false;
         }
         double was = done[other];
         return bring(other, until) || done[other] > was;
+    }
+
+    /** Takes a body back to where it was before its last motion; it is brought forward again when the other has gone. */
+    private boolean goesBack(int b) {
+        if (!(fromTime[b] < done[b])
+                || !makes(b, fromX[b] - atX[b], fromZ[b] - atZ[b], Degrees.toDegrees(fromAngle[b] - atAngle[b]))) {
+            return false;
+        }
+        backTime[backCount] = done[b];
+        back[backCount++] = b;
+        done[b] = fromTime[b];
+        atX[b] = fromX[b];
+        atZ[b] = fromZ[b];
+        atAngle[b] = fromAngle[b];
+        firstLeg[b] = fromLeg[b];
+        return true;
     }
 
     /** Lets a body go as far as it may, where it ends. */

@@ -24,6 +24,11 @@ final class Separation {
 
     double nz;
 
+    /** Whose edge the direction is across: 1 for a, 2 for b, 0 where it is that of two corners; and which edge. */
+    private int faceOf;
+
+    private int face;
+
     private final Turned turned = new Turned();
 
     void putA(Bodies bodies, Pieces pieces, int piece, double t) {
@@ -78,6 +83,7 @@ final class Separation {
 
     /** The distance of the two; at most 0 where they meet, then with the direction of least depth where that is easy. */
     double distance() {
+        faceOf = 0;
         if (an == 1 && bn == 1) {
             return points(ax[0] - bx[0], az[0] - bz[0]) - radius;
         }
@@ -116,6 +122,8 @@ final class Separation {
                     best = least;
                     inX = side == 0 ? -ex : ex;
                     inZ = side == 0 ? -ez : ez;
+                    face = k;
+                    faceOf = 1 + side;
                     double along = dx * (qx[support] - px[k]) + dz * (qz[support] - pz[k]);
                     isFace = along >= 0 && along <= length * length;
                 }
@@ -126,7 +134,39 @@ final class Separation {
         if (best <= 0 || isFace) {
             return best - radius;
         }
+        faceOf = 0;
         return byCorners() - radius;
+    }
+
+    /**
+     * How far the two, put elsewhere since, are apart along the direction that was found: that across the same edge, or the
+     * same in the world where it was that of two corners. Never more than their distance.
+     */
+    double along() {
+        if (faceOf == 0) {
+            double least = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < an; i++) {
+                least = Math.min(least, ax[i] * nx + az[i] * nz);
+            }
+            double most = Double.NEGATIVE_INFINITY;
+            for (int j = 0; j < bn; j++) {
+                most = Math.max(most, bx[j] * nx + bz[j] * nz);
+            }
+            return least - most - radius;
+        }
+        double[] px = faceOf == 1 ? ax : bx;
+        double[] pz = faceOf == 1 ? az : bz;
+        double[] qx = faceOf == 1 ? bx : ax;
+        double[] qz = faceOf == 1 ? bz : az;
+        int next = face + 1 == (faceOf == 1 ? an : bn) ? 0 : face + 1;
+        double dx = px[next] - px[face];
+        double dz = pz[next] - pz[face];
+        double length = Math.sqrt(dx * dx + dz * dz);
+        double least = Double.POSITIVE_INFINITY;
+        for (int j = 0; j < (faceOf == 1 ? bn : an); j++) {
+            least = Math.min(least, dz * (qx[j] - px[face]) - dx * (qz[j] - pz[face]));
+        }
+        return least / length - radius;
     }
 
     private double points(double dx, double dz) {

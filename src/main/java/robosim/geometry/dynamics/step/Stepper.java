@@ -20,6 +20,9 @@ public final class Stepper {
 
     private static final double GAP = 1e-10;
 
+    /** Pieces that touch and approach more slowly are left to close what is left of the gap, m/s. */
+    private static final double QUIET = 1e-9;
+
     final Scene scene;
     final Bodies bodies;
     private final Pieces pieces;
@@ -358,7 +361,7 @@ public final class Stepper {
         solver.begin();
         addContacts(pair, now);
         for (int c = 0; c < solver.count; c++) {
-            if (solver.parting(c) < -1e-12) {
+            if (solver.parting(c) < -QUIET) {
                 return true;
             }
         }
@@ -445,13 +448,15 @@ public final class Stepper {
                 }
             }
         }
+        boolean isSwapped = other >= 0 && isFollowed(solver.bodyList[1], solver.bodyList[0], hit, now);
         boolean isSolved = solver.solve();
         tell();
         for (int k = 0; k < solver.bodyCount; k++) {
-            int body = solver.bodyList[k];
+            int body = solver.bodyList[isSwapped && k < 2 ? 1 - k : k];
             bodies.changes[body] += solver.isChanged(body) ? 1 : 0;
             if (!isSolved || bodies.changes[body] > MOST_CHANGES) {
                 isStopped[body] |= bodies.ownLightness[body] > 0;
+                if(Boolean.getBoolean("dbg")) System.out.println("HELD "+body+" solved "+isSolved+" changes "+bodies.changes[body]+" t "+now+" contacts "+solver.count+" hit "+hit+" apart "+impact.measure(pairs.a[hit],pairs.b[hit],now));
                 bodies.hold(body);
             }
             carrying.leg(body);
@@ -461,7 +466,15 @@ public final class Stepper {
             pairs.solved[solver.pair[c]] = now;
         }
         pairs.solved[hit] = now;
-        again(now);
+        again(hit, now);
+    }
+
+    /** Whether the second body of a pair recedes from the first, which follows it: then it is carried first. */
+    private boolean isFollowed(int b, int a, int pair, double now) {
+        impact.measure(pairs.a[pair], pairs.b[pair], now);
+        double nx = impact.separation.nx;
+        double nz = impact.separation.nz;
+        return bodies.vx[b] * nx + bodies.vz[b] * nz < 0 && bodies.vx[a] * nx + bodies.vz[a] * nz < 0;
     }
 
     private void join(int body, double now) {
@@ -492,12 +505,19 @@ public final class Stepper {
     }
 
     /** Expects the next collisions of those whose velocities have changed. */
-    private void again(double now) {
+    private void again(int hit, double now) {
         int count = solver.bodyCount;
         if (known.length < count) {
             known = new int[2 * count];
         }
-        System.arraycopy(solver.bodyList, 0, known, 0, count);
+        count = 0;
+        for (int k = 0; k < solver.bodyCount; k++) {
+            int body = solver.bodyList[k];
+            if (solver.isChanged(body)) {
+                known[count++] = body;
+            }
+        }
+        pairs.expect(hit, TimeOfImpact.NEVER);
         for (int k = 0; k < count; k++) {
             int body = known[k];
             sweep(body, now);
@@ -509,9 +529,7 @@ public final class Stepper {
         for (int k = 0; k < count; k++) {
             for (int link = pairs.heads[known[k]]; link >= 0; link = pairs.links[link]) {
                 int pair = link >> 1;
-                if ((link & 1) == 0 || bodyMark[pieces.body[pairs.a[pair]]] != mark) {
-                    predict(pair, now);
-                }
+                predict(pair, now);
             }
         }
     }
@@ -532,6 +550,7 @@ public final class Stepper {
         carrying.carry();
         for (int b = 0; b < bodies.count; b++) {
             if (carrying.isBlocked[b]) {
+                if(Boolean.getBoolean("dbg")) System.out.println("BLOCKED "+b+" by "+carrier.obstacle()+" at "+bodies.x[b]+" "+bodies.z[b]+" a "+bodies.angle[b]+" drift "+(bodies.x[b]-carrier.objects.places()[carrier.objects.place(bodies.id[b])])+" v "+bodies.vx[b]+" "+bodies.vz[b]+" "+bodies.w[b]);
                 bodies.stop(b);
                 isStopped[b] = true;
             }

@@ -2,16 +2,18 @@ package robosim.geometry.dynamics.step;
 
 /**
  * When two pieces come as near as a gap, both translating and turning at constant speeds: conservative advancement (Mirtich
- * 1996) with a bound of second order. Along the direction in which the two are apart each corner goes
- * {@code a + a' t} to within {@code w^2 r t^2 / 2} for a body that turns by w and a corner r from its centre, so until the
- * first time at which two corners could have come to the gap by that bound there is no contact. Without turns the bound is exact
- * for the pair of features that is nearest, and two discs are solved in closed form.
+ * 1996) along the direction in which the two are apart. Without turns the bound is exact for the pair of features that is
+ * nearest, and two discs are solved in closed form; a turn is followed across the nearest edge, a small angle at a time, as in
+ * Catto 2013.
  */
 final class TimeOfImpact {
     /** Never, within the time asked. */
     static final double NEVER = Double.POSITIVE_INFINITY;
 
     private static final int MOST_ROUNDS = 48;
+
+    /** Radians of a turn that are looked at in one go. */
+    private static final double TURN = 0.25;
 
     /** Nearer than so much more than the gap counts as there. */
     private static final double THERE = 1 + 0x1p-10;
@@ -69,7 +71,6 @@ final class TimeOfImpact {
         if (distance - target > speed * (to - from)) {
             return NEVER;
         }
-        double bend = wa * wa * pieces.reach[a] + (wb == 0 ? 0 : wb * wb * pieces.reach[b]);
         double t = from;
         double least = 0x1p-6 * target;
         for (int round = 0; round < MOST_ROUNDS; round++) {
@@ -81,20 +82,26 @@ final class TimeOfImpact {
                 }
                 target = Math.min(0.5 * target, 0.5 * distance);
             }
-            double by = separation.an == 1 && separation.bn == 1 && wa == 0 && wb == 0
-                    ? discs(vx, vz, separation.radius + target, to - t)
-                    : safely(bodyA, bodyB, vx, vz, wa, wb, distance - target, bend, t, to - t);
-            if (by == NEVER) {
-                return NEVER;
+            double by;
+            if (wa != 0 || wb != 0) {
+                by = turning(a, b, distance - target, target, t, to - t, Math.max(Math.abs(wa), Math.abs(wb)));
+            } else if (separation.an == 1 && separation.bn == 1) {
+                by = discs(vx, vz, separation.radius + target, to - t);
+            } else {
+                double closing = -(vx * separation.nx + vz * separation.nz);
+                by = distance - target < closing * (to - t) ? (distance - target) / closing : NEVER;
             }
             double next = t + by;
-            if (next == t) {
-                return t;
+            if (next >= to) {
+                return NEVER;
             }
-            t = Math.min(next, to);
+            if (next == t) {
+                return distance <= 4 * target ? t : NEVER;
+            }
+            t = next;
             distance = measure(a, b, t);
         }
-        return t;
+        return distance <= 4 * target ? t : NEVER;
     }
 
     /** When two discs come to a distance of their centres. */
@@ -118,51 +125,67 @@ final class TimeOfImpact {
         return by >= most ? NEVER : Math.max(0, by);
     }
 
-    /** A time within which the two cannot come nearer than the gap by the bound; never if that is all the time there is. */
-    private double safely(
-            int bodyA,
-            int bodyB,
-            double vx,
-            double vz,
-            double wa,
-            double wb,
-            double free,
-            double bend,
-            double t,
-            double most) {
-        Separation s = separation;
-        double nx = s.nx;
-        double nz = s.nz;
-        if (wa == 0 && wb == 0) {
-            double closing = -(vx * nx + vz * nz);
-            return free < closing * most ? free / closing : NEVER;
+    /**
+     * A time within which the two come no nearer than the gap along the direction in which they are apart now; all the time
+     * there is if they do not. Looks at the end and the middle of a small turn, and at the least of the parabola through these.
+     */
+    private double turning(int a, int b, double free, double target, double t, double most, double w) {
+        double to = Math.min(most, TURN / w);
+        double mid = 0.5 * to;
+        double atMid = along(a, b, t + mid) - target;
+        if (atMid < 0) {
+            return root(a, b, target, t, 0, free, mid, atMid);
         }
-        double across = vx * nx + vz * nz;
-        double sa = bodies.zAt(bodyA, t) * nx - bodies.xAt(bodyA, t) * nz;
-        double sb = bodyB < 0 ? 0 : bodies.zAt(bodyB, t) * nx - bodies.xAt(bodyB, t) * nz;
-        double firstA = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < s.an; i++) {
-            firstA = Math.min(firstA, s.ax[i] * nx + s.az[i] * nz);
+        double atEnd = along(a, b, t + to) - target;
+        if (atEnd < 0) {
+            return root(a, b, target, t, mid, atMid, to, atEnd);
         }
-        double lastB = Double.NEGATIVE_INFINITY;
-        for (int j = 0; j < s.bn; j++) {
-            lastB = Math.max(lastB, s.bx[j] * nx + s.bz[j] * nz);
-        }
-        double by = most;
-        boolean isMet = false;
-        for (int i = 0; i < s.an; i++) {
-            double a = s.ax[i] * nx + s.az[i] * nz - firstA;
-            double turnA = wa * (s.az[i] * nx - s.ax[i] * nz - sa);
-            for (int j = 0; j < s.bn; j++) {
-                double g = free + a + (lastB - (s.bx[j] * nx + s.bz[j] * nz));
-                double rate = across + turnA - wb * (s.bz[j] * nx - s.bx[j] * nz - sb);
-                if (g + rate * by - 0.5 * bend * by * by < 0) {
-                    double root = Math.sqrt(rate * rate + 2 * bend * g);
-                    by = rate < 0 ? 2 * g / (root - rate) : (rate + root) / bend;
-                    isMet = true;
-                }
+        double bend = 2 * (free - 2 * atMid + atEnd);
+        double slope = 4 * atMid - 3 * free - atEnd;
+        double lowest = bend > 0 ? -slope / (2 * bend) : 0;
+        if (lowest > 0 && lowest < 1) {
+            double there = along(a, b, t + lowest * to) - target;
+            if (there < 0) {
+                return root(a, b, target, t, 0, free, lowest * to, there);
             }
         }
-        return isMet ? by : NEVER;
+        return to;
+    }
+
+    private double along(int a, int b, double t) {
+        separation.putA(bodies, pieces, a, t);
+        separation.putB(bodies, pieces, b, t);
+        return separation.along();
+    }
+
+    /** The last time found at which the two are still apart by more than the gap, by the Illinois method (Dowell and Jarratt 1971). */
+    private double root(int a, int b, double target, double t, double from, double atFrom, double to, double atTo) {
+        double low = from;
+        double high = to;
+        double above = atFrom;
+        double below = atTo;
+        int side = 0;
+        for (int k = 0; k < MOST_ROUNDS && above > 0; k++) {
+            double mid = k % 8 == 7 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
+            if (!(mid > low && mid < high)) {
+                break;
+            }
+            double there = along(a, b, t + mid) - target;
+            if (there >= 0) {
+                low = mid;
+                above = there;
+                below = side == 1 ? 0.5 * below : below;
+                side = 1;
+                if (there <= target * 0x1p-12) {
+                    break;
+                }
+            } else {
+                high = mid;
+                below = there;
+                above = side == -1 ? 0.5 * above : above;
+                side = -1;
+            }
+        }
+        return low;
     }
 }
