@@ -271,10 +271,8 @@ final class ViewerModel {
 
     /** The speed as text for people. */
     String pace() {
-        if (live) {
-            return player.isFollowing() ? "live" : "paused";
-        }
-        return NumberText.digits(player.speed(), 3) + " steps/s";
+        String followed = player.isFollowing() ? "live" : "paused";
+        return live ? followed : NumberText.digits(player.speed(), 3) + " steps/s";
     }
 
     private String end() {
@@ -327,28 +325,29 @@ final class ViewerModel {
             camera.pan(x - held.x, y - held.y);
         } else {
             MapFrame frame = camera.frame();
-            Sandbox own = own();
-            if (own != null) {
-                own.push(held.robot, frame.worldX(x) + held.offsetX, frame.worldZ(y) + held.offsetZ, push);
-            }
+            push(held.robot, frame.worldX(x) + held.offsetX, frame.worldZ(y) + held.offsetZ, push);
         }
         held.x = x;
         held.y = y;
+    }
+
+    /** Pushes a robot to a place; if that is refused it stays, and the refusal is shown. */
+    void push(String robot, double x, double z, Sandbox.Push push) {
+        Sandbox own = own();
+        if (own != null) {
+            own.push(robot, x, z, push);
+        }
     }
 
     /** Handles the release of the button; if nothing was hit or dragged, clears the selection. */
     void release() {
         Grip held = grip;
         grip = null;
-        if (held == null) {
-            return;
-        }
         if (sandbox != null) {
             sandbox.release();
         }
         MapFrame frame = camera.frame();
-        boolean missed = !held.moved && pickedAt(frame.worldX(held.x), frame.worldZ(held.y)) == null;
-        if (missed) {
+        if (held != null && !held.moved && pickedAt(frame.worldX(held.x), frame.worldZ(held.y)) == null) {
             picked = null;
         }
     }

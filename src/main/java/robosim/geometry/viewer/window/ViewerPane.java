@@ -127,6 +127,7 @@ final class ViewerPane extends JPanel {
         foot.add(button("view", ControlIcon.Shape.CUBE, "Plan, both, or three dimensions (V)", this::nextParts));
         foot.add(button("cameras", ControlIcon.Shape.CAMERAS, "More cameras (C)", this::nextCameras));
         foot.add(button("own", ControlIcon.Shape.EYE, "What a robot sees (R)", this::toggleOwn));
+        foot.add(button("follow", ControlIcon.Shape.FOLLOW, "Go along with a robot (G)", this::toggleFollowing));
         below.add(foot);
         add(below, BorderLayout.SOUTH);
     }
@@ -193,6 +194,17 @@ final class ViewerPane extends JPanel {
         space.gallery.show(isOwn ? Gallery.Arrangement.ONE : Gallery.Arrangement.OWN);
     }
 
+    private void toggleFollowing() {
+        boolean follow = parts == Parts.PLAN || !space.gallery.isFollowing();
+        if (parts == Parts.PLAN) {
+            show(Parts.BOTH);
+        }
+        if (space.gallery.arrangement() == Gallery.Arrangement.OWN) {
+            space.gallery.show(Gallery.Arrangement.ONE);
+        }
+        space.gallery.follow(follow);
+    }
+
     private void togglePlay() {
         viewing.leaveCopy();
         viewing.player.toggle();
@@ -232,6 +244,7 @@ final class ViewerPane extends JPanel {
         typed('v', this::nextParts);
         typed('c', this::nextCameras);
         typed('r', this::toggleOwn);
+        typed('g', this::toggleFollowing);
         typed('i', () -> space.gallery.fly(1, 0, 0));
         typed('k', () -> space.gallery.fly(-1, 0, 0));
         typed('l', () -> space.gallery.fly(0, 0, 1));
