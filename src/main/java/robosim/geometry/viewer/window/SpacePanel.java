@@ -148,8 +148,9 @@ public final class SpacePanel extends JComponent {
         private void push(FloorHand held, MouseEvent event) {
             Picture picture = picture(beginX, beginY);
             Gallery.Cell cell = gallery.cells().get(Math.max(0, gallery.at(beginX, beginY)));
-            double[] place =
-                    picture == null ? null : held.place(picture.view(), event.getX() - cell.x(), event.getY() - cell.y());
+            double[] place = picture == null
+                    ? null
+                    : held.place(picture.view(), event.getX() - cell.x(), event.getY() - cell.y());
             if (place != null) {
                 Sandbox.Push push = event.isShiftDown() ? Sandbox.Push.MOVE : Sandbox.Push.PLACE;
                 viewing.push(held.robot, place[0], place[1], push);

@@ -67,7 +67,11 @@ class GalleryTest {
         Point with = gallery.shots(MOMENT, "cart").get(0).view().pose().center();
         assertThat(with).isNotEqualTo(still);
         GeometryObject there = CART.movedTo(new Point(-6, 0, 3.5));
-        Point later = gallery.shots(StudioTest.moment(DRUM, there), null).get(0).view().pose().center();
+        Point later = gallery.shots(StudioTest.moment(DRUM, there), null)
+                .get(0)
+                .view()
+                .pose()
+                .center();
         assertThat(later.x() - with.x()).isCloseTo(1, within(1e-9));
         assertThat(later.z() - with.z()).isCloseTo(0.5, within(1e-9));
         gallery.follow(false);

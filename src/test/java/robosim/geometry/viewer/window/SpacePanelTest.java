@@ -235,7 +235,8 @@ class SpacePanelTest {
         assertThat(there.y()).isEqualTo(before.y());
         assertThat(viewing.status()).startsWith("drag what moves");
         mouse(MouseEvent.MOUSE_DRAGGED, at[0], at[1], 0, 1);
-        assertThat(viewing.picked().center().x()).isCloseTo(before.x(), within(1e-9)); // the point touched is below the hand
+        assertThat(viewing.picked().center().x())
+                .isCloseTo(before.x(), within(1e-9)); // the point touched is below the hand
         assertThat(viewing.picked().center().z()).isCloseTo(before.z(), within(1e-9));
         mouse(MouseEvent.MOUSE_RELEASED, at[0], at[1], 0, 1);
         assertThat(red(paint())[0]).isBetween(wall[0] - 3, wall[0] + 3); // no camera was moved
