@@ -63,7 +63,7 @@ public final class CameraOptions {
     @Option(
             names = "--sky-rays",
             paramLabel = "N",
-            description = "rays for each sample that look for the sky, for soft shadows; 0 for none (default:"
+            description = "rays for each pixel that look for the sky, for soft shadows; 0 for none (default:"
                     + " ${DEFAULT-VALUE})")
     private int skyRays = 3;
 
@@ -177,7 +177,7 @@ public final class CameraOptions {
                 .withSamples(samples)
                 .withMirrors(mirrors)
                 .withLighting(skyRays > 0 ? Lighting.DAY.withSky(Sky.DAY.withStrength(0.8)) : Lighting.DAY)
-                .withSkyRays(skyRays, studio.skyReach())
+                .withSmoothSky(skyRays, studio.skyReach())
                 .withThreads(Runtime.getRuntime().availableProcessors());
     }
 
