@@ -161,8 +161,20 @@ public final class Sandbox {
         return refused;
     }
 
-    /** What the sonars of the robots measure at their present places. */
-    public List<Scene.Ping> pings() {
+    /** The moveable objects, and what their sonars measure where they are. */
+    public Scene life() {
+        List<Scene.Ping> measured = pings();
+        double farthest = measured.stream()
+                .mapToDouble(Scene.Ping::distance)
+                .filter(Double::isFinite)
+                .max()
+                .orElse(0);
+        return Scene.of("", setting.border(), movers())
+                .with(List.of(), measured, List.of())
+                .marked(List.of(), farthest);
+    }
+
+    private List<Scene.Ping> pings() {
         List<Scene.Ping> measured = pings;
         if (measured == null) {
             measured = sonars.measure(geometry).values().stream()

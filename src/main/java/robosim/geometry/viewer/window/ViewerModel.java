@@ -149,10 +149,11 @@ final class ViewerModel {
         }
     }
 
-    /** Lets the plan follow the selected robot, or no longer. */
-    void toggleFollowing() {
+    /** Lets the plan follow the selected robot, or no longer, and returns which. */
+    boolean toggleFollowing() {
         isFollowing = !isFollowing;
         follow();
+        return isFollowing;
     }
 
     /**
@@ -195,15 +196,7 @@ final class ViewerModel {
     Scene life() {
         Scene scene;
         if (sandbox != null && shown != null) {
-            List<Scene.Ping> pings = sandbox.pings();
-            double farthest = pings.stream()
-                    .mapToDouble(Scene.Ping::distance)
-                    .filter(Double::isFinite)
-                    .max()
-                    .orElse(0);
-            scene = Scene.of("", shown.border(), sandbox.movers())
-                    .with(List.of(), pings, List.of())
-                    .marked(List.of(), farthest);
+            scene = sandbox.life();
         } else {
             int trail = layers.trail();
             int robots = shown == null ? 1 : Math.max(1, shown.movers().size());
@@ -310,28 +303,29 @@ final class ViewerModel {
             camera.pan(x - held.x, y - held.y);
         } else {
             MapFrame frame = camera.frame();
-            Sandbox own = own();
-            if (own != null) {
-                own.push(held.robot, frame.worldX(x) + held.offsetX, frame.worldZ(y) + held.offsetZ, push);
-            }
+            push(held.robot, frame.worldX(x) + held.offsetX, frame.worldZ(y) + held.offsetZ, push);
         }
         held.x = x;
         held.y = y;
+    }
+
+    /** Pushes a robot to a place; if that is refused it stays, and the refusal is shown. */
+    void push(String robot, double x, double z, Sandbox.Push push) {
+        Sandbox own = own();
+        if (own != null) {
+            own.push(robot, x, z, push);
+        }
     }
 
     /** Handles the release of the button; if nothing was hit or dragged, clears the selection. */
     void release() {
         Grip held = grip;
         grip = null;
-        if (held == null) {
-            return;
-        }
         if (sandbox != null) {
             sandbox.release();
         }
         MapFrame frame = camera.frame();
-        boolean missed = !held.moved && pickedAt(frame.worldX(held.x), frame.worldZ(held.y)) == null;
-        if (missed) {
+        if (held != null && !held.moved && pickedAt(frame.worldX(held.x), frame.worldZ(held.y)) == null) {
             selection.select(null, world);
         }
     }

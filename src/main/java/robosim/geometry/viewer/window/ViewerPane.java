@@ -138,6 +138,7 @@ final class ViewerPane extends JPanel {
         foot.add(button("view", ControlIcon.Shape.CUBE, "Plan, both, or three dimensions (V)", this::nextParts));
         foot.add(button("cameras", ControlIcon.Shape.CAMERAS, "More cameras (C)", this::nextCameras));
         foot.add(button("own", ControlIcon.Shape.EYE, "What a robot sees (R)", this::toggleOwn));
+        foot.add(button("follow", ControlIcon.Shape.FOLLOW, "Go along with a robot (G)", this::toggleFollowing));
         below.add(foot);
         add(below, BorderLayout.SOUTH);
     }
@@ -204,6 +205,15 @@ final class ViewerPane extends JPanel {
         space.gallery.show(isOwn ? Gallery.Arrangement.ONE : Gallery.Arrangement.OWN);
     }
 
+    /** Lets the plan and the camera go along with the selected robot, or no longer. */
+    private void toggleFollowing() {
+        boolean isFollowing = viewing.toggleFollowing();
+        if (isFollowing && space.gallery.arrangement() == Gallery.Arrangement.OWN) {
+            space.gallery.show(Gallery.Arrangement.ONE);
+        }
+        space.gallery.follow(isFollowing);
+    }
+
     private void togglePlay() {
         viewing.leaveCopy();
         viewing.player.toggle();
@@ -240,7 +250,7 @@ final class ViewerPane extends JPanel {
         }
         typed('s', "sonars, or not", () -> viewing.layers().toggle(Layers.Layer.SONARS));
         typed('x', "refused moves, or not", () -> viewing.layers().toggle(Layers.Layer.REFUSALS));
-        typed('g', "go with the selected robot", viewing::toggleFollowing);
+        typed('g', "go with the selected robot", this::toggleFollowing);
         typed('q', "turn the selected robot left", () -> viewing.turnPicked(TURN));
         typed('e', "turn the selected robot right", () -> viewing.turnPicked(-TURN));
         typed('+', "zoom in", () -> zoom(1));
