@@ -111,7 +111,9 @@ final class BlockPainter {
         int samples = plan.samples * plan.samples;
         RayPattern pattern = plan.pattern(block, pixels, count);
         Arrays.fill(light, 0, 3 * count * samples, 0);
-        Arrays.fill(skyLight, 0, 3 * count * samples, 0);
+        if (shade != null) {
+            Arrays.fill(skyLight, 0, 3 * count * samples, 0);
+        }
         look(by, pattern);
         for (int depth = 0; hits.count > 0; depth++) {
             illuminate(by.options(), samples, depth);
