@@ -56,6 +56,8 @@ public final class RobotWorld {
     /** Null as long as nothing has a body. */
     private @Nullable Bodies bodies;
 
+    private final List<BodyRequest> inFile;
+
     /** A move that was blocked. */
     private record Refusal(String mover, @Nullable String obstacle, String words) {
         boolean isBetween(String robot, String other) {
@@ -66,7 +68,9 @@ public final class RobotWorld {
     /** A robot and an object that must not touch. */
     private record Watch(String robot, String other) {}
 
-    RobotWorld(Geometry geometry, VirtualClock clock) {
+    /** @param inFile the bodies of the world's file, which objects get when the first one moves */
+    RobotWorld(Geometry geometry, VirtualClock clock, List<BodyRequest> inFile) {
+        this.inFile = inFile;
         this.geometry = geometry;
         this.clock = clock;
         this.transcript = new Transcript(geometry);
@@ -108,6 +112,10 @@ public final class RobotWorld {
             all = new Bodies(new Motion(geometry));
             bodies = all;
             clock.moving(this::step);
+            if (!inFile.isEmpty()) {
+                run(all, new StepBundle(0, inFile, List.of()));
+                inFile.forEach(all::give);
+            }
         }
         return all;
     }
@@ -183,7 +191,7 @@ public final class RobotWorld {
     /** For tests without the extension; a step of its clock is a tenth of a second. */
     public static RobotWorld of(Geometry geometry) {
         Checks.present("geometry", geometry);
-        return new RobotWorld(geometry, new VirtualClock(Duration.ofMillis(100)));
+        return new RobotWorld(geometry, new VirtualClock(Duration.ofMillis(100)), List.of());
     }
 
     /** The world itself; changes to it affect the robots. */

@@ -11,7 +11,6 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.extension.ExtensionConfigurationException;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.platform.commons.support.AnnotationSupport;
-import robosim.geometry.Geometry;
 
 /** The objects that are injected into one test. A world is made when it is first asked for. */
 final class Run {
@@ -84,12 +83,14 @@ final class Run {
             if (annotation == null) {
                 throw new ExtensionConfigurationException("a test with a world must have one by @World (got: none)");
             }
-            world = new RobotWorld(geometry(annotation), new VirtualClock(Duration.ofMillis(annotation.stepMillis())));
+            WorldFile file = file(annotation);
+            VirtualClock clock = new VirtualClock(Duration.ofMillis(annotation.stepMillis()));
+            world = new RobotWorld(file.geometry(), clock, file.bodies());
         }
         return world;
     }
 
-    private Geometry geometry(World named) {
+    private WorldFile file(World named) {
         Class<?> test = context.getRequiredTestClass();
         String[] files = named.value();
         if (named.method().isEmpty() == (files.length == 0)) {

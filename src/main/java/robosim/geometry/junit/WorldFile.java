@@ -8,21 +8,30 @@ import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.extension.ExtensionConfigurationException;
 import org.junit.platform.commons.support.ReflectionSupport;
 import robosim.geometry.Geometry;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.scenario.drive.WorldBodies;
 import robosim.geometry.world.WorldReader;
 
-/** Creates the world that an annotation names. */
-final class WorldFile {
-    private WorldFile() {}
+/**
+ * The world that an annotation names.
+ *
+ * @param bodies what its file says about how its objects move
+ */
+record WorldFile(Geometry geometry, List<BodyRequest> bodies) {
+    private static WorldFile of(robosim.geometry.world.World world) {
+        return new WorldFile(world.toGeometry(), WorldBodies.of(world));
+    }
 
-    static Geometry read(String name, Class<?> test) {
+    static WorldFile read(String name, Class<?> test) {
         Path file = Path.of(name);
         try {
             if (Files.exists(file)) {
-                return WorldReader.read(file).toGeometry();
+                return of(WorldReader.read(file));
             }
             URL resource = resource(name, test);
             if (resource == null) {
@@ -33,10 +42,10 @@ final class WorldFile {
                                 + ")");
             }
             if (resource.getProtocol().equals("file")) { // so that its meshes are found relative to it
-                return WorldReader.read(Path.of(resource.toURI())).toGeometry();
+                return of(WorldReader.read(Path.of(resource.toURI())));
             }
             try (InputStream in = resource.openStream()) {
-                return WorldReader.read(in, name, null).toGeometry();
+                return of(WorldReader.read(in, name, null));
             }
         } catch (IOException | URISyntaxException | IllegalArgumentException e) {
             throw new ExtensionConfigurationException("the world of @World cannot be had: " + e.getMessage(), e);
@@ -48,13 +57,13 @@ final class WorldFile {
         return beside != null ? beside : test.getResource("/" + name);
     }
 
-    static Geometry build(String method, Class<?> test) {
+    static WorldFile build(String method, Class<?> test) {
         Method found = ReflectionSupport.findMethod(test, method)
                 .filter(each -> Modifier.isStatic(each.getModifiers()) && each.getReturnType() == Geometry.class)
                 .orElseThrow(() -> new ExtensionConfigurationException("@World(method) must name a static method of "
                         + test.getName() + " without parameters that returns a Geometry (got: " + method + ")"));
         if (ReflectionSupport.invokeMethod(found, null) instanceof Geometry geometry) {
-            return geometry;
+            return new WorldFile(geometry, List.of());
         }
         throw new ExtensionConfigurationException("the method of @World must return a world (got: null)");
     }
