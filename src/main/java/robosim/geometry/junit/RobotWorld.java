@@ -28,6 +28,7 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.drive.WorldBodies;
 import robosim.geometry.world.SonarRing;
 
 /**
@@ -61,6 +62,8 @@ public final class RobotWorld {
     /** Null as long as nothing has a body. */
     private @Nullable Bodies bodies;
 
+    private final List<BodyRequest> inFile;
+
     /** A move that was blocked. */
     private record Refusal(String mover, @Nullable String obstacle, String words) {
         boolean isBetween(String robot, String other) {
@@ -74,6 +77,7 @@ public final class RobotWorld {
     RobotWorld(Geometry geometry, robosim.geometry.world.@Nullable World file, VirtualClock clock) {
         this.geometry = geometry;
         this.file = file;
+        this.inFile = file == null ? List.of() : WorldBodies.of(file);
         this.clock = clock;
         this.transcript = new Transcript(geometry);
         transcript.catchUp();
@@ -114,6 +118,10 @@ public final class RobotWorld {
             all = new Bodies(new Motion(geometry));
             bodies = all;
             clock.moving(this::step);
+            if (!inFile.isEmpty()) {
+                run(all, new StepBundle(0, inFile, List.of()));
+                inFile.forEach(all::give);
+            }
         }
         return all;
     }

@@ -109,7 +109,7 @@ public final class Replay {
             return batch.size();
         }
         if (request instanceof StepBundle step) {
-            return 1 + step.size();
+            return 1L + step.size();
         }
         return request instanceof SonarRequestBundle sonars ? sonars.requests().size() : 0;
     }

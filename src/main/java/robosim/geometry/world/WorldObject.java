@@ -20,7 +20,10 @@ import robosim.geometry.world.body.ObjectBody;
  *     have one, and no grid
  */
 public record WorldObject(
-        GeometryObject object, @Nullable String color, List<SonarRing> sonars, @Nullable ObjectBody body) {
+        GeometryObject object,
+        @Nullable String color,
+        List<SonarRing> sonars,
+        @Nullable ObjectBody body) {
     /**
      * Refuses a colour of another form, sensors and bodies of a grid or of an object without a name, and a body of a static
      * object that is more than a surface.

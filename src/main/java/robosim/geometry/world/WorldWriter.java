@@ -143,7 +143,12 @@ public final class WorldWriter {
         out.append("</world>\n");
     }
 
-    private void object(GeometryObject object, @Nullable String color, List<SonarRing> sonars, @Nullable ObjectBody body, int depth) {
+    private void object(
+            GeometryObject object,
+            @Nullable String color,
+            List<SonarRing> sonars,
+            @Nullable ObjectBody body,
+            int depth) {
         if (depth > Limits.MAX_GROUPS + 1) {
             throw new IllegalArgumentException(
                     "groups must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");

@@ -100,6 +100,7 @@ public final class RenderCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
         World read = world.read();
+        world.keep("FILE", output);
         if (plan || dark || name.endsWith(".svg")) {
             Painter.write(Pictures.of(read, Pictures.title(world.file())), theme(), output);
             tell(output);

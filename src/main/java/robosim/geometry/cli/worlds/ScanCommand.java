@@ -204,6 +204,7 @@ public final class ScanCommand implements Callable<Integer> {
         String what;
         try (Progress progress = Progress.of(spec.commandLine(), "scanning", PHASES)) {
             World read = world.read();
+            world.keep("FILE", output);
             progress.at(1, () -> "building the world");
             Snapshot snapshot = read.toGeometry().snapshot();
             String described = sensor;

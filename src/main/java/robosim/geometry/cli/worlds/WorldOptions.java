@@ -1,16 +1,16 @@
 package robosim.geometry.cli.worlds;
 
+import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.ModelFolders;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
@@ -24,11 +24,9 @@ public final class WorldOptions {
     @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
     private Path world = Path.of("");
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
 
     private WorldOptions() {}
 
@@ -39,7 +37,12 @@ public final class WorldOptions {
     /** Reads the world. */
     World read() throws WorldException {
         Inputs.file(spec, "WORLD", world);
-        return Inputs.world(spec, world, models);
+        return files.world(world);
+    }
+
+    /** Refuses a file to write that is one of those that the world was read from. */
+    void keep(String parameter, Path output) throws IOException {
+        files.output(parameter, output);
     }
 
     /**
@@ -53,7 +56,7 @@ public final class WorldOptions {
         if (!file.endsWith(".sdf") && !file.endsWith(".world")) {
             throw refused(option + " must be for a WORLD in SDFormat (got: " + world + ")");
         }
-        List<SdfReader.Sensor> all = SdfReader.sensors(world, ModelFolders.with(models));
+        List<SdfReader.Sensor> all = SdfReader.sensors(world, files.folders());
         List<SdfReader.Sensor> found = all.stream()
                 .filter(each -> each.name().equals(name) || each.name().endsWith("::" + name))
                 .toList();

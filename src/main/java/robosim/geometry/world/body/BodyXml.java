@@ -57,25 +57,28 @@ public final class BodyXml {
         double speed = number(from, "maxSpeed", NONE);
         double acceleration = number(from, "maxAcceleration", NONE);
         double turn = number(from, "maxTurn", NONE);
-        switch (kind) {
-            case "differential":
+        return switch (kind) {
+            case "differential" -> {
                 refuse(from, kind, "maxTurn", "maxTurnAcceleration");
-                return new DifferentialDrive(number(from, "base", box.length()), speed, acceleration);
-            case "omnidirectional":
+                yield new DifferentialDrive(number(from, "base", box.length()), speed, acceleration);
+            }
+            case "omnidirectional" -> {
                 refuse(from, kind, "base");
-                return new OmnidirectionalDrive(
-                        speed, acceleration, turn, number(from, "maxTurnAcceleration", NONE));
-            case "ackermann":
+                yield new OmnidirectionalDrive(speed, acceleration, turn, number(from, "maxTurnAcceleration", NONE));
+            }
+            case "ackermann" -> {
                 refuse(from, kind, "maxTurnAcceleration");
-                return new AckermannDrive(
+                yield new AckermannDrive(
                         number(from, "base", box.width()), turn == NONE ? STEERING : turn, speed, acceleration);
-            case "velocity", "force":
+            }
+            case "velocity", "force" -> {
                 refuse(from, kind, "base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration");
-                return kind.equals("force") ? new ForceDrive(0, 0, 0) : new VelocityDrive(new Twist(0, 0, 0, 0));
-            default:
+                yield kind.equals("force") ? new ForceDrive(0, 0, 0) : new VelocityDrive(new Twist(0, 0, 0, 0));
+            }
+            default ->
                 throw new IllegalArgumentException(
                         "kind must be differential, omnidirectional, ackermann, velocity or force (got: " + kind + ")");
-        }
+        };
     }
 
     private static void refuse(Attributes from, String kind, String... names) {
@@ -105,7 +108,11 @@ public final class BodyXml {
         unless(0, "inertia", body.inertia(), to);
         unless(0, "restitution", body.surface().restitution(), to);
         unless(0, "friction", body.surface().staticFriction(), to);
-        unless(body.surface().staticFriction(), "slidingFriction", body.surface().slidingFriction(), to);
+        unless(
+                body.surface().staticFriction(),
+                "slidingFriction",
+                body.surface().slidingFriction(),
+                to);
         unless(ObjectBody.FLOOR_FRICTION, "floorFriction", body.floorFriction(), to);
         unless(0, "damping", body.damping(), to);
         unless(0, "turnDamping", body.turnDamping(), to);

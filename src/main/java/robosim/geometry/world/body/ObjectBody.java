@@ -33,15 +33,7 @@ public record ObjectBody(
 
     /** Smooth, of the default mass, inertia and friction on the floor; nothing drives, dampens or limits it. */
     public static final ObjectBody DEFAULT = new ObjectBody(
-            0,
-            0,
-            Surface.SMOOTH,
-            FLOOR_FRICTION,
-            0,
-            0,
-            Double.POSITIVE_INFINITY,
-            Double.POSITIVE_INFINITY,
-            null);
+            0, 0, Surface.SMOOTH, FLOOR_FRICTION, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, null);
 
     /** Refuses null, and numbers that are out of range. */
     public ObjectBody {
@@ -69,8 +61,7 @@ public record ObjectBody(
 
     /** This body with another surface. */
     public ObjectBody withSurface(Surface other) {
-        return new ObjectBody(
-                mass, inertia, other, floorFriction, damping, turnDamping, maxSpeed, maxTurn, drive);
+        return new ObjectBody(mass, inertia, other, floorFriction, damping, turnDamping, maxSpeed, maxTurn, drive);
     }
 
     /** Whether it has nothing but a surface. */
