@@ -457,7 +457,6 @@ public final class Stepper {
             bodies.changes[body] += solver.isChanged(body) ? 1 : 0;
             if (!isSolved || bodies.changes[body] > MOST_CHANGES) {
                 isStopped[body] |= bodies.ownLightness[body] > 0;
-                if(Boolean.getBoolean("dbg")) System.out.println("HELD "+body+" solved "+isSolved+" changes "+bodies.changes[body]+" t "+now+" contacts "+solver.count+" hit "+hit+" apart "+impact.measure(pairs.a[hit],pairs.b[hit],now));
                 bodies.hold(body);
             }
             carrying.leg(body);
@@ -551,7 +550,6 @@ public final class Stepper {
         carrying.carry();
         for (int b = 0; b < bodies.count; b++) {
             if (carrying.isBlocked[b]) {
-                if(Boolean.getBoolean("dbg")) System.out.println("BLOCKED "+b+" by "+carrier.obstacle()+" at "+bodies.x[b]+" "+bodies.z[b]+" a "+bodies.angle[b]+" drift "+(bodies.x[b]-carrier.objects.places()[carrier.objects.place(bodies.id[b])])+" v "+bodies.vx[b]+" "+bodies.vz[b]+" "+bodies.w[b]);
                 bodies.stop(b);
                 isStopped[b] = true;
             }
