@@ -57,7 +57,8 @@ public final class Rooms {
         for (int crate = 0; crate < CRATES; ) {
             GeometryObject box = add("crate" + crate, false);
             if (box != null) {
-                dynamics.add(box.name(), Body.ofMass(box, 10).withSurface(surface).withFloorFriction(0.3));
+                dynamics.add(
+                        box.name(), Body.ofMass(box, 10).withSurface(surface).withFloorFriction(0.3));
                 crate++;
             }
         }
@@ -67,7 +68,9 @@ public final class Rooms {
         Point c = new Point(random.nextDouble(-19, 19), -1.3, random.nextDouble(-14, 14));
         GeometryObject object = isRound
                 ? new CylinderObject(c, 0.2, 0.4).moveable(name)
-                : new BoxObject(c, 0.45, 0.4, 0.35).turned(0, random.nextDouble(360)).moveable(name);
+                : new BoxObject(c, 0.45, 0.4, 0.35)
+                        .turned(0, random.nextDouble(360))
+                        .moveable(name);
         return world.addObject(object) ? object : null;
     }
 
