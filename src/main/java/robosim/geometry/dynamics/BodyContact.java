@@ -14,8 +14,7 @@ import robosim.geometry.model.Point;
  * @param impulse what {@code body} was given along the normal in this step, newton seconds; 0 where they only touch
  * @param phase   whether the contact has begun in this step, has lasted from the one before, or has ended
  */
-public record BodyContact(
-        String body, @Nullable String other, Point point, Point normal, double impulse, Phase phase) {
+public record BodyContact(String body, @Nullable String other, Point point, Point normal, double impulse, Phase phase) {
     /** How a contact stands to the step before. */
     public enum Phase {
         /** There was none in the step before. */

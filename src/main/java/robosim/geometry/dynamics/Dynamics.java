@@ -238,7 +238,8 @@ public final class Dynamics {
     private BodyContact contact(Touches of, int k, BodyContact.Phase phase) {
         int body = stepper.id(of.body[k]);
         double y = objects.places()[objects.place(body) + 1];
-        String other = of.otherObject[k] < 0 ? null : objects.value(of.otherObject[k]).name();
+        String other =
+                of.otherObject[k] < 0 ? null : objects.value(of.otherObject[k]).name();
         return new BodyContact(
                 order.get(of.body[k]).name,
                 other,

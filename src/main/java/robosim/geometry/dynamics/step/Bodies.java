@@ -111,9 +111,7 @@ final class Bodies {
     }
 
     double energy(int b) {
-        return lightness[b] == 0
-                ? 0
-                : 0.5 * ((vx[b] * vx[b] + vz[b] * vz[b]) / lightness[b] + w[b] * w[b] / ease[b]);
+        return lightness[b] == 0 ? 0 : 0.5 * ((vx[b] * vx[b] + vz[b] * vz[b]) / lightness[b] + w[b] * w[b] / ease[b]);
     }
 
     /** The sum of a number and its rest, and another number; the rest goes to {@code rests[at]}. */

@@ -289,12 +289,7 @@ final class FrontToBack {
         int leg = firstLeg[b];
         if (leg >= 0) {
             carrier.toContact(
-                    bodies.id[b],
-                    x[leg] - atX[b],
-                    0,
-                    z[leg] - atZ[b],
-                    Degrees.toDegrees(angle[leg] - atAngle[b]),
-                    gap);
+                    bodies.id[b], x[leg] - atX[b], 0, z[leg] - atZ[b], Degrees.toDegrees(angle[leg] - atAngle[b]), gap);
         }
         isBlocked[b] = true;
     }

@@ -37,7 +37,8 @@ final class Manifold {
         double from = Math.max(Math.min(a0, a1), Math.min(b0, b1));
         double to = Math.min(Math.max(a0, a1), Math.max(b0, b1));
         double height = 0.5
-                * ((s.ax[ofA[0]] * nx + s.az[ofA[0]] * nz - radiusA) + (s.bx[ofB[0]] * nx + s.bz[ofB[0]] * nz + radiusB));
+                * ((s.ax[ofA[0]] * nx + s.az[ofA[0]] * nz - radiusA)
+                        + (s.bx[ofB[0]] * nx + s.bz[ofB[0]] * nz + radiusB));
         if (to - from <= slack) {
             put(0, height, 0.5 * (from + to), nx, nz);
             return;

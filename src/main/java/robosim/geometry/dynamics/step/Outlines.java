@@ -147,7 +147,8 @@ final class Outlines {
         for (int row = 0; row < grid.rows(); row++) {
             int from = -1;
             for (int column = 0; column <= grid.columns(); column++) {
-                boolean isOpen = column < grid.columns() && grid.isOccupied(column, row) && !isShutIn(grid, column, row);
+                boolean isOpen =
+                        column < grid.columns() && grid.isOccupied(column, row) && !isShutIn(grid, column, row);
                 if (isOpen && from < 0) {
                     from = column;
                 } else if (!isOpen && from >= 0) {

@@ -389,8 +389,7 @@ public final class Stepper {
         double distance = impact.measure(pa, pb, now);
         manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
         for (int k = 0; k < manifold.count; k++) {
-            int c = solver.add(
-                    pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
+            int c = solver.add(pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
             solver.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
             solver.still[c] = mean(scene.still[pa], scene.still[pb]);
             solver.sliding[c] = Math.min(solver.still[c], mean(scene.sliding[pa], scene.sliding[pb]));

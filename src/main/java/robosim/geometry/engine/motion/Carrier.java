@@ -84,11 +84,10 @@ public final class Carrier {
 
     /** Whether a turn about the vertical takes the object to the same points, to the bit: one upright disc about its centre. */
     private boolean turnsInItself(int id) {
-        boolean isRound =
-                switch (objects.value(id).kind()) {
-                    case CYLINDER, SPHERE, CAPSULE -> true;
-                    case BOX, MESH, GROUP, GRID -> false;
-                };
+        boolean isRound = switch (objects.value(id).kind()) {
+            case CYLINDER, SPHERE, CAPSULE -> true;
+            case BOX, MESH, GROUP, GRID -> false;
+        };
         return isRound
                 && registry.view.accuracy == Accuracy.EXACT
                 && Attitude.isUpright(objects.places(), objects.place(id) + 3);
