@@ -405,7 +405,7 @@ public final class Stepper {
         boolean isTurning = (bodies.w[a] != 0 && pieces.reach[pairs.a[pair]] > 0)
                 || (b >= 0 && bodies.w[b] != 0 && pieces.reach[pairs.b[pair]] > 0);
         int times = Math.max(bodies.changes[a], b < 0 ? 0 : bodies.changes[b]) - PATIENCE;
-        return times <= 0 || !isTurning ? 0 : Math.min(FASTEST, SLOWEST * (1L << 3 * Math.min(times, 16)));
+        return times <= 0 || !isTurning ? 0 : Math.min(FASTEST, SLOWEST * (1L << (3 * Math.min(times, 16))));
     }
 
     private static double mean(double a, double b) {
