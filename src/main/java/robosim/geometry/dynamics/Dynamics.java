@@ -19,8 +19,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
 
 /**
- * Bodies that move in a PLANAR world, push and bounce, and never overlap anything: each step goes from collision to collision,
- * found by swept motions of each body against what stands still and of each pair against each other.
+ * Bodies that move in a PLANAR world, push and bounce, and never overlap anything: each step goes from collision to collision.
  *
  * <pre>{@code
  * Geometry world = new Geometry(20, 5, 20, Dimension.PLANAR, Accuracy.EXACT);
@@ -34,9 +33,10 @@ import robosim.geometry.model.Twist;
  * Math.round(dynamics.velocity("b").x() * 1e6);     // 4000000: the same disc at rest takes all of it
  * }</pre>
  *
- * <p>In a step all bodies translate at once. The turns of the step follow, each body in place, as far as that is free; a turn
- * that is blocked ends. Bodies stop {@code 1e-9} metres before contact. What has no body stands still, moveable or not, with
- * the surface given for all. The world may be changed between steps. Not thread-safe, like the world.
+ * <p>Who meets when, translating and turning, is found with plain doubles; then the world carries the bodies one after the
+ * other, the one ahead first, by swept moves that are exact, so that nothing overlaps and nothing passes through anything.
+ * Bodies stop {@code 1e-10} metres before contact. What has no body stands still, moveable or not. The world may be changed
+ * between steps. Not thread-safe, like the world.
  */
 public final class Dynamics {
     /** Where the heading is in a place of the world. */
@@ -153,7 +153,7 @@ public final class Dynamics {
         return last();
     }
 
-    /** Moves everything by a time in seconds, and tells nothing, so that a step allocates nothing where no drive does. */
+    /** Moves everything by a time in seconds, and tells nothing; {@link #last} tells it. */
     public void advance(double seconds) {
         Quantity.positive("seconds", seconds);
         if (bodies.isEmpty() && !isStale) {

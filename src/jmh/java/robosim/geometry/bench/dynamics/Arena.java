@@ -107,7 +107,8 @@ public final class Arena {
             double vx = velocities[3 * k];
             double vz = velocities[3 * k + 1];
             dynamics.setVelocity(
-                    name, new Twist(r[0] * vx + r[6] * vz, 0, r[2] * vx + r[8] * vz, Math.toDegrees(velocities[3 * k + 2])));
+                    name,
+                    new Twist(r[0] * vx + r[6] * vz, 0, r[2] * vx + r[8] * vz, Math.toDegrees(velocities[3 * k + 2])));
         }
     }
 }

@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * The impulses at all contacts of bodies that touch at one time: Newton's restitution, Coulomb's friction, each contact pushing
  * and never pulling. A fixed-point iteration in which all contacts answer the same velocities, each as if a body were divided
- * among its contacts (mass splitting: Tonge, Benevolenski and Voroshilov 2012), so that no order of contacts matters and what
- * is symmetric stays so; sums are carried with their rounding errors for the same reason. If it has not come to rest after a
+ * among its contacts (mass splitting: Tonge, Benevolenski and Voroshilov 2012), carried on by Nesterov's method with restarts
+ * (Mazhar, Heyn, Negrut and Tasora 2015); so no order of contacts matters and what is symmetric stays so; sums are carried with their rounding errors for the same reason. If it has not come to rest after a
  * bounded number of rounds, sweeps in order (Guendelman, Bridson and Fedkiw 2003) do the rest.
  *
  * <p>Newton's restitution with friction may add energy (Kane and Levinson 1985). Where it would, the contacts are solved
@@ -16,9 +16,9 @@ final class ContactSolver {
     /** Slower approaches do not bounce, m/s. */
     static final double SLOW = 1e-3;
 
-    private static final int ROUNDS = 96;
-    private static final int ROUNDS_EACH = 16;
-    private static final int MOST_ROUNDS = 640;
+    private static final int ROUNDS = 128;
+    private static final int ROUNDS_EACH = 24;
+    private static final int MOST_ROUNDS = 1024;
     private static final int SWEEPS = 48;
 
     /** Velocities that change by less, as a share of the greatest, have come to rest. */
@@ -46,6 +46,15 @@ final class ContactSolver {
 
     private double[] rub = new double[FIRST];
     private double[] goal = new double[FIRST];
+
+    // The impulses after the round before.
+    private double[] lastPush = new double[FIRST];
+    private double[] lastRub = new double[FIRST];
+
+    /** By how much impulses are carried on in the direction of their last change, and whether that goes the wrong way. */
+    private double momentum;
+
+    private double uphill;
 
     // Torques of unit forces along the normal and along the contact, on a and b.
     private double[] leverA = new double[FIRST];
@@ -130,6 +139,8 @@ final class ContactSolver {
         push = Arrays.copyOf(push, room);
         rub = Arrays.copyOf(rub, room);
         goal = Arrays.copyOf(goal, room);
+        lastPush = Arrays.copyOf(lastPush, room);
+        lastRub = Arrays.copyOf(lastRub, room);
         leverA = Arrays.copyOf(leverA, room);
         leverB = Arrays.copyOf(leverB, room);
         asideA = Arrays.copyOf(asideA, room);
@@ -195,6 +206,8 @@ final class ContactSolver {
             goal[c] = isBouncing ? Math.max(bounce, least[c]) : 0;
             push[c] = 0;
             rub[c] = 0;
+            lastPush[c] = 0;
+            lastRub[c] = 0;
         }
     }
 
@@ -210,12 +223,15 @@ final class ContactSolver {
         }
         double rest = RESTS * scale;
         int rounds = Math.min(MOST_ROUNDS, ROUNDS + ROUNDS_EACH * count);
+        double theta = 1;
+        momentum = 0;
         for (int round = 0; round < rounds; round++) {
             for (int k = 0; k < bodyCount; k++) {
                 int at = 3 * bodyList[k];
                 Arrays.fill(sums, at, at + 3, 0);
                 Arrays.fill(rests, at, at + 3, 0);
             }
+            uphill = 0;
             double change = 0;
             for (int c = 0; c < count; c++) {
                 change = Math.max(change, answer(c, isRubbing, true));
@@ -227,11 +243,12 @@ final class ContactSolver {
                 bodies.w[body] += sums[3 * body + 2] + rests[3 * body + 2];
             }
             if (change <= rest) {
- if(Boolean.getBoolean("dbg"))System.out.println("ROUNDS "+round+" of "+count);
                 return;
             }
+            double nextTheta = uphill > 0 || count == 1 ? 1 : 0.5 * (1 + Math.sqrt(1 + 4 * theta * theta));
+            momentum = uphill > 0 || count == 1 ? 0 : (theta - 1) / nextTheta;
+            theta = nextTheta;
         }
-if(Boolean.getBoolean("dbg"))System.out.println("ROUNDS all of "+count+" bodies "+bodyCount);
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             double change = 0;
             for (int c = 0; c < count; c++) {
@@ -260,23 +277,32 @@ if(Boolean.getBoolean("dbg"))System.out.println("ROUNDS all of "+count+" bodies 
         }
         double pushed = Math.max(0, push[c] + (goal[c] - parting(c)) / soft);
         double by = pushed - push[c];
-        push[c] = pushed;
         double rubBy = 0;
+        double softAside = 0;
         if (isRubbing && still[c] > 0) {
             double coupled = easeA * leverA[c] * asideA[c] + easeB * leverB[c] * asideB[c];
-            double softAside = light + (easeA * asideA[c] * asideA[c] + easeB * asideB[c] * asideB[c]);
+            softAside = light + (easeA * asideA[c] * asideA[c] + easeB * asideB[c] * asideB[c]);
             double aside = speed(first, -nz[c], nx[c], asideA[c]) - speed(second, -nz[c], nx[c], asideB[c]);
             double rubbed = rub[c] - (aside + by * coupled) / softAside;
             if (Math.abs(rubbed) > still[c] * pushed) {
                 rubbed = Math.copySign(sliding[c] * pushed, rubbed);
             }
             rubBy = rubbed - rub[c];
-            rub[c] = rubbed;
-            give(c, by, rubBy, isSplit);
-            return Math.max(Math.abs(by) * soft, Math.abs(rubBy) * softAside);
         }
+        double change = Math.max(Math.abs(by) * soft, Math.abs(rubBy) * softAside);
+        if (isSplit) {
+            double pushedBefore = lastPush[c];
+            double rubbedBefore = lastRub[c];
+            lastPush[c] = push[c] + by;
+            lastRub[c] = rub[c] + rubBy;
+            uphill -= by * soft * (lastPush[c] - pushedBefore) + rubBy * softAside * (lastRub[c] - rubbedBefore);
+            by += momentum * (lastPush[c] - pushedBefore);
+            rubBy += momentum * (lastRub[c] - rubbedBefore);
+        }
+        push[c] += by;
+        rub[c] += rubBy;
         give(c, by, rubBy, isSplit);
-        return Math.abs(by) * soft;
+        return change;
     }
 
     private void give(int c, double along, double aside, boolean isSplit) {

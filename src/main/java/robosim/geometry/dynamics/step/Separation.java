@@ -7,6 +7,9 @@ import java.util.Arrays;
  * is when bodies meet; whether they may go there is decided exactly by the world.
  */
 final class Separation {
+    /** A corner that is past the end of an edge by no more, metres, is across it: near contact rounding would turn the normal. */
+    private static final double BESIDE = 1e-9;
+
     /** The corners of both, as they have been put. */
     double[] ax = new double[8];
 
@@ -125,7 +128,8 @@ final class Separation {
                     face = k;
                     faceOf = 1 + side;
                     double along = dx * (qx[support] - px[k]) + dz * (qz[support] - pz[k]);
-                    isFace = along >= 0 && along <= length * length;
+                    double past = BESIDE * Math.max(1, length) * length;
+                    isFace = along >= -past && along <= length * length + past;
                 }
             }
         }

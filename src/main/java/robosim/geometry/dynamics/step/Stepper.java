@@ -20,6 +20,14 @@ public final class Stepper {
 
     private static final double GAP = 1e-10;
 
+    /** So often the velocity of a body is changed before it parts from what it touches faster than it has to. */
+    private static final int PATIENCE = 3;
+
+    /** By how much faster at first, and at most, m/s. */
+    private static final double SLOWEST = 1e-6;
+
+    private static final double FASTEST = 1e-2;
+
     /** Pieces that touch and approach more slowly are left to close what is left of the gap, m/s. */
     private static final double QUIET = 1e-9;
 
@@ -353,7 +361,8 @@ public final class Stepper {
         if (pairs.touches[pair] && impact.apart > 0 && pairs.solved[pair] != now && isApproaching(pair, now)) {
             time = now;
         }
-        pairs.expect(pair, time);
+        // What has just been solved and has no gap left does not meet again in no time.
+        pairs.expect(pair, time == now && pairs.solved[pair] == now ? TimeOfImpact.NEVER : time);
     }
 
     /** Whether two that touch approach at a point of contact. */
@@ -384,8 +393,19 @@ public final class Stepper {
             solver.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
             solver.still[c] = mean(scene.still[pa], scene.still[pb]);
             solver.sliding[c] = Math.min(solver.still[c], mean(scene.sliding[pa], scene.sliding[pb]));
-            solver.least[c] = distance < 0.5 * gap ? (gap - distance) / end : 0;
+            solver.least[c] = Math.max(distance < 0.5 * gap ? (gap - distance) / end : 0, parting(a, b, pair));
         }
+    }
+
+    /**
+     * The least speed of parting. An edge that turns about a corner which it touches meets it again at once, however often that
+     * is solved; the more often, the faster the two part, as long as energy does not grow.
+     */
+    private double parting(int a, int b, int pair) {
+        boolean isTurning = (bodies.w[a] != 0 && pieces.reach[pairs.a[pair]] > 0)
+                || (b >= 0 && bodies.w[b] != 0 && pieces.reach[pairs.b[pair]] > 0);
+        int times = Math.max(bodies.changes[a], b < 0 ? 0 : bodies.changes[b]) - PATIENCE;
+        return times <= 0 || !isTurning ? 0 : Math.min(FASTEST, SLOWEST * (1L << (3 * Math.min(times, 16))));
     }
 
     private static double mean(double a, double b) {
@@ -456,7 +476,6 @@ public final class Stepper {
             bodies.changes[body] += solver.isChanged(body) ? 1 : 0;
             if (!isSolved || bodies.changes[body] > MOST_CHANGES) {
                 isStopped[body] |= bodies.ownLightness[body] > 0;
-                if(Boolean.getBoolean("dbg")) System.out.println("HELD "+body+" solved "+isSolved+" changes "+bodies.changes[body]+" t "+now+" contacts "+solver.count+" hit "+hit+" apart "+impact.measure(pairs.a[hit],pairs.b[hit],now));
                 bodies.hold(body);
             }
             carrying.leg(body);
@@ -550,7 +569,6 @@ public final class Stepper {
         carrying.carry();
         for (int b = 0; b < bodies.count; b++) {
             if (carrying.isBlocked[b]) {
-                if(Boolean.getBoolean("dbg")) System.out.println("BLOCKED "+b+" by "+carrier.obstacle()+" at "+bodies.x[b]+" "+bodies.z[b]+" a "+bodies.angle[b]+" drift "+(bodies.x[b]-carrier.objects.places()[carrier.objects.place(bodies.id[b])])+" v "+bodies.vx[b]+" "+bodies.vz[b]+" "+bodies.w[b]);
                 bodies.stop(b);
                 isStopped[b] = true;
             }

@@ -16,7 +16,7 @@ final class TimeOfImpact {
     private static final double TURN = 0.25;
 
     /** Nearer than so much more than the gap counts as there. */
-    private static final double THERE = 1 + 0x1p-10;
+    private static final double THERE = 1 + 0x1p-6;
 
     /** Below this share of the speed the one passes the other, and the gap may become smaller. */
     private static final double GRAZING = 1e-4;
@@ -167,7 +167,7 @@ final class TimeOfImpact {
         int side = 0;
         for (int k = 0; k < MOST_ROUNDS && above > 0; k++) {
             double mid = k % 8 == 7 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
-            if (!(mid > low && mid < high)) {
+            if (!(mid > low && mid < high) || high - low < 0x1p-44 * (t + high)) {
                 break;
             }
             double there = along(a, b, t + mid) - target;
@@ -176,7 +176,7 @@ final class TimeOfImpact {
                 above = there;
                 below = side == 1 ? 0.5 * below : below;
                 side = 1;
-                if (there <= target * 0x1p-12) {
+                if (there <= target * 0x1p-7) {
                     break;
                 }
             } else {

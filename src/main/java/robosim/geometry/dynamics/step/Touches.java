@@ -50,7 +50,7 @@ public final class Touches {
     }
 
     private int find(long key) {
-        for (int at = slot(key); table[at] >= 0; at = at + 1 & table.length - 1) {
+        for (int at = slot(key); table[at] >= 0; at = (at + 1) & (table.length - 1)) {
             if (keys[table[at]] == key) {
                 return table[at];
             }
@@ -59,12 +59,12 @@ public final class Touches {
     }
 
     private int slot(long key) {
-        return (int) (key * 0x9E3779B97F4A7C15L >>> 40) & table.length - 1;
+        return (int) ((key * 0x9E3779B97F4A7C15L) >>> 40) & (table.length - 1);
     }
 
     /** Adds to what one was pushed by another; where and along what is that of the greatest impulse. */
     void add(int ofBody, int other, int object, double px, double pz, double normalX, double normalZ, double by) {
-        long key = (long) ofBody << 32 | (other >= 0 ? other : object + STILL);
+        long key = ((long) ofBody << 32) | (other >= 0 ? other : object + STILL);
         int entry = find(key);
         if (entry < 0) {
             entry = enter(key);
@@ -108,7 +108,7 @@ public final class Touches {
     private void insert(int entry) {
         int at = slot(keys[entry]);
         while (table[at] >= 0) {
-            at = at + 1 & table.length - 1;
+            at = (at + 1) & (table.length - 1);
         }
         table[at] = entry;
     }
