@@ -52,7 +52,6 @@ public final class Dynamics {
     private static final int MOST_SLICES = 64;
 
     private final Geometry world;
-    private final Surface ground;
     private final Map<String, BodyState> bodies = new LinkedHashMap<>();
     private final Map<String, Surface> surfaces = new HashMap<>();
     private final Carrier carrier;
@@ -73,7 +72,7 @@ public final class Dynamics {
      */
     public Dynamics(Geometry world, Surface ground) {
         this.world = Checks.present("world", world);
-        this.ground = Checks.present("ground", ground);
+        Checks.present("ground", ground);
         if (world.dimension() != Dimension.PLANAR) {
             throw new IllegalArgumentException("world must be PLANAR (got: " + world.dimension() + ")");
         }
