@@ -26,10 +26,11 @@ def expect(holds, what):
         wrong.append(what)
 
 
-def bundle(folder):
-    """Files of the bundle that Maven Central would get, by path."""
-    with zipfile.ZipFile(folder / "target/central-publishing/central-bundle.zip") as file:
-        return {name: file.read(name) for name in file.namelist() if not name.endswith("/")}
+def deployed(folder):
+    """The version's files in the folder that it was deployed to, by path; not the repository's own lists of versions."""
+    root = folder / "target/repository"
+    return {file.relative_to(root).as_posix(): file.read_bytes() for file in root.rglob("*")
+            if file.is_file() and not file.name.startswith("maven-metadata")}
 
 
 def check_pom(text):
@@ -122,7 +123,7 @@ def check_same(one, another):
 
 def main():
     here, there = Path(sys.argv[1]), Path(sys.argv[2])
-    files, again = bundle(here), bundle(there)
+    files, again = deployed(here), deployed(there)
     pom = next(name for name in files if name.endswith(".pom"))
     group, artifact, version = check_pom(files[pom])
     name = f"{artifact}-{version}"

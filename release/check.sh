@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A dry run of a release: builds what is committed twice in folders of its own, signs it with a key that is thrown away, and
-# checks what Maven Central would get. Nothing is sent. Needs git, gpg and python3 besides what the build needs.
+# A dry run of a release: builds what is committed twice in folders of its own, signs it with a key that is thrown away,
+# deploys it to a local folder, and checks what is there. Nothing is sent. Needs git, gpg and python3 besides what the build needs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,8 +9,6 @@ trap 'gpgconf --kill all 2>/dev/null || true; rm -rf "$work"' EXIT
 export GNUPGHOME="$work/gpg"
 mkdir -m 700 "$GNUPGHOME"
 gpg --batch --quiet --passphrase '' --quick-generate-key 'dry run <nobody@example.invalid>' rsa3072 sign 1d
-# Maven Central's plugin asks for an account even where it sends nothing.
-echo '<settings><servers><server><id>central</id><username>nobody</username><password>none</password></server></servers></settings>' > "$work/settings.xml"
 
 # At two places with names of different lengths, in two time zones and with two masks of rights.
 build() {
@@ -20,7 +18,8 @@ build() {
     cd "$1"
     export TZ="$2"
     umask "$3"
-    mvn -B -ntp -q -s "$work/settings.xml" deploy -Prelease -DskipTests -Dcentral.skip=true -Dmaven.install.skip=true
+    mvn -B -ntp -q deploy -Prelease -DskipTests -Dmaven.install.skip=true \
+      -DaltDeploymentRepository="dry-run::file:$1/target/repository"
   )
 }
 build "$work/one" UTC 022
