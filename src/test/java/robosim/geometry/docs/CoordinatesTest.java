@@ -16,7 +16,8 @@ import robosim.geometry.protocol.json.JsonLines;
 
 /** Whoever copies coordinates from a page or an example gets those of the pom. */
 class CoordinatesTest {
-    private static final Pattern JAR = Pattern.compile("robosim-geometry-(\\d[\\w.]*(?:-rc\\.\\d+|-SNAPSHOT)?)(?:-app)?\\.jar");
+    private static final Pattern JAR =
+            Pattern.compile("robosim-geometry-(\\d[\\w.]*(?:-rc\\.\\d+|-SNAPSHOT)?)(?:-app)?\\.jar");
     private static final Pattern DEPENDENCY = Pattern.compile(
             "<groupId>([\\w.-]+)</groupId>\\s*<artifactId>robosim-geometry</artifactId>\\s*<version>([^<]+)</version>");
 
