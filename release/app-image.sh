@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 jdk="${JAVA_HOME:-$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")}"
-jar=$(ls target/robosim-geometry-*[0-9]-app.jar 2>/dev/null || true)
+jar=$(ls -t target/robosim-geometry-*-app.jar 2>/dev/null | head -n 1 || true)
 [ -n "$jar" ] || { echo "There is no application yet: mvn -q package -DskipTests" >&2; exit 2; }
 version=$(basename "$jar" -app.jar)
 version=${version#robosim-geometry-}

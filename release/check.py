@@ -4,6 +4,7 @@ Tells each thing that is wrong, and ends with 1 then.
 """
 
 import hashlib
+import io
 import json
 import re
 import subprocess
@@ -26,10 +27,11 @@ def expect(holds, what):
         wrong.append(what)
 
 
-def bundle(folder):
-    """Files of the bundle that Maven Central would get, by path."""
-    with zipfile.ZipFile(folder / "target/central-publishing/central-bundle.zip") as file:
-        return {name: file.read(name) for name in file.namelist() if not name.endswith("/")}
+def deployed(folder):
+    """The version's files in the folder that it was deployed to, by path; not the repository's own lists of versions."""
+    root = folder / "target/repository"
+    return {file.relative_to(root).as_posix(): file.read_bytes() for file in root.rglob("*")
+            if file.is_file() and not file.name.startswith("maven-metadata")}
 
 
 def check_pom(text):
@@ -93,7 +95,7 @@ def check_jars(folder, name):
 
     jar, sources, pages, app = entries(".jar"), entries("-sources.jar"), entries("-javadoc.jar"), entries("-app.jar")
     expect({"module-info.class", "META-INF/LICENSE"} <= jar, "the jar has no module or no licence")
-    expect(not any("/bench/" in entry or entry.endswith("Test.class") for entry in jar), "the jar has tests or benchmarks")
+    expect(not any("/bench/" in e or e.endswith("/GeometryTest.class") for e in jar), "the jar has tests or benchmarks")
     classes = {e for e in jar if e.startswith("robosim/") and e.endswith(".class") and "$" not in e}
     missing = [e for e in classes if e[: -len("class")] + "java" not in sources
                and not any(e.startswith(s[: -len(".java")]) for s in sources if s.endswith(".java"))]
@@ -117,12 +119,21 @@ def check_bom(text):
 def check_same(one, another):
     for name in sorted(set(one) | set(another)):
         if not name.endswith((".asc", ".asc.md5", ".asc.sha1", ".asc.sha256", ".asc.sha512")):
-            expect(one.get(name) == another.get(name), f"two builds differ: {name}")
+            expect(one.get(name) == another.get(name), f"two builds differ: {name}{entries(one, another, name)}")
+
+
+def entries(one, another, name):
+    """The first entries of a jar that differ, or nothing."""
+    if not name.endswith(".jar") or name not in one or name not in another:
+        return ""
+    jars = [zipfile.ZipFile(io.BytesIO(files[name])) for files in (one, another)]
+    listed = [{i.filename: (i.CRC, i.date_time, i.external_attr >> 16) for i in jar.infolist()} for jar in jars]
+    return f": {sorted(e for e in listed[0] if listed[0][e] != listed[1].get(e))[:3]}"
 
 
 def main():
     here, there = Path(sys.argv[1]), Path(sys.argv[2])
-    files, again = bundle(here), bundle(there)
+    files, again = deployed(here), deployed(there)
     pom = next(name for name in files if name.endswith(".pom"))
     group, artifact, version = check_pom(files[pom])
     name = f"{artifact}-{version}"

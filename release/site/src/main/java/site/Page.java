@@ -2,10 +2,10 @@ package site;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 import org.commonmark.Extension;
 import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.node.AbstractVisitor;
@@ -25,7 +25,7 @@ final class Page {
     private final Path file;
     private final Node node;
     private final Headings headings;
-    private final Set<Path> links = new TreeSet<>();
+    private final Set<Path> links = new LinkedHashSet<>();
 
     /** Of a file of the project, told relative to its root. {@code source} begins the address of a file that is not on the site. */
     Page(Path root, Path file, String text, String source) {
@@ -81,7 +81,7 @@ final class Page {
         return headings.title();
     }
 
-    /** Files of the project that it links to, relative to its root. */
+    /** Files of the project that it links to, relative to its root, in their order. */
     Set<Path> links() {
         return links;
     }
