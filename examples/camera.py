@@ -4,7 +4,7 @@
 A robot in a room with pillars, crates and balls looks for the balls. Each step it asks the geometry module for one frame:
 the distances of 64 x 48 rays, which object each of them met, and the label of its material. It turns to the nearest ball
 that it has not visited, and away from what is in its way. Frames go to a folder, depth as 16-bit PGM in millimetres and
-objects as PPM in colours.
+objects as PPM in colours, and every tenth time what the camera sees in colour, with light and shadows, as PNG.
 
     python3 examples/camera.py --connect localhost:7575 --save frames
 
@@ -20,6 +20,7 @@ import random
 import socket
 import struct
 import sys
+import zlib
 
 from environment import Connection, NotDone, ProtocolFault, place, steps
 
@@ -36,6 +37,14 @@ CAMERA = {
     "pattern": {"kind": "pinhole", "width": WIDTH, "height": HEIGHT, "fieldOfView": FIELD},
     "max": REACH,
     "objects": True,
+}
+
+PICTURE = {
+    "kind": "picture",
+    "objectName": "robot",
+    "mount": CAMERA["mount"],
+    "pattern": {"kind": "pinhole", "width": 320, "height": 240, "fieldOfView": FIELD},
+    "samples": 2,
 }
 
 
@@ -124,6 +133,21 @@ class Frame:
         (folder / f"objects-{number:04}.ppm").write_bytes(b"P6\n%d %d\n255\n" % (WIDTH, HEIGHT) + colors)
 
 
+def save_picture(answer, file):
+    """Writes a picture as PNG: 8 bits each of red, green and blue, every row after a filter byte of 0."""
+    if "error" in answer:
+        raise NotDone(f"the module has no picture: {answer['error']}")
+    width, height, rgb = answer["width"], answer["height"], base64.b64decode(answer["rgb"])
+    rows = b"".join(b"\0" + rgb[at:at + 3 * width] for at in range(0, len(rgb), 3 * width))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9))
+                     + chunk(b"IEND", b""))
+
+
 def drive(connection, most, save):
     """Looks, decides and moves until every ball was visited, or so many steps were made."""
     visited, made = [], 0
@@ -133,6 +157,9 @@ def drive(connection, most, save):
         frame = Frame(answer["answers"][0])
         if save is not None:
             frame.save(save, number)
+            if number % 10 == 0:
+                answer, _ = connection.ask({"type": "batch", "requests": [PICTURE]}, "answers")
+                save_picture(answer["answers"][0], save / f"color-{number:04}.png")
         ball = frame.nearest_ball(visited)
         if ball is not None and ball[1] < NEAR:
             visited.append(ball[0])
@@ -167,7 +194,7 @@ def main():
     parser.add_argument("--connect", metavar="HOST:PORT", type=place, required=True, help="a module that listens")
     parser.add_argument("--steps", type=steps, default=1500, help="the most frames")
     parser.add_argument("--seed", type=int, default=1, help="of the room")
-    parser.add_argument("--save", metavar="FOLDER", type=pathlib.Path, help="takes the frames as PGM and PPM images")
+    parser.add_argument("--save", metavar="FOLDER", type=pathlib.Path, help="takes the frames as PGM, PPM and PNG images")
     arguments = parser.parse_args()
     try:
         if arguments.save is not None:

@@ -602,7 +602,7 @@ public final class Geometry {
      * @throws IllegalArgumentException if there is no object of that name
      */
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
-        return freeRays(rays, count, registry.known(ignored), free);
+        return freeRays(rays, count, registry.known(Checks.present("ignored", ignored)), free);
     }
 
     private int freeRays(double[] rays, int count, int ignored, long[] free) {

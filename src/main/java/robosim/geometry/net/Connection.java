@@ -235,7 +235,7 @@ final class Connection implements Runnable {
             return tooMany("a bundle", "requests", sonars.requests().size(), quotas.requests());
         }
         if (request instanceof BatchRequestBundle batch) {
-            return tooMany("a bundle", "beams, poses and edges", batch.size(), quotas.requests());
+            return tooMany("a bundle", "beams, poses, edges and pixels", batch.size(), quotas.requests());
         }
         return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
                 + request.getClass().getSimpleName() + ")";

@@ -35,6 +35,7 @@ import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
 
 /**
  * A conversation about one world at a time: takes a request bundle and returns an answer bundle or nothing. It is
@@ -211,6 +212,7 @@ public final class Session {
         }
         world = made;
         moveable = movers;
+        batches.forget();
     }
 
     private WorldSettings settings(InitBundle init) {
@@ -319,7 +321,8 @@ public final class Session {
 
     private BatchAnswer answer(BatchRequest request, int index, List<Problem> problems) {
         String name = request.objectName();
-        if (world == null || !moveable.contains(name)) {
+        boolean isFree = request instanceof PictureRequest picture && !picture.isCarried();
+        if (world == null || !(isFree || moveable.contains(name))) {
             problems.add(unknown(name, index, "its batches have no answer"));
             return new NoAnswer();
         }

@@ -24,7 +24,10 @@ import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
+import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 
@@ -69,6 +72,12 @@ final class AllowedClasses {
             Integers.class,
             ScanMotion.class,
             FreePosesRequest.class,
+            PictureRequest.class,
+            PictureAnswer.class,
+            SceneLight.class,
+            SceneLight.Sun.class,
+            SceneLight.Lamp.class,
+            SceneLight.Spot.class,
             FreeEdgesRequest.class,
             BatchAnswerBundle.class,
             SenseAnswer.class,

@@ -261,13 +261,26 @@ public final class ColorCamera {
      *     carrier's name
      */
     public void render(Geometry world, ColorFrame out) {
+        render(world, out, percent -> {});
+    }
+
+    /**
+     * Takes a picture of a world, on the calling thread.
+     *
+     * @param progress is told how many percent are done, now and then; what it throws ends the picture, and the frame has none
+     * @throws IllegalArgumentException if the world is PLANAR, which has no heights, or has no moveable object of the
+     *     carrier's name
+     */
+    public void render(Geometry world, ColorFrame out, IntConsumer progress) {
         checkSpatial(Checks.present("world", world).dimension());
         Checks.present("out", out).reset(plan.width, plan.height);
+        Checks.present("progress", progress);
         BlockPainter painter = out.painter(world);
         SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
         painter.begin(this, shade);
         for (int block = 0; block < plan.blocks(); block++) {
             painter.paint(block, out.pixels());
+            progress.accept((int) (100L * (block + 1) / plan.blocks()));
         }
         for (int row = 0; shade != null && row < plan.height; row++) {
             shade.resolve(row, out.pixels());

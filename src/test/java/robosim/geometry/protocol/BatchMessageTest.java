@@ -17,18 +17,22 @@ import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
 
 /** Batches in Java serialization. */
 class BatchMessageTest {
     private static final String STORED = "batches.ser";
     private static final String FRAMES = "frames.ser";
+    private static final String PICTURES = "pictures.ser";
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
         List<Bundle> bundles = new ArrayList<>(BatchSamples.everyBundle());
         bundles.addAll(BatchSamples.frames());
+        bundles.addAll(BatchSamples.pictures());
         byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
         assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
     }
@@ -37,6 +41,7 @@ class BatchMessageTest {
     void storedBatchesMeanWhatTheyMeant() throws IOException {
         assertThat(MessageTest.readAll(StoredBytesTest.stored(STORED))).isEqualTo(BatchSamples.everyBundle());
         assertThat(MessageTest.readAll(StoredBytesTest.stored(FRAMES))).isEqualTo(BatchSamples.frames());
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(PICTURES))).isEqualTo(BatchSamples.pictures());
     }
 
     private static List<BatchRequest> times(int count, BatchRequest request) {
@@ -61,6 +66,20 @@ class BatchMessageTest {
         assertThatThrownBy(() -> new BatchRequestBundle(
                         times(1_000_000, new SenseRequest("r", new BeamPattern.Pinhole(4096, 4096, 1)))))
                 .hasMessageContaining("at most 1048576 beams together (got: 16777216000000)");
+        BeamPattern.Pinhole screen = new BeamPattern.Pinhole(1024, 512, 1);
+        PictureRequest half = new PictureRequest("", Mount.CENTER, screen);
+        assertThat(half.rays()).isEqualTo(1024 * 512 * 2 * 4);
+        assertThat(new BatchRequestBundle(times(2, half)).size()).isEqualTo(MessageLimits.MAX_PICTURE_PIXELS);
+        assertThat(new BatchRequestBundle(times(2, half)).workBytes()).isEqualTo(40L << 20);
+        assertThatThrownBy(() -> new BatchRequestBundle(times(3, half)))
+                .hasMessage("requests must have at most 1048576 pixels together (got: 1572864)");
+        PictureRequest fine = new PictureRequest("", Mount.CENTER, screen, 3, 3, false, null);
+        assertThatThrownBy(() -> new BatchRequestBundle(List.of(fine)))
+                .hasMessage(
+                        "requests must have at most 33554432 rays for pictures (pixels times samples times sources of"
+                                + " light and one times mirrors and one) together (got: 37748736)");
+        assertThatThrownBy(() -> new BatchRequestBundle(times(1_000_000, fine)))
+                .hasMessageContaining("pixels together");
         assertThatThrownBy(() -> new BatchRequestBundle(null)).hasMessageContaining("requests");
         assertThatThrownBy(() -> new BatchRequestBundle(Arrays.asList(edge, null)))
                 .hasMessageContaining("requests[1] must be given");
@@ -107,6 +126,9 @@ class BatchMessageTest {
             Files.write(
                     Path.of(args[0], FRAMES),
                     MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], PICTURES),
+                    MessageTest.write(BatchSamples.pictures().toArray(Bundle[]::new)));
         }
     }
 }

@@ -1,6 +1,7 @@
 package robosim.geometry.protocol;
 
 import java.util.List;
+import robosim.geometry.material.Color;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
@@ -10,7 +11,10 @@ import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
+import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 
@@ -83,6 +87,32 @@ public final class BatchSamples {
                                 Integers.of(Integer.MAX_VALUE, 0, 7)),
                         new SenseAnswer(
                                 Numbers.of(2), Numbers.of(0, 1, 0), List.of("a"), Integers.of(0), Integers.of(0)))));
+    }
+
+    /** What came after those: pictures, with every optional part given and left out. */
+    public static List<Bundle> pictures() {
+        Mount mount = new Mount(new Point(0.1, 0.5, -0.0), Numbers.of(0, 0, 1, 0, 1, 0, -1, 0, 0));
+        BeamPattern.Pinhole camera = new BeamPattern.Pinhole(2, 1, 1.5);
+        Color red = Color.parse("#ff0000");
+        Color fine = new Color(0.1, 0.2, 1e-300);
+        SceneLight light = new SceneLight(
+                Color.WHITE,
+                fine,
+                Color.BLACK,
+                0.5,
+                List.of(
+                        new SceneLight.Sun(new Point(0, -1, 0), red, 1),
+                        new SceneLight.Lamp(new Point(1, 2, 3), Color.WHITE, 0),
+                        new SceneLight.Spot(new Point(), new Point(1e-9, 0, 0), 0.7, fine, 0x1p100)));
+        SceneLight dark = new SceneLight(Color.BLACK, Color.BLACK, Color.BLACK, 0, List.of());
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new PictureRequest("robot", Mount.CENTER, camera),
+                        new PictureRequest("", mount, camera, 16, 0, false, light),
+                        new PictureRequest("\u00e9", mount, camera, 2, 16, true, dark))),
+                new BatchAnswerBundle(List.of(
+                        new PictureAnswer(2, 1, new byte[] {0, 1, 2, -1, -128, 127}),
+                        PictureAnswer.of(1, 1, new int[] {0xff8001}))));
     }
 
     /** The bundles. */

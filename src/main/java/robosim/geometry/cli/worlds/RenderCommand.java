@@ -2,7 +2,6 @@ package robosim.geometry.cli.worlds;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -11,11 +10,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.image.PngWriter;
@@ -25,6 +22,7 @@ import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldException;
 
 /** Draws a world file: as a camera sees it, or as a plan. */
 @Command(
@@ -46,8 +44,9 @@ import robosim.geometry.world.World;
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
             "  robosim-geometry render worlds/rooms.xml --camera orbit --frames 36 -o rooms.png",
             "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
-            "  robosim-geometry render worlds/rooms.xml --show depth --camera robot:pad -o depth.png",
+            "  robosim-geometry render worlds/courtyard.sdf --show depth --camera robot:courier -o depth.png",
             "  robosim-geometry render worlds/warehouse.xml --show points --lidar vlp16 -o cloud.png",
+            "  robosim-geometry render arena.sdf --camera sensor:front_camera -o seen.png",
             "  robosim-geometry render worlds/maze.xml --plan --dark -o maze.png",
             "  robosim-geometry render arena.world --models ~/.gazebo/models -o arena.svg"
         })
@@ -56,8 +55,9 @@ public final class RenderCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "WORLD", description = "a world file, as in worlds/")
-    private Path world = Path.of("");
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldOptions world;
 
     @Option(
             names = {"-o", "--output"},
@@ -65,12 +65,6 @@ public final class RenderCommand implements Callable<Integer> {
             required = true,
             description = "the picture to write: .svg or .png")
     private Path output = Path.of("world.svg");
-
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
 
     @Option(names = "--dark", description = "draw the plan on a dark background; an .svg follows its viewer's theme")
     private boolean dark;
@@ -105,10 +99,9 @@ public final class RenderCommand implements Callable<Integer> {
         if (!name.endsWith(".svg") && !name.endsWith(".png")) {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
-        Inputs.file(spec, "WORLD", world);
-        World read = Inputs.world(spec, world, models);
+        World read = world.read();
         if (plan || dark || name.endsWith(".svg")) {
-            Painter.write(Pictures.of(read, Pictures.title(world)), theme(), output);
+            Painter.write(Pictures.of(read, Pictures.title(world.file())), theme(), output);
             tell(output);
         } else {
             photograph(read);
@@ -120,8 +113,9 @@ public final class RenderCommand implements Callable<Integer> {
         spec.commandLine().getOut().println("Wrote " + file);
     }
 
-    private void photograph(World read) throws IOException {
+    private void photograph(World read) throws IOException, WorldException {
         Studio studio = new Studio(read, cameras.hasFloor());
+        cameras.find(world);
         List<List<CameraOptions.Shot>> pictures = cameras.pictures(studio);
         Snapshot snapshot = studio.snapshot();
         int[] pixels = new int[cameras.width() * cameras.height()];

@@ -3,6 +3,8 @@ package robosim.geometry.protocol.json;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Color;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.protocol.BatchRequestBundle;
@@ -13,20 +15,30 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
+import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseRequest;
 
 /** Reads requests with packed numbers from JSON. */
 final class JsonBatches {
     private static final Fields BATCH = Fields.of("type requests", "");
-    private static final Fields REQUEST =
-            Fields.of("kind objectName", "mount pattern min max width seesCarrier normals poses edges objects motion");
+    private static final Fields REQUEST = Fields.of(
+            "kind",
+            "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors light");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
-            new String[] {"sense", "pattern", "mount min max width seesCarrier normals objects motion"},
-            new String[] {"poses", "poses", ""},
-            new String[] {"edges", "edges", ""});
+            new String[] {"sense", "objectName pattern", "mount min max width seesCarrier normals objects motion"},
+            new String[] {"poses", "objectName poses", ""},
+            new String[] {"edges", "objectName edges", ""},
+            new String[] {"picture", "pattern", "objectName mount samples mirrors seesCarrier light"});
     private static final Fields MOTION = Fields.of("duration", "x y z ry");
+    private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
+    private static final Fields SOURCE = Fields.of("kind strength", "color direction place angle");
+    private static final JsonKinds SOURCES = new JsonKinds(
+            SOURCE, new String[] {"sun", "direction", "color"}, new String[] {"lamp", "place", "color"}, new String[] {
+                "spot", "place direction angle", "color"
+            });
     private static final Fields MOUNT = Fields.of("place", "rotation");
     private static final Fields PATTERN =
             Fields.of("kind", "first step count elevations width height fieldOfView directions");
@@ -38,9 +50,11 @@ final class JsonBatches {
             new String[] {"directions", "directions", ""});
 
     private final JsonInput in;
+    private final JsonMaterials colors;
 
     JsonBatches(JsonInput in) {
         this.in = in;
+        colors = new JsonMaterials(in);
     }
 
     BatchRequestBundle batch() throws IOException {
@@ -74,15 +88,73 @@ final class JsonBatches {
         private boolean objects;
         private ScanMotion motion = ScanMotion.NONE;
         private Numbers places = Numbers.NONE;
+        private int samples = 1;
+        private int mirrors = PictureRequest.USUAL_MIRRORS;
+        private @Nullable SceneLight light;
+
+        private BeamPattern.Pinhole camera() {
+            if (pattern instanceof BeamPattern.Pinhole camera) {
+                return camera;
+            }
+            throw new IllegalArgumentException("pattern of a picture must be of kind \"pinhole\" (got: another)");
+        }
 
         private BatchRequest make() {
             return switch (kind) {
                 case 0 ->
                     new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
                 case 1 -> new FreePosesRequest(name, places);
-                default -> new FreeEdgesRequest(name, places);
+                case 2 -> new FreeEdgesRequest(name, places);
+                default -> new PictureRequest(name, mount, camera(), samples, mirrors, seesCarrier, light);
             };
         }
+    }
+
+    private SceneLight light() throws IOException {
+        Color[] sky = {Color.BLACK, Color.BLACK, Color.BLACK};
+        double[] strength = new double[1];
+        List<SceneLight.Source> sources = new ArrayList<>();
+        var members = in.object(LIGHT);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0, 1, 2 -> sky[field] = colors.color();
+                case 3 -> strength[0] = in.number();
+                default -> {
+                    in.list();
+                    while (in.more(sources.size(), SceneLight.MOST_SOURCES)) {
+                        sources.add(source());
+                    }
+                }
+            }
+        }
+        return in.make(() -> new SceneLight(sky[0], sky[1], sky[2], strength[0], sources));
+    }
+
+    private SceneLight.Source source() throws IOException {
+        int kind = 0;
+        double[] numbers = new double[SOURCE.count()];
+        Color[] color = {Color.WHITE};
+        double[][] points = {new double[3], new double[3]};
+        var members = in.object(SOURCE);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0 -> kind = SOURCES.read(in);
+                case 2 -> color[0] = colors.color();
+                case 3, 4 -> points[field - 3] = in.numbers(3);
+                default -> numbers[field] = in.number();
+            }
+        }
+        SOURCES.check(in, kind, members::has);
+        int made = kind;
+        return in.make(() -> {
+            Point direction = new Point(points[0][0], points[0][1], points[0][2]);
+            Point place = new Point(points[1][0], points[1][1], points[1][2]);
+            return switch (made) {
+                case 0 -> new SceneLight.Sun(direction, color[0], numbers[1]);
+                case 1 -> new SceneLight.Lamp(place, color[0], numbers[1]);
+                default -> new SceneLight.Spot(place, direction, numbers[5], color[0], numbers[1]);
+            };
+        });
     }
 
     private BatchRequest request() throws IOException {
@@ -102,7 +174,10 @@ final class JsonBatches {
                 case 9 -> draft.places = packed(FreePosesRequest.STRIDE, MessageLimits.MAX_POSES);
                 case 10 -> draft.places = packed(FreeEdgesRequest.STRIDE, MessageLimits.MAX_POSES);
                 case 11 -> draft.objects = in.flag();
-                default -> draft.motion = motion();
+                case 12 -> draft.motion = motion();
+                case 13 -> draft.samples = (int) in.whole(1, PictureRequest.MOST_SAMPLES);
+                case 14 -> draft.mirrors = (int) in.whole(0, PictureRequest.MOST_MIRRORS);
+                default -> draft.light = light();
             }
         }
         REQUESTS.check(in, draft.kind, members::has);

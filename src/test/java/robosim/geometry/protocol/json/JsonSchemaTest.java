@@ -72,6 +72,9 @@ class JsonSchemaTest {
             "seesCarrier must be false",
             "normals must have three numbers for each",
             "free must have",
+            "rgb must have",
+            "pixels together",
+            "rays for pictures",
             "beams together");
 
     private static final List<String> REQUESTS = List.of(
@@ -105,6 +108,7 @@ class JsonSchemaTest {
         }
         lines.add(JsonLines.write(BatchSamples.requests()));
         lines.add(JsonLines.write(BatchSamples.frames().get(0)));
+        lines.add(JsonLines.write(BatchSamples.pictures().get(0)));
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
         return lines;
     }
@@ -113,6 +117,7 @@ class JsonSchemaTest {
         MoveBundle made = new MoveBundle(List.of(new MoveRequest("r", 1, 0, -0.0, 1e-300, 2)));
         return List.of(
                 JsonLines.write(new Reply(BatchSamples.frames().get(1))),
+                JsonLines.write(new Reply(BatchSamples.pictures().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(

@@ -1,0 +1,78 @@
+package robosim.geometry.cli.worlds;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.ModelFolders;
+import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldException;
+
+/** Which world a command looks at. */
+public final class WorldOptions {
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
+    private Path world = Path.of("");
+
+    @Option(
+            names = "--models",
+            paramLabel = "DIR",
+            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
+    private List<Path> models = new ArrayList<>();
+
+    private WorldOptions() {}
+
+    Path file() {
+        return world;
+    }
+
+    /** Reads the world. */
+    World read() throws WorldException {
+        Inputs.file(spec, "WORLD", world);
+        return Inputs.world(spec, world, models);
+    }
+
+    /**
+     * A sensor that the world's file describes.
+     *
+     * @param option that names it, for messages
+     * @param name   in full, or what follows the last {@code ::} of one sensor only
+     */
+    SdfReader.Sensor sensor(String option, String name) throws WorldException {
+        String file = world.toString().toLowerCase(Locale.ROOT);
+        if (!file.endsWith(".sdf") && !file.endsWith(".world")) {
+            throw refused(option + " must be for a WORLD in SDFormat (got: " + world + ")");
+        }
+        List<SdfReader.Sensor> all = SdfReader.sensors(world, ModelFolders.with(models));
+        List<SdfReader.Sensor> found = all.stream()
+                .filter(each -> each.name().equals(name) || each.name().endsWith("::" + name))
+                .toList();
+        for (SdfReader.Sensor each : found) {
+            if (each.name().equals(name)) {
+                return each;
+            }
+        }
+        if (found.size() != 1) {
+            List<String> names = (found.isEmpty() ? all : found)
+                    .stream().map(SdfReader.Sensor::name).toList();
+            throw refused(option + " must name a sensor of WORLD, "
+                    + (names.isEmpty() ? "which has none" : "one of " + String.join(", ", names)) + " (got: " + name
+                    + ")");
+        }
+        return found.get(0);
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}
