@@ -134,7 +134,7 @@ public final class RenderCommand implements Callable<Integer> {
                     } else {
                         seen = show == Look.POINTS
                                 ? clouds.picture(shot.camera(), studio, snapshot, metres)
-                                : show.picture(shot.camera(), snapshot);
+                                : show.picture(shot.camera(), studio, snapshot);
                     }
                     int wide = shot.camera().width();
                     for (int row = 0; row < shot.camera().height(); row++) {
