@@ -57,7 +57,7 @@ public record PictureAnswer(int width, int height, byte[] rgb) implements BatchA
                     + " (got: " + column + " and " + row + ")");
         }
         int at = 3 * (row * width + column);
-        return (rgb[at] & 255) << 16 | (rgb[at + 1] & 255) << 8 | rgb[at + 2] & 255;
+        return (rgb[at] & 255) << 16 | (rgb[at + 1] & 255) << 8 | (rgb[at + 2] & 255);
     }
 
     @Override
