@@ -88,14 +88,15 @@ class GalleryPageTest {
         for (int k = 0; k < made.length; k++) {
             difference += Math.abs(made[k] - published[k]) / made.length;
         }
-        assertThat(difference).as("mean difference of 255").isLessThan(16);
+        // Points of a lidar are at least a pixel wide.
+        assertThat(difference).as("mean difference of 255").isLessThan(command.contains("points") ? 28 : 16);
         // Pictures of different things differ more.
         double[] other = means(read(PICTURES.resolve(picture.equals("depth.png") ? "studio.png" : "depth.png")));
         double far = 0;
         for (int k = 0; k < other.length; k++) {
             far += Math.abs(other[k] - published[k]) / other.length;
         }
-        assertThat(far).isGreaterThan(24);
+        assertThat(far).isGreaterThan(Math.max(24, 1.5 * difference));
     }
 
     private static PngReader.Pixels read(Path file) throws IOException {

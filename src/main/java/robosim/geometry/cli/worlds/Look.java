@@ -74,7 +74,7 @@ enum Look {
     }
 
     /** The picture of a sensor in a camera's place, as colours row by row: each is the mean of several samples. */
-    int[] picture(ColorCamera camera, Snapshot world) {
+    int[] picture(ColorCamera camera, Studio studio, Snapshot world) {
         int samples = camera.samples();
         int width = camera.width() * samples;
         int height = camera.height() * samples;
@@ -93,7 +93,7 @@ enum Look {
             case OBJECTS, LABELS -> {
                 SegmentationFrame frame = new SegmentationFrame();
                 read(SegmentationCamera.of(intrinsics), frame, camera, world);
-                yield this == OBJECTS ? colours(frame.instances(), frame) : colours(frame.labels(), frame);
+                yield this == OBJECTS ? objects(frame, studio) : labels(frame);
             }
             case COLOUR, POINTS -> throw new IllegalStateException("no sensor of a camera (got: " + this + ")");
         };
@@ -154,16 +154,26 @@ enum Look {
         return (int) Math.rint(127.5 * (Math.max(-1, Math.min(1, component)) + 1));
     }
 
-    /** The floor, which is no object of the world, is as what has no label. */
-    private static int[] colours(int[] numbers, SegmentationFrame frame) {
-        int floor = 0;
-        for (int number = 1; number <= frame.known(); number++) {
-            floor = frame.known(number).material().equals(Studio.FLOOR) ? number : floor;
+    /** An object has its colour in every picture of its world. */
+    private static int[] objects(SegmentationFrame frame, Studio studio) {
+        int[] colours = new int[frame.known() + 1];
+        colours[0] = NOTHING;
+        for (int k = 1; k < colours.length; k++) {
+            int number = studio.number(frame.known(k));
+            colours[k] = number == 0 ? UNLABELLED : colour(number);
         }
         int[] pixels = new int[frame.size()];
         for (int k = 0; k < pixels.length; k++) {
-            boolean isPlain = numbers[k] == 0 || frame.instance(k) == floor;
-            pixels[k] = frame.instance(k) == 0 ? NOTHING : isPlain ? UNLABELLED : colour(numbers[k]);
+            pixels[k] = colours[frame.instance(k)];
+        }
+        return pixels;
+    }
+
+    private static int[] labels(SegmentationFrame frame) {
+        int[] pixels = new int[frame.size()];
+        for (int k = 0; k < pixels.length; k++) {
+            int label = frame.label(k);
+            pixels[k] = frame.instance(k) == 0 ? NOTHING : label == 0 ? UNLABELLED : colour(label);
         }
         return pixels;
     }

@@ -44,7 +44,7 @@ import robosim.geometry.world.WorldException;
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
             "  robosim-geometry render worlds/rooms.xml --camera orbit --frames 36 -o rooms.png",
             "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
-            "  robosim-geometry render worlds/rooms.xml --show depth --camera robot:pad -o depth.png",
+            "  robosim-geometry render worlds/courtyard.sdf --show depth --camera robot:courier -o depth.png",
             "  robosim-geometry render worlds/warehouse.xml --show points --lidar vlp16 -o cloud.png",
             "  robosim-geometry render arena.sdf --camera sensor:front_camera -o seen.png",
             "  robosim-geometry render worlds/maze.xml --plan --dark -o maze.png",
@@ -135,7 +135,7 @@ public final class RenderCommand implements Callable<Integer> {
                     } else {
                         seen = show == Look.POINTS
                                 ? clouds.picture(shot.camera(), studio, snapshot, metres)
-                                : show.picture(shot.camera(), snapshot);
+                                : show.picture(shot.camera(), studio, snapshot);
                     }
                     int wide = shot.camera().width();
                     for (int row = 0; row < shot.camera().height(); row++) {

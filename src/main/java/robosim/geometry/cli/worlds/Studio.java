@@ -1,6 +1,8 @@
 package robosim.geometry.cli.worlds;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
@@ -22,7 +24,7 @@ import robosim.geometry.world.shared.Placement;
 /** A world as a camera sees it: with heights, whatever its dimension is, and on a floor. */
 final class Studio {
     /** A light and warm grey, on which shadows show. */
-    static final Material FLOOR = Material.of(Color.parse("#c9c5bd")).withSpecular(0);
+    private static final Material FLOOR = Material.of(Color.parse("#c9c5bd")).withSpecular(0);
 
     /** The floor reaches beyond what stands on it by this share. */
     private static final double RIM = 0.04;
@@ -30,6 +32,7 @@ final class Studio {
     private final World world;
     private final Geometry geometry;
     private final Bounds content;
+    private final Map<GeometryObject, Integer> numbers = new HashMap<>();
 
     /** @param hasFloor whether a floor is laid under the lowest object */
     Studio(World world, boolean hasFloor) {
@@ -43,6 +46,7 @@ final class Studio {
         geometry = new Geometry(4 * most, 4 * most, 4 * most, Dimension.SPATIAL, world.accuracy());
         for (WorldObject object : world.objects()) {
             geometry.addObjectUnchecked(object.object());
+            numbers.put(object.object(), numbers.size() + 1);
         }
         if (hasFloor) {
             double width = content.maxX() - content.minX();
@@ -104,6 +108,11 @@ final class Studio {
                 .filter(GeometryObject::isMoveable)
                 .map(object -> String.valueOf(object.name()))
                 .toList();
+    }
+
+    /** The number of an object in the world, from 1; 0 for the floor, which is none. */
+    int number(GeometryObject object) {
+        return numbers.getOrDefault(object, 0);
     }
 
     /** How high above its own origin an object of a name reaches. */
