@@ -124,8 +124,10 @@ public final class SpacePanel extends JComponent {
             moved = false;
             gallery.press(x, y);
             Picture picture = picture(x, y);
-            boolean isTaken = picture != null && SwingUtilities.isLeftMouseButton(event) && !event.isControlDown();
-            hand = isTaken ? FloorHand.on(seen(x, y), picture.view().pose().center()) : null;
+            hand = null;
+            if (picture != null && SwingUtilities.isLeftMouseButton(event) && !event.isControlDown()) {
+                hand = FloorHand.on(seen(x, y), picture.view().pose().center());
+            }
         }
 
         @Override
