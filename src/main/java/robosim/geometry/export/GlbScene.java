@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.export.GlbMaterials.Mapping;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
@@ -35,14 +34,10 @@ final class GlbScene {
 
     /** A shape that no scale makes of another one, with what places its texture. */
     private record Sized(
-            GeometryObject.Kind kind,
-            double a,
-            double b,
-            double c,
-            @Nullable Mapping mapping) {}
+            GeometryObject.Kind kind, double a, double b, double c, GlbMaterials.@Nullable Mapping mapping) {}
 
     /** Triangles or cells, or a part of them, with what places their texture. */
-    private record Placed(Object shape, @Nullable Mapping mapping) {}
+    private record Placed(Object shape, GlbMaterials.@Nullable Mapping mapping) {}
 
     /** The binary part. */
     final Packed numbers = new Packed();
@@ -66,7 +61,7 @@ final class GlbScene {
     int object(GeometryObject object, Material material, String name) {
         Material own = object.material().within(material);
         String placed = placed(name, object.pose());
-        Mapping mapping = Mapping.of(own.texture());
+        GlbMaterials.Mapping mapping = GlbMaterials.Mapping.of(own.texture());
         switch (object.kind()) {
             case BOX -> {
                 BoxObject box = (BoxObject) object;
@@ -137,7 +132,7 @@ final class GlbScene {
 
     /** A picture is placed by texture coordinates, where there are some; then the other faces are plain. */
     private List<Painted> triangles(TriangleMesh mesh, Material material) {
-        Mapping mapping = Mapping.of(material.texture());
+        GlbMaterials.Mapping mapping = GlbMaterials.Mapping.of(material.texture());
         int pictured = 0;
         for (int t = 0; t < mesh.size(); t++) {
             pictured += mesh.isTextured(t) ? 1 : 0;
@@ -150,7 +145,7 @@ final class GlbScene {
                     painted(shape(new Placed(mesh, mapping), mapping, () -> GlbShape.faces(mesh, true)), material));
         }
         List<Painted> both = new ArrayList<>();
-        Mapping shares = Mapping.SHARES;
+        GlbMaterials.Mapping shares = GlbMaterials.Mapping.SHARES;
         both.add(painted(shape(new Placed(mesh, shares), shares, () -> GlbShape.pictured(mesh)), material));
         if (pictured < mesh.size()) {
             int rest = shape(new Placed(List.of(mesh), null), null, () -> GlbShape.faces(mesh, false));
@@ -228,7 +223,7 @@ final class GlbScene {
         return number;
     }
 
-    private int shape(Object key, @Nullable Mapping mapping, Supplier<GlbShape> made) {
+    private int shape(Object key, GlbMaterials.@Nullable Mapping mapping, Supplier<GlbShape> made) {
         Integer number = known.get(key);
         if (number == null) {
             number = shapes.size();

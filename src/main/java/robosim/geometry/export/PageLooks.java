@@ -66,7 +66,7 @@ final class PageLooks {
             out.octet(STRIPES);
             color(stripes.second());
             out.real(quanta.length(stripes.size()));
-            out.real(Math.toRadians(stripes.degrees()));
+            out.real(StrictMath.toRadians(stripes.degrees()));
         } else {
             out.octet(PLAIN);
         }
