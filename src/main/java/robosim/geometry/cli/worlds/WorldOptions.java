@@ -21,7 +21,11 @@ public final class WorldOptions {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
+    @Parameters(
+            paramLabel = "WORLD",
+            description =
+                    "a world in any format that convert reads; for render also a recording (*.scenario.jsonl), or a"
+                            + " folder with the demo's to-module.bin and from-module.bin")
     private Path world = Path.of("");
 
     @Mixin
@@ -38,6 +42,15 @@ public final class WorldOptions {
     World read() throws WorldException {
         Inputs.file(spec, "WORLD", world);
         return files.world(world);
+    }
+
+    /**
+     * Reads another world.
+     *
+     * @param parameter its name in the help
+     */
+    World other(String parameter, Path file) throws WorldException {
+        return files.world(Inputs.file(spec, parameter, file));
     }
 
     /** Refuses a file to write that is one of those that the world was read from. */

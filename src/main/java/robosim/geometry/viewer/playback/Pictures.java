@@ -51,6 +51,26 @@ public final class Pictures {
         return things;
     }
 
+    /** The world of a conversation at one moment, as a world file has it. */
+    public static World world(Frame.Setting setting, List<Scene.Thing> movers) {
+        List<Scene.Thing> things = new ArrayList<>(setting.statics());
+        things.addAll(movers);
+        List<WorldObject> objects = new ArrayList<>();
+        for (Scene.Thing each : things) {
+            Integer colour = each.colour();
+            String color = colour == null ? null : String.format(Locale.ROOT, "#%06x", colour);
+            objects.add(new WorldObject(each.object(), color, List.of()));
+        }
+        return new World(
+                setting.width(),
+                setting.height(),
+                setting.length(),
+                null,
+                setting.dimension(),
+                setting.accuracy(),
+                objects);
+    }
+
     private static @Nullable Integer colour(WorldObject object) {
         String color = object.color();
         return color == null ? null : Integer.valueOf(color.substring(1), 16);

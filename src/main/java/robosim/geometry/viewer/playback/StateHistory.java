@@ -17,6 +17,9 @@ import robosim.geometry.viewer.scene.Scene;
  * the beginning. May be used by one thread at a time.
  */
 public final class StateHistory {
+    /** Number of frames whose trails a scene has. */
+    private static final int TRAIL = 400;
+
     /** Number of frames for which a refused move counts as recent. */
     static final int FRESH = 8;
 
@@ -165,6 +168,11 @@ public final class StateHistory {
         things.addAll(chapter.movers(number));
         Scene.View view = Scene.View.of(chapter.setting.width(), chapter.setting.length(), things);
         return happened(chapter, number, look, Scene.of("", view, things)).described(moment(number), "");
+    }
+
+    /** The scene after a frame, with the trails of the steps just before it; empty before the first world. */
+    public Scene scene(int number) {
+        return at(number, new Look(TRAIL, FRESH));
     }
 
     /** The moving part of the scene after a frame; empty before the first world. */

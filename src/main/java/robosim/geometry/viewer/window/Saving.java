@@ -7,12 +7,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.playback.Frame;
+import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
@@ -46,7 +46,7 @@ final class Saving {
      * @param movers the moveable objects at their present places
      */
     Path world(@Nullable World file, Frame.Setting setting, List<Scene.Thing> movers, String title) throws IOException {
-        World world = file == null ? of(setting, movers) : moved(file, movers);
+        World world = file == null ? Pictures.world(setting, movers) : moved(file, movers);
         Path to = free(title, ".xml");
         WorldWriter.write(world, to);
         return to;
@@ -64,25 +64,6 @@ final class Saving {
         }
         return new World(
                 file.width(), file.height(), file.length(), file.unit(), file.dimension(), file.accuracy(), objects);
-    }
-
-    private static World of(Frame.Setting setting, List<Scene.Thing> movers) {
-        List<Scene.Thing> things = new ArrayList<>(setting.statics());
-        things.addAll(movers);
-        List<WorldObject> objects = new ArrayList<>();
-        for (Scene.Thing each : things) {
-            Integer colour = each.colour();
-            String color = colour == null ? null : String.format(Locale.ROOT, "#%06x", colour);
-            objects.add(new WorldObject(each.object(), color, List.of()));
-        }
-        return new World(
-                setting.width(),
-                setting.height(),
-                setting.length(),
-                null,
-                setting.dimension(),
-                setting.accuracy(),
-                objects);
     }
 
     /** A file that does not exist: the title, with a number from 2 on where there is one already. */
