@@ -45,7 +45,7 @@ public final class RecordingOptions {
     /** Whether a file is a recording, by its name. */
     static boolean isRecording(Path file) {
         return WireFiles.at(file) != null
-                || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl");
+                || file.toString().toLowerCase(Locale.ROOT).endsWith(ScenarioReader.ENDING);
     }
 
     /** Refuses the options of recordings where there is none. */
