@@ -4,7 +4,7 @@
 A robot in a room with pillars, crates and balls looks for the balls. Each step it asks the geometry module for one frame:
 the distances of 64 x 48 rays, which object each of them met, and the label of its material. It turns to the nearest ball
 that it has not visited, and away from what is in its way. Frames go to a folder, depth as 16-bit PGM in millimetres and
-objects as PPM in colours.
+objects as PPM in colours, and every tenth time what the camera sees in colour, with light and shadows, as PNG.
 
     python3 examples/camera.py --connect localhost:7575 --save frames
 
@@ -13,31 +13,22 @@ not, or an answer did not keep to the protocol, and with 2 where it could not be
 """
 
 import argparse
-import base64
 import math
 import pathlib
 import random
 import socket
 import struct
 import sys
+import zlib
 
-from environment import Connection, NotDone, ProtocolFault, place, steps
+from environment import place, steps
+from robosim import Error, Module, ProtocolFault
 
 WIDTH, HEIGHT, FIELD = 64, 48, math.radians(90)
 REACH = 12.0
 NEAR = 0.75  # from the middle of a ball, it is visited
 STRIDE, ROOM = 0.1, 0.45
 BALL = 2
-
-CAMERA = {
-    "kind": "sense",
-    "objectName": "robot",
-    "mount": {"place": [0.15, 0.3, 0]},
-    "pattern": {"kind": "pinhole", "width": WIDTH, "height": HEIGHT, "fieldOfView": FIELD},
-    "max": REACH,
-    "objects": True,
-}
-
 
 def scene(seed):
     """A room of 10 x 10 metres: walls, pillars and crates that stand in the way, and balls."""
@@ -74,14 +65,8 @@ def scene(seed):
 class Frame:
     """What the camera saw: a distance, an object and a label for each pixel, row by row from the top."""
 
-    def __init__(self, answer):
-        if "error" in answer:
-            raise NotDone(f"the module has no frame: {answer['error']}")
-        count = WIDTH * HEIGHT
-        self.distances = struct.unpack(f"<{count}d", base64.b64decode(answer["distances"]))
-        self.objects = struct.unpack(f"<{count}i", base64.b64decode(answer["objects"]))
-        self.labels = struct.unpack(f"<{count}i", base64.b64decode(answer["labels"]))
-        self.names = answer["names"]
+    def __init__(self, scan):
+        self.distances, self.objects, self.labels, self.names = scan.distances, scan.objects, scan.labels, scan.names
 
     @staticmethod
     def across(column):
@@ -124,15 +109,30 @@ class Frame:
         (folder / f"objects-{number:04}.ppm").write_bytes(b"P6\n%d %d\n255\n" % (WIDTH, HEIGHT) + colors)
 
 
-def drive(connection, most, save):
+def save_picture(picture, file):
+    """Writes a picture as PNG: 8 bits each of red, green and blue, every row after a filter byte of 0."""
+    width, height, rgb = picture
+    rows = b"".join(b"\0" + rgb[at:at + 3 * width] for at in range(0, len(rgb), 3 * width))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9))
+                     + chunk(b"IEND", b""))
+
+
+def drive(module, most, save):
     """Looks, decides and moves until every ball was visited, or so many steps were made."""
     visited, made = [], 0
     side, aside = 1, 0  # which way to turn, and for how many steps to forget the balls
     for number in range(most):
-        answer, _ = connection.ask({"type": "batch", "requests": [CAMERA]}, "answers")
-        frame = Frame(answer["answers"][0])
+        frame = Frame(module.frame("robot", WIDTH, HEIGHT, FIELD, at=[0.15, 0.3, 0], max=REACH))
         if save is not None:
             frame.save(save, number)
+            if number % 10 == 0:
+                picture = module.picture("robot", 320, 240, FIELD, at=[0.15, 0.3, 0], samples=2)
+                save_picture(picture, save / f"color-{number:04}.png")
         ball = frame.nearest_ball(visited)
         if ball is not None and ball[1] < NEAR:
             visited.append(ball[0])
@@ -151,12 +151,10 @@ def drive(connection, most, save):
             turn, forward = max(-0.3, min(0.3, ball[2])), STRIDE
         else:
             turn, forward = 0.12 if number % 80 < 40 else 0.0, STRIDE if number % 80 >= 40 else 0.02
-        move = {"objectName": "robot", "x": forward, "y": 0, "z": 0, "rx": 0, "ry": turn}
-        answer, _ = connection.ask({"type": "moves", "moves": [move]}, "moves")
-        made += len(answer["moves"])
-        if not answer["moves"]:  # something that the camera does not see is in the way
-            turned = {**move, "x": 0, "ry": side * 0.7}
-            answer, _ = connection.ask({"type": "moves", "moves": [turned]}, "moves")
+        if module.move("robot", forward, ry=turn):
+            made += 1
+        else:  # something that the camera does not see is in the way
+            module.move("robot", ry=side * 0.7)
             aside = 15
     print(f"{number + 1} frames, {made} moves made, {len(visited)} of 3 balls visited: {', '.join(visited) or 'none'}")
     return len(visited) == 3
@@ -167,19 +165,18 @@ def main():
     parser.add_argument("--connect", metavar="HOST:PORT", type=place, required=True, help="a module that listens")
     parser.add_argument("--steps", type=steps, default=1500, help="the most frames")
     parser.add_argument("--seed", type=int, default=1, help="of the room")
-    parser.add_argument("--save", metavar="FOLDER", type=pathlib.Path, help="takes the frames as PGM and PPM images")
+    parser.add_argument("--save", metavar="FOLDER", type=pathlib.Path, help="takes the frames as PGM, PPM and PNG images")
     arguments = parser.parse_args()
     try:
         if arguments.save is not None:
             arguments.save.mkdir(parents=True, exist_ok=True)
         with socket.create_connection(arguments.connect, timeout=60) as sock:
-            connection = Connection(sock)
-            settings = {"width": 30, "height": 10, "length": 30, "dimension": "SPATIAL", "accuracy": "EXACT"}
-            connection.send({"type": "init", "objects": scene(arguments.seed), "settings": settings})
-            sys.exit(0 if drive(connection, arguments.steps, arguments.save) else 1)
+            module = Module(sock)
+            module.init(scene(arguments.seed), width=30, height=10, length=30, dimension="SPATIAL")
+            sys.exit(0 if drive(module, arguments.steps, arguments.save) else 1)
     except ProtocolFault as fault:
         sys.exit(f"The module broke the protocol: {fault}")
-    except (NotDone, OSError) as reason:
+    except (Error, OSError) as reason:
         print(f"Not done: {reason}", file=sys.stderr)
         sys.exit(2)
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Plays RoboSim's environment module in Python 3, with nothing but its standard library.
+"""Plays RoboSim's environment module in Python 3, with nothing but its standard library
+and robosim.py beside it.
 
 It loads a world, sends it to the geometry module over TCP as JSON lines, and lets its robots wander by what their
 sonars tell: what ReferenceEnvironment.java does in Java serialization. It checks every answer against the protocol and
@@ -26,6 +27,8 @@ import struct
 import sys
 import time
 import xml.parsers.expat as expat
+
+from robosim import Module, NotDone, ProtocolFault
 
 SPACE = "urn:robosim:world:1"
 SCHEMA_HINTS = "http://www.w3.org/2001/XMLSchema-instance "
@@ -66,57 +69,6 @@ WORDS = {
     "moveable": ["true", "false", "1", "0"],
     "solid": ["true", "false", "1", "0"],
 }
-
-
-class ProtocolFault(Exception):
-    """The module said what the protocol does not allow."""
-
-
-class NotDone(Exception):
-    """What the environment was to do cannot be done; the message is for people and names the remedy."""
-
-
-class Connection:
-    """JSON lines over a socket: a hello first, then one line for each message."""
-
-    def __init__(self, sock, secret=None):
-        sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self.sock = sock
-        self.lines = sock.makefile("rb")
-        hello = {"type": "hello", "version": 1}
-        if secret is not None:
-            hello["secret"] = secret
-        # At once: who is silent for 300 ms is taken for a Java peer that waits for a stream header.
-        self.send(hello)
-        self.module = self.receive("hello", first=True)["module"]
-
-    def send(self, message):
-        # json writes the shortest digits that mean a double, and reads them back to the same bits.
-        self.sock.sendall(json.dumps(message, allow_nan=False, separators=(",", ":")).encode() + b"\n")
-
-    def receive(self, kind, first=False):
-        line = self.lines.readline()
-        if first and line and not line.startswith(b"{"):
-            line = self.lines.readline()  # we were late: the header for Java peers, on a line of its own
-        if not line.endswith(b"\n"):
-            raise NotDone("the module ended the conversation; its log tells why")
-        try:
-            answer = json.loads(line)
-            given = answer["type"]
-        except (ValueError, KeyError, TypeError):
-            raise ProtocolFault(f"an answer must be a JSON object with a type (got: {line[:100]!r}); is it the"
-                                " geometry module that listens there?") from None
-        if given == "error":
-            raise NotDone(f"the module refused it: {answer['message']}")
-        if given != kind:
-            raise ProtocolFault(f"the answer must be {kind} (got: {given})")
-        return answer
-
-    def ask(self, message, kind):
-        """The answer, and the seconds that it took."""
-        begin = time.perf_counter()
-        self.send(message)
-        return self.receive(kind), time.perf_counter() - begin
 
 
 class Element:
@@ -674,14 +626,14 @@ def run(options):
     secret = first_line(options.secret_file) if options.secret_file else None
     tally = Tally()
     with open_socket(options) as sock:
-        connection = Connection(sock, secret)
+        connection = Module(sock, secret)
         load(connection, world)
         for _ in range(options.steps):
             sense(connection, robots, tally)
             step(connection, robots, tally)
         sense(connection, robots, tally)  # what the robots see where they have come to rest
     print(tally.text(options.steps, len(robots)))
-    print(f"              by {connection.module}")
+    print(f"              by {connection.version}")
 
 
 def place(text):

@@ -19,6 +19,7 @@ module robosim.geometry {
     exports robosim.geometry.protocol;
     exports robosim.geometry.protocol.batch;
     exports robosim.geometry.protocol.json;
+    exports robosim.geometry.protocol.motion;
     exports robosim.geometry.render;
     exports robosim.geometry.scenario;
     exports robosim.geometry.sensor;

@@ -2,6 +2,7 @@ package robosim.geometry;
 
 import java.util.Arrays;
 import java.util.function.Supplier;
+import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.sensing.Echoes;
@@ -97,6 +98,26 @@ final class Crew {
                 }.run(world, options.threads());
             }
             PatternSensor.finish(pattern, echoes);
+        } finally {
+            giveBack(world);
+        }
+    }
+
+    /** Answers rays that begin anywhere. */
+    void castRays(double[] rays, int count, SenseBuffer out) {
+        Geometry world = borrow();
+        try {
+            world.castRays(rays, count, out);
+        } finally {
+            giveBack(world);
+        }
+    }
+
+    /** Answers which rays are free. */
+    int freeRays(ToIntFunction<Geometry> question) {
+        Geometry world = borrow();
+        try {
+            return question.applyAsInt(world);
         } finally {
             giveBack(world);
         }

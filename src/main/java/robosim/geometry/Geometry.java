@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
+import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.motion.Motion;
 import robosim.geometry.engine.motion.Slide;
@@ -85,6 +86,10 @@ import robosim.geometry.narrow.Scratch;
 public final class Geometry {
     private static final Point CENTER = new Point();
 
+    static {
+        Carrier.open(world -> ((Geometry) world).carrier());
+    }
+
     private final double width;
     private final double height;
     private final double length;
@@ -102,7 +107,9 @@ public final class Geometry {
     private final TranslationFastPath fastPath;
     private final Slide slide;
     private final FreePlaces places;
+    private final ObjectSearch search;
     private final double[] vector = new double[6];
+    private @Nullable Carrier carrier;
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
     public Geometry() {
@@ -163,6 +170,7 @@ public final class Geometry {
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
         slide = new Slide(registry, motion);
         places = new FreePlaces(registry, motion, scratch);
+        search = new ObjectSearch(registry, scratch);
     }
 
     /** Extent along X in world units. */
@@ -248,6 +256,11 @@ public final class Geometry {
         return objects.find(Checks.present("name", name)) >= 0;
     }
 
+    /** Which objects are where: in the way of an addition or a placement, in a box, nearest. */
+    public ObjectSearch search() {
+        return search;
+    }
+
     /** All objects at their present places, in the order in which they were added. */
     public List<GeometryObject> objects() {
         return registry.present();
@@ -265,6 +278,13 @@ public final class Geometry {
     /** Puts an object of a snapshot back where it was, while a world is made from it. */
     void restore(GeometryObject object, long arrival) {
         registry.restore(object, arrival);
+    }
+
+    /** What moves objects by their ids, made when it is first asked for. */
+    private Carrier carrier() {
+        Carrier made = carrier == null ? new Carrier(registry, motion, fastPath) : carrier;
+        carrier = made;
+        return made;
     }
 
     /** Ends a series of calls of {@link #restore}, with the number of objects added to the original world so far. */
@@ -602,7 +622,7 @@ public final class Geometry {
      * @throws IllegalArgumentException if there is no object of that name
      */
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
-        return freeRays(rays, count, registry.known(ignored), free);
+        return freeRays(rays, count, registry.known(Checks.present("ignored", ignored)), free);
     }
 
     private int freeRays(double[] rays, int count, int ignored, long[] free) {
@@ -650,5 +670,12 @@ public final class Geometry {
     /** Answers some edges. */
     int someEdges(String name, double[] edges, int from, int to, long[] free) {
         return places.edges(view, registry.mover(name), edges, from, to, free);
+    }
+
+    /** As in {@code SPATIAL EXACT world of 20.0 x 5.0 x 20.0 with 113 objects, 8 of them moveable}. */
+    @Override
+    public String toString() {
+        return dimension + " " + accuracy + " world of " + width + " x " + height + " x " + length + " with "
+                + objects.ids().count() + " objects, " + objects.moverCount() + " of them moveable";
     }
 }

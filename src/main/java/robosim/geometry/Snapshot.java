@@ -192,6 +192,28 @@ public final class Snapshot implements Serializable {
     }
 
     /**
+     * What many rays meet first that begin anywhere, as {@link Geometry#castRays} answers them, to the bit. On the calling
+     * thread; safe to call from many threads at once, each with a buffer of its own.
+     */
+    public void castRays(double[] rays, int count, SenseBuffer out) {
+        crew.castRays(rays, count, out);
+    }
+
+    /** Tells for many rays whether each meets nothing within its range, as {@link Geometry#freeRays} does; the same holds. */
+    public int freeRays(double[] rays, int count, long[] free) {
+        return crew.freeRays(world -> world.freeRays(rays, count, free));
+    }
+
+    /**
+     * The same, ignoring the object of a given name.
+     *
+     * @throws IllegalArgumentException if there is no object of that name
+     */
+    public int freeRays(double[] rays, int count, String ignored, long[] free) {
+        return crew.freeRays(world -> world.freeRays(rays, count, ignored, free));
+    }
+
+    /**
      * Tells for many poses of a moveable object whether it would touch anything there, as {@link Geometry#freePoses} does.
      * Safe to call from many threads at once.
      *

@@ -8,6 +8,7 @@ import picocli.CommandLine.Command;
 import robosim.geometry.cli.demo.DemoCommand;
 import robosim.geometry.cli.network.ConnectCommand;
 import robosim.geometry.cli.network.ServeCommand;
+import robosim.geometry.cli.studies.DrivingCommand;
 import robosim.geometry.cli.studies.ReplayCommand;
 import robosim.geometry.cli.studies.SweepCommand;
 import robosim.geometry.cli.terminal.ExitCodes;
@@ -53,6 +54,7 @@ import robosim.geometry.cli.worlds.ViewCommand;
             AddCommand.class,
             ServeCommand.class,
             ConnectCommand.class,
+            DrivingCommand.class,
             ReplayCommand.class,
             SweepCommand.class,
             CompletionCommand.class

@@ -26,6 +26,9 @@ import robosim.geometry.model.Twist;
  * @param turnDamping the same of the speed of turning
  * @param maxSpeed    m/s; infinite for no limit
  * @param maxTurn     degrees a second; infinite for no limit
+ * @param floorFriction sliding friction on the floor of a PLANAR world: what slides over it without a drive slows by
+ *                    {@code floorFriction * g} until it rests, and turns more slowly as a disc of its mass and inertia does;
+ *                    0 for none
  */
 public record Body(
         double mass,
@@ -34,7 +37,11 @@ public record Body(
         double damping,
         double turnDamping,
         double maxSpeed,
-        double maxTurn) {
+        double maxTurn,
+        double floorFriction) {
+    /** Standard gravity, m/s<sup>2</sup>: 9.80665. */
+    public static final double GRAVITY = 9.80665;
+
     /** Refuses values that are out of range or not a number. */
     public Body {
         mass = Quantity.positive("mass", mass);
@@ -44,6 +51,19 @@ public record Body(
         turnDamping = Quantity.atLeastZero("turnDamping", turnDamping);
         maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
         maxTurn = Quantity.limit("maxTurn", maxTurn);
+        floorFriction = Quantity.atLeastZero("floorFriction", floorFriction);
+    }
+
+    /** A body on a floor without friction. */
+    public Body(
+            double mass,
+            double inertia,
+            Surface surface,
+            double damping,
+            double turnDamping,
+            double maxSpeed,
+            double maxTurn) {
+        this(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, 0);
     }
 
     /** A smooth body that nothing slows or limits. */
@@ -143,17 +163,35 @@ public record Body(
 
     /** This body with another surface. */
     public Body withSurface(Surface other) {
-        return new Body(mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn);
+        return new Body(mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
     }
 
     /** This body with other dampings: shares of the speed and of the speed of turning, each second. */
     public Body withDamping(double ofSpeed, double ofTurn) {
-        return new Body(mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn);
+        return new Body(mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction);
     }
 
     /** This body with other limits: m/s and degrees a second. */
     public Body withLimits(double speed, double turn) {
-        return new Body(mass, inertia, surface, damping, turnDamping, speed, turn);
+        return new Body(mass, inertia, surface, damping, turnDamping, speed, turn, floorFriction);
+    }
+
+    /** This body with sliding friction on the floor of a PLANAR world. */
+    public Body withFloorFriction(double friction) {
+        return new Body(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, friction);
+    }
+
+    /** By how much the floor slows it, m/s<sup>2</sup>. */
+    double slowing() {
+        return floorFriction * GRAVITY;
+    }
+
+    /**
+     * By how much the floor slows its turning, rad/s<sup>2</sup>: of a disc of its mass and inertia, which has the radius
+     * {@code r = sqrt(2 I / m)} and rubs with a torque of {@code 2/3 friction m g r}.
+     */
+    double spinSlowing() {
+        return slowing() * (2.0 / 3) * Math.sqrt(2 * mass / inertia);
     }
 
     /** A velocity within the limits of this body, in the same direction; the speed and the speed of turning each by itself. */

@@ -4,13 +4,29 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 
 /**
- * A collision during a step.
+ * A body and what it touches or has collided with in a step.
  *
  * @param body    the name of a body
  * @param other   the name of what it met: another body or another object; null for an object without a name and for the
  *                world's bounds
- * @param point   where they met
+ * @param point   where they met, at the height of the body's centre
  * @param normal  unit normal at the contact, towards {@code body}
- * @param impulse what {@code body} was given along the normal, newton seconds; 0 if a turn was stopped
+ * @param impulse what {@code body} was given along the normal in this step, newton seconds; 0 where they only touch
+ * @param phase   whether the contact has begun in this step, has lasted from the one before, or has ended
  */
-public record BodyContact(String body, @Nullable String other, Point point, Point normal, double impulse) {}
+public record BodyContact(String body, @Nullable String other, Point point, Point normal, double impulse, Phase phase) {
+    /** How a contact stands to the step before. */
+    public enum Phase {
+        /** There was none in the step before. */
+        BEGIN,
+        /** There was one already. */
+        LAST,
+        /** There was one in the step before, and is none any more. */
+        END
+    }
+
+    /** A contact that has begun. */
+    public BodyContact(String body, @Nullable String other, Point point, Point normal, double impulse) {
+        this(body, other, point, normal, impulse, Phase.BEGIN);
+    }
+}

@@ -1,16 +1,12 @@
 package robosim.geometry.export;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.LongConsumer;
 import robosim.geometry.Geometry;
 import robosim.geometry.exact.NumberText;
-import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
@@ -19,10 +15,9 @@ import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.viewer.playback.WorldSonars;
 import robosim.geometry.viewer.scene.Scene;
-import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldObject;
 
 /** Histories of what a page can show. */
 public final class Films {
@@ -30,8 +25,13 @@ public final class Films {
 
     /** A conversation. */
     static StateHistory of(Scenario scenario) {
+        return of(scenario, Colours.NONE);
+    }
+
+    /** A conversation, in the colours of a world file's objects. */
+    static StateHistory of(Scenario scenario, Colours colours) {
         StateHistory film = new StateHistory();
-        Replayer stage = new Replayer(scenario.header().options());
+        Replayer stage = new Replayer(scenario.header().options(), colours);
         for (Step step : scenario.steps()) {
             film.append(stage.play(step));
         }
@@ -58,31 +58,11 @@ public final class Films {
     /** A world as its file has it, with what the sonars of its robots measure there. */
     public static StateHistory of(World world) {
         Geometry geometry = world.toGeometry(outside -> {});
-        Map<String, List<Scene.Ping>> heard = new LinkedHashMap<>();
-        for (WorldObject each : world.objects()) {
-            GeometryObject object = each.object();
-            String name = object.name();
-            if (name != null && !each.sonars().isEmpty() && geometry.hasObject(name)) {
-                List<Scene.Ping> pings = new ArrayList<>();
-                each.sonars().forEach(ring -> measure(geometry, object, name, ring, pings));
-                heard.put(name, pings);
-            }
-        }
+        Map<String, List<Scene.Ping>> heard = WorldSonars.of(world).measure(geometry);
         String words = NumberText.count(world.objects().size(), "object") + ", "
                 + world.dimension().name().toLowerCase(Locale.ROOT);
         StateHistory film = new StateHistory();
         film.append(new Frame(Frame.Setting.of(world), Map.of(), List.of(), heard, words, List.of(), null));
         return film;
-    }
-
-    private static void measure(
-            Geometry geometry, GeometryObject object, String name, SonarRing ring, List<Scene.Ping> pings) {
-        for (int k = 0; k < ring.count(); k++) {
-            Point towards = ring.direction(k);
-            double distance =
-                    geometry.getSonarDistance(name, towards.x(), towards.z(), ring.min(), ring.max(), ring.width());
-            double heading = object.heading() + ring.first() + k * ring.step();
-            pings.add(new Scene.Ping(object.center(), heading, ring.width(), ring.max(), distance));
-        }
     }
 }

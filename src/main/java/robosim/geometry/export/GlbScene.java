@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -16,6 +18,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TriangleMesh;
 
 /** The nodes, meshes and materials of a glTF file, as JSON, and the numbers that they refer to. */
 final class GlbScene {
@@ -26,11 +29,15 @@ final class GlbScene {
     private static final int VERTICES = 34962;
     private static final int INDICES = 34963;
 
-    /** A shape in a colour. */
+    /** A shape of a material. */
     private record Painted(int shape, int material) {}
 
-    /** A capsule that is no sphere: no scale makes one of another one's proportions. */
-    private record Oblong(double radius, double segment) {}
+    /** A shape that no scale makes of another one, with what places its texture. */
+    private record Sized(
+            GeometryObject.Kind kind, double a, double b, double c, GlbMaterials.@Nullable Mapping mapping) {}
+
+    /** Triangles or cells, or a part of them, with what places their texture. */
+    private record Placed(Object shape, GlbMaterials.@Nullable Mapping mapping) {}
 
     /** The binary part. */
     final Packed numbers = new Packed();
@@ -38,62 +45,117 @@ final class GlbScene {
     private final List<String> views = new ArrayList<>();
     private final List<String> accessors = new ArrayList<>();
     private final List<String> nodes = new ArrayList<>();
-    private final Map<Painted, Integer> meshes = new LinkedHashMap<>();
+    private final Map<List<Painted>, Integer> meshes = new LinkedHashMap<>();
 
     /** Of each shape, its attributes and indices. */
     private final List<String> shapes = new ArrayList<>();
 
     private final Map<Object, Integer> known = new HashMap<>();
-    private final Map<String, Integer> materials = new LinkedHashMap<>();
+    private final GlbMaterials materials = new GlbMaterials(numbers, views);
 
-    /** Adds an object and returns the number of its node. */
-    int object(GeometryObject object, int colour, String name) {
-        Pose pose = object.pose();
+    /**
+     * Adds an object and returns the number of its node.
+     *
+     * @param material of what has no other one
+     */
+    int object(GeometryObject object, Material material, String name) {
+        Material own = object.material().within(material);
+        String placed = placed(name, object.pose());
+        GlbMaterials.Mapping mapping = GlbMaterials.Mapping.of(own.texture());
         switch (object.kind()) {
             case BOX -> {
                 BoxObject box = (BoxObject) object;
-                int shape = shape("box", GlbShape::box);
-                return leaf(name, pose, shape, colour, box.width(), box.height(), box.length());
+                return leaf(placed, own, new Sized(box.kind(), box.width(), box.height(), box.length(), mapping));
             }
             case CYLINDER -> {
                 CylinderObject cylinder = (CylinderObject) object;
-                int shape = shape("cylinder", GlbShape::cylinder);
-                return leaf(name, pose, shape, colour, cylinder.radius(), cylinder.height(), cylinder.radius());
+                double radius = cylinder.radius();
+                return leaf(placed, own, new Sized(cylinder.kind(), radius, cylinder.height(), radius, mapping));
             }
             case SPHERE -> {
                 double radius = ((SphereObject) object).radius();
-                return leaf(name, pose, ball(), colour, radius, radius, radius);
+                return leaf(placed, own, new Sized(GeometryObject.Kind.SPHERE, radius, radius, radius, mapping));
             }
             case CAPSULE -> {
                 CapsuleObject capsule = (CapsuleObject) object;
                 double radius = capsule.radius();
-                double segment = capsule.segment();
-                if (segment == 0) {
-                    return leaf(name, pose, ball(), colour, radius, radius, radius);
-                }
-                int shape = shape(new Oblong(radius, segment), () -> GlbShape.capsule(radius, segment));
-                return leaf(name, pose, shape, colour, 1, 1, 1);
+                return leaf(placed, own, new Sized(capsule.kind(), radius, capsule.segment(), radius, mapping));
             }
             case MESH -> {
-                MeshObject mesh = (MeshObject) object;
-                int shape = shape(mesh.triangles(), () -> GlbShape.mesh(mesh.triangles()));
-                return leaf(name, pose, shape, colour, 1, 1, 1);
+                return node(placed + ",\"mesh\":" + mesh(triangles(((MeshObject) object).triangles(), own)));
             }
             case GRID -> {
                 GridObject grid = (GridObject) object;
-                return leaf(name, pose, shape(grid, () -> GlbShape.grid(grid)), colour, 1, 1, 1);
+                int shape = mapping == null
+                        ? shape(new Placed(grid, null), null, () -> GlbShape.grid(grid))
+                        : shape(new Placed(grid, mapping), mapping, () -> GlbShape.texturedGrid(grid));
+                return node(placed + ",\"mesh\":" + mesh(List.of(painted(shape, own))));
             }
             case GROUP -> {
                 List<Integer> members = new ArrayList<>();
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
                     String called = member.name();
-                    members.add(object(
-                            member, colour, called == null ? member.kind().word() : called));
+                    members.add(
+                            object(member, own, called == null ? member.kind().word() : called));
                 }
-                return node(placed(name, pose) + ",\"children\":" + members);
+                return node(placed + ",\"children\":" + members);
             }
         }
         throw new IllegalStateException("an object of no kind (got: " + object + ")");
+    }
+
+    /** A node of a shape that is scaled, if it has no texture and no scale makes an ellipsoid of it. */
+    private int leaf(String placed, Material material, Sized shape) {
+        boolean isOblong = shape.kind == GeometryObject.Kind.CAPSULE && shape.b > 0;
+        if (shape.mapping != null || isOblong) {
+            int number = shape(shape, shape.mapping, () -> of(shape));
+            return node(placed + ",\"mesh\":" + mesh(List.of(painted(number, material))));
+        }
+        boolean isRound = shape.kind == GeometryObject.Kind.CAPSULE || shape.kind == GeometryObject.Kind.SPHERE;
+        GeometryObject.Kind kind = isRound ? GeometryObject.Kind.SPHERE : shape.kind;
+        Sized one = new Sized(kind, 1, 1, 1, null);
+        String scale = ",\"scale\":" + List.of(shape.a, isRound ? shape.a : shape.b, shape.c);
+        int number = shape(one, null, () -> of(one));
+        return node(placed + (scale.endsWith("[1.0, 1.0, 1.0]") ? "" : scale) + ",\"mesh\":"
+                + mesh(List.of(painted(number, material))));
+    }
+
+    private static GlbShape of(Sized shape) {
+        return switch (shape.kind) {
+            case BOX -> GlbShape.box(shape.a, shape.b, shape.c);
+            case CYLINDER -> GlbShape.cylinder(shape.a, shape.b);
+            case SPHERE -> GlbShape.capsule(shape.a, 0);
+            case CAPSULE -> GlbShape.capsule(shape.a, shape.b);
+            case MESH, GRID, GROUP -> throw new IllegalArgumentException("a shape has sizes (got: " + shape + ")");
+        };
+    }
+
+    /** A picture is placed by texture coordinates, where there are some; then the other faces are plain. */
+    private List<Painted> triangles(TriangleMesh mesh, Material material) {
+        GlbMaterials.Mapping mapping = GlbMaterials.Mapping.of(material.texture());
+        int pictured = 0;
+        for (int t = 0; t < mesh.size(); t++) {
+            pictured += mesh.isTextured(t) ? 1 : 0;
+        }
+        if (mapping == null) {
+            return List.of(painted(shape(new Placed(mesh, null), null, () -> GlbShape.mesh(mesh)), material));
+        }
+        if (pictured == 0 || !(material.texture() instanceof ImageTexture)) {
+            return List.of(
+                    painted(shape(new Placed(mesh, mapping), mapping, () -> GlbShape.faces(mesh, true)), material));
+        }
+        List<Painted> both = new ArrayList<>();
+        GlbMaterials.Mapping shares = GlbMaterials.Mapping.SHARES;
+        both.add(painted(shape(new Placed(mesh, shares), shares, () -> GlbShape.pictured(mesh)), material));
+        if (pictured < mesh.size()) {
+            int rest = shape(new Placed(List.of(mesh), null), null, () -> GlbShape.faces(mesh, false));
+            both.add(painted(rest, material.withTexture(null)));
+        }
+        return List.copyOf(both);
+    }
+
+    private Painted painted(int shape, Material material) {
+        return new Painted(shape, materials.number(material));
     }
 
     /** Adds the node that holds all others, in metres, and returns its number. */
@@ -105,14 +167,21 @@ final class GlbScene {
     /** The JSON part, of a scene with one node. */
     String json(int root) {
         List<String> painted = new ArrayList<>();
-        for (Painted each : meshes.keySet()) {
-            painted.add("{\"primitives\":[{" + shapes.get(each.shape) + ",\"material\":" + each.material + "}]}");
+        for (List<Painted> each : meshes.keySet()) {
+            List<String> primitives = new ArrayList<>();
+            for (Painted part : each) {
+                primitives.add("{" + shapes.get(part.shape) + ",\"material\":" + part.material + "}");
+            }
+            painted.add("{\"primitives\":[" + String.join(",", primitives) + "]}");
         }
         StringBuilder json = new StringBuilder("{\"asset\":{\"version\":\"2.0\",\"generator\":\"robosim-geometry\"}");
         json.append(",\"scene\":0,\"scenes\":[{\"nodes\":[").append(root).append("]}]");
         list(json, "nodes", nodes);
         list(json, "meshes", painted);
-        list(json, "materials", List.copyOf(materials.keySet()));
+        list(json, "materials", materials.materials());
+        list(json, "textures", materials.textures());
+        list(json, "images", materials.images());
+        list(json, "samplers", materials.samplers());
         list(json, "accessors", accessors);
         list(json, "bufferViews", views);
         if (numbers.size() > 0) {
@@ -131,16 +200,6 @@ final class GlbScene {
         }
     }
 
-    private int ball() {
-        return shape("ball", () -> GlbShape.capsule(1, 0));
-    }
-
-    private int leaf(String name, Pose pose, int shape, int colour, double x, double y, double z) {
-        int mesh = mesh(new Painted(shape, material(colour)));
-        String scale = x == 1 && y == 1 && z == 1 ? "" : ",\"scale\":" + List.of(x, y, z);
-        return node(placed(name, pose) + scale + ",\"mesh\":" + mesh);
-    }
-
     private int node(String members) {
         nodes.add("{" + members + "}");
         return nodes.size() - 1;
@@ -155,7 +214,7 @@ final class GlbScene {
                         : ",\"rotation\":" + List.of(turned.x(), turned.y(), turned.z(), turned.w()));
     }
 
-    private int mesh(Painted painted) {
+    private int mesh(List<Painted> painted) {
         Integer number = meshes.get(painted);
         if (number == null) {
             number = meshes.size();
@@ -164,47 +223,29 @@ final class GlbScene {
         return number;
     }
 
-    /** Shown from both sides, as a mesh may be a mere surface. */
-    private int material(int colour) {
-        String factor = List.of(linear(colour >> 16), linear(colour >> 8), linear(colour), 1.0)
-                .toString();
-        String json = "{\"pbrMetallicRoughness\":{\"baseColorFactor\":" + factor
-                + ",\"metallicFactor\":0,\"roughnessFactor\":0.7},\"doubleSided\":true}";
-        Integer number = materials.get(json);
-        if (number == null) {
-            number = materials.size();
-            materials.put(json, number);
-        }
-        return number;
-    }
-
-    /** A component of sRGB, its lowest byte, as light. */
-    private static double linear(int component) {
-        double v = (component & 255) / 255.0;
-        return v <= 0.04045 ? v / 12.92 : StrictMath.pow((v + 0.055) / 1.055, 2.4);
-    }
-
-    private int shape(Object key, Supplier<GlbShape> made) {
+    private int shape(Object key, GlbMaterials.@Nullable Mapping mapping, Supplier<GlbShape> made) {
         Integer number = known.get(key);
         if (number == null) {
             number = shapes.size();
             known.put(key, number);
             GlbShape shape = made.get();
             float[] normals = shape.normals();
-            shapes.add("\"attributes\":{\"POSITION\":" + vectors(shape.points(), true)
-                    + (normals == null ? "" : ",\"NORMAL\":" + vectors(normals, false)) + "},\"indices\":"
-                    + indices(shape.indices()));
+            String places =
+                    mapping == null ? "" : ",\"TEXCOORD_0\":" + vectors(mapping.shares(shape.places()), "VEC2", false);
+            shapes.add("\"attributes\":{\"POSITION\":" + vectors(shape.points(), "VEC3", true)
+                    + (normals == null ? "" : ",\"NORMAL\":" + vectors(normals, "VEC3", false)) + places
+                    + "},\"indices\":" + indices(shape.indices()));
         }
         return number;
     }
 
-    private int vectors(float[] values, boolean bounded) {
+    private int vectors(float[] values, String type, boolean bounded) {
         int begin = numbers.size();
         for (float value : values) {
             numbers.real(value);
         }
         String bounds = bounded ? ",\"min\":" + bound(values, -1) + ",\"max\":" + bound(values, 1) : "";
-        return accessor(begin, VERTICES, FLOAT, values.length / 3, "VEC3", bounds);
+        return accessor(begin, VERTICES, FLOAT, values.length / (type.equals("VEC2") ? 2 : 3), type, bounds);
     }
 
     /** The largest of the numbers along each axis, or the smallest: all digits of the floats, as readers compare them. */

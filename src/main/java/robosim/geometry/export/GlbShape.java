@@ -6,7 +6,11 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.TriangleMesh;
 
-/** The triangles of a shape, counter-clockwise seen from outside; without normals where each face is flat by itself. */
+/**
+ * The triangles of a shape, counter-clockwise seen from outside; without normals where each face is flat by itself. Each
+ * vertex has its place (s, t) in the plane of a texture, in the units of the shape, as
+ * {@link robosim.geometry.material.Texture} defines it.
+ */
 final class GlbShape {
     /** Flat sides of a round shape. */
     private static final int SIDES = 48;
@@ -15,6 +19,7 @@ final class GlbShape {
 
     private float[] points = new float[256];
     private float @Nullable [] normals;
+    private double[] places = new double[256];
     private int size;
     private int[] indices = new int[256];
     private int corners;
@@ -32,45 +37,72 @@ final class GlbShape {
         return normals == null ? null : Arrays.copyOf(normals, size);
     }
 
+    /** Two numbers for each vertex. */
+    double[] places() {
+        return Arrays.copyOf(places, size / 3 * 2);
+    }
+
     int[] indices() {
         return Arrays.copyOf(indices, corners);
     }
 
-    /** A box with sides of 1. */
-    static GlbShape box() {
+    static GlbShape box(double width, double height, double length) {
         GlbShape shape = new GlbShape(true);
+        double[] half = {width / 2, height / 2, length / 2};
+        shape.box(new double[3], half, half);
+        return shape;
+    }
+
+    /** Six faces around a middle; the texture lies as on a larger box, which is around the origin. */
+    private void box(double[] middle, double[] half, double[] whole) {
         for (int axis = 0; axis < 3; axis++) {
             for (int side = -1; side <= 1; side += 2) {
                 int[] quad = new int[4];
                 for (int k = 0; k < 4; k++) {
-                    double[] at = new double[3];
+                    double[] at = middle.clone();
                     double[] out = new double[3];
-                    at[axis] = side / 2.0;
-                    at[(axis + 1) % 3] = (k == 0 || k == 3 ? -side : side) / 2.0;
-                    at[(axis + 2) % 3] = (k < 2 ? -1 : 1) / 2.0;
+                    int one = (axis + 1) % 3;
+                    int two = (axis + 2) % 3;
+                    at[axis] += side * half[axis];
+                    at[one] += (k == 0 || k == 3 ? -side : side) * half[one];
+                    at[two] += (k < 2 ? -1 : 1) * half[two];
                     out[axis] = side;
-                    quad[k] = shape.vertex(at[0], at[1], at[2], out[0], out[1], out[2]);
+                    quad[k] = vertex(at, out, onBox(at, out, whole));
                 }
-                shape.quad(quad[0], quad[1], quad[2], quad[3]);
+                quad(quad[0], quad[1], quad[2], quad[3]);
             }
         }
-        return shape;
     }
 
-    /** A cylinder of radius 1 and height 1. */
-    static GlbShape cylinder() {
+    /** Where a point lies in the texture of the side of a box that its normal's largest component names. */
+    private static double[] onBox(double[] at, double[] out, double[] half) {
+        double x = Math.abs(out[0]);
+        double y = Math.abs(out[1]);
+        double z = Math.abs(out[2]);
+        if (y >= x && y >= z) {
+            return new double[] {at[0] + half[0], half[2] - Math.signum(out[1]) * at[2]};
+        }
+        return new double[] {
+            x >= z ? half[2] - Math.signum(out[0]) * at[2] : half[0] + Math.signum(out[2]) * at[0], at[1] + half[1]
+        };
+    }
+
+    static GlbShape cylinder(double radius, double height) {
         GlbShape shape = new GlbShape(true);
-        int bottom = shape.vertex(0, -0.5, 0, 0, -1, 0);
-        int top = shape.vertex(0, 0.5, 0, 0, 1, 0);
+        double[] half = {radius, height / 2, radius};
+        int bottom = shape.cap(0, 0, -1, half);
+        int top = shape.cap(0, 0, 1, half);
         int[] last = {};
         for (int k = 0; k <= SIDES; k++) {
             double x = Degrees.cos(360.0 / SIDES * (k % SIDES));
             double z = -Degrees.sin(360.0 / SIDES * (k % SIDES));
+            double s = 2 * Math.PI / SIDES * k * radius;
+            double[] out = {x, 0, z};
             int[] next = {
-                shape.vertex(x, -0.5, z, x, 0, z),
-                shape.vertex(x, 0.5, z, x, 0, z),
-                shape.vertex(x, -0.5, z, 0, -1, 0),
-                shape.vertex(x, 0.5, z, 0, 1, 0)
+                shape.vertex(new double[] {radius * x, -height / 2, radius * z}, out, new double[] {s, 0}),
+                shape.vertex(new double[] {radius * x, height / 2, radius * z}, out, new double[] {s, height}),
+                shape.cap(x, z, -1, half),
+                shape.cap(x, z, 1, half)
             };
             if (k > 0) {
                 shape.quad(last[0], next[0], next[1], last[1]);
@@ -82,28 +114,37 @@ final class GlbShape {
         return shape;
     }
 
+    /** A vertex of the top or the bottom of a cylinder of radius 1. */
+    private int cap(double x, double z, int side, double[] half) {
+        double[] at = {half[0] * x, half[1] * side, half[2] * z};
+        double[] out = {0, side, 0};
+        return vertex(at, out, onBox(at, out, half));
+    }
+
     /** A sphere, cut at its equator, with its halves moved apart by half a segment each. */
     static GlbShape capsule(double radius, double segment) {
         GlbShape shape = new GlbShape(true);
         int rows = 0;
         for (int ring = 0; ring <= RINGS; ring++) {
-            rows = shape.ring(radius, ring, ring <= RINGS / 2 ? -segment / 2 : segment / 2, rows);
+            rows = shape.ring(radius, ring, ring <= RINGS / 2 ? 0 : segment, segment, rows);
             if (ring == RINGS / 2 && segment > 0) {
-                rows = shape.ring(radius, ring, segment / 2, rows);
+                rows = shape.ring(radius, ring, segment, segment, rows);
             }
         }
         return shape;
     }
 
-    /** A ring of a ball, joined to the one below it unless it is the first. */
-    private int ring(double radius, int ring, double lift, int rows) {
+    /** A ring of a ball, lifted from the lower half's place, and joined to the one below it unless it is the first. */
+    private int ring(double radius, int ring, double lift, double segment, int rows) {
         double up = -Degrees.cos(180.0 / RINGS * ring);
         double out = Degrees.sin(180.0 / RINGS * ring);
         int first = size / 3;
         for (int k = 0; k <= SIDES; k++) {
             double x = out * Degrees.cos(360.0 / SIDES * (k % SIDES));
             double z = -out * Degrees.sin(360.0 / SIDES * (k % SIDES));
-            vertex(radius * x, radius * up + lift, radius * z, x, up, z);
+            double[] at = {radius * x, radius * up + lift - segment / 2, radius * z};
+            double[] place = {2 * Math.PI / SIDES * k * radius, Math.PI / RINGS * ring * radius + lift};
+            vertex(at, new double[] {x, up, z}, place);
         }
         int below = first - SIDES - 1;
         for (int k = 0; k < SIDES && rows > 0; k++) {
@@ -117,10 +158,12 @@ final class GlbShape {
         return rows + 1;
     }
 
+    /** All triangles, which share their corners. */
     static GlbShape mesh(TriangleMesh mesh) {
         GlbShape shape = new GlbShape(false);
+        double[] none = new double[3];
         for (int v = 0; v < mesh.vertices(); v++) {
-            shape.vertex(mesh.coordinate(v, 0), mesh.coordinate(v, 1), mesh.coordinate(v, 2), 0, 0, 0);
+            shape.vertex(corner(mesh, v), none, none);
         }
         for (int t = 0; t < mesh.size(); t++) {
             shape.triangle(mesh.vertex(t, 0), mesh.vertex(t, 1), mesh.vertex(t, 2));
@@ -128,22 +171,67 @@ final class GlbShape {
         return shape;
     }
 
-    /** Boxes of as many cells as make a rectangle, in the grid's own frame. */
+    /** The triangles that have texture coordinates, each with corners of its own; places are shares of a picture. */
+    static GlbShape pictured(TriangleMesh mesh) {
+        GlbShape shape = new GlbShape(false);
+        double[] none = new double[3];
+        for (int t = 0; t < mesh.size(); t++) {
+            for (int k = 0; k < 3 && mesh.isTextured(t); k++) {
+                double[] place = {mesh.textured(t, k, 0), mesh.textured(t, k, 1)};
+                int vertex = shape.vertex(corner(mesh, mesh.vertex(t, k)), none, place);
+                if (k == 2) {
+                    shape.triangle(vertex - 2, vertex - 1, vertex);
+                }
+            }
+        }
+        return shape;
+    }
+
+    /**
+     * The triangles, each with corners of its own; places are those of a box.
+     *
+     * @param all also those that have texture coordinates
+     */
+    static GlbShape faces(TriangleMesh mesh, boolean all) {
+        GlbShape shape = new GlbShape(false);
+        double[] origin = new double[3];
+        for (int t = 0; t < mesh.size(); t++) {
+            if (all || !mesh.isTextured(t)) {
+                double[] a = corner(mesh, mesh.vertex(t, 0));
+                double[] b = corner(mesh, mesh.vertex(t, 1));
+                double[] c = corner(mesh, mesh.vertex(t, 2));
+                double[] out = new double[3];
+                for (int k = 0; k < 3; k++) {
+                    int i = (k + 1) % 3;
+                    int j = (k + 2) % 3;
+                    out[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+                }
+                int first = shape.vertex(a, out, onBox(a, out, origin));
+                shape.vertex(b, out, onBox(b, out, origin));
+                shape.triangle(first, first + 1, shape.vertex(c, out, onBox(c, out, origin)));
+            }
+        }
+        return shape;
+    }
+
+    private static double[] corner(TriangleMesh mesh, int vertex) {
+        return new double[] {mesh.coordinate(vertex, 0), mesh.coordinate(vertex, 1), mesh.coordinate(vertex, 2)};
+    }
+
+    /** Boxes of as many cells as make a rectangle, in the grid's own frame; their faces share corners. */
     static GlbShape grid(GridObject grid) {
         GlbShape shape = new GlbShape(false);
-        double half = grid.height() / 2;
+        double[] none = new double[3];
         for (GridCells.Rectangle each : new GridCells(grid).rectangles) {
+            double[] middle = middle(grid, each);
+            double[] half = half(grid, each);
             int first = shape.size / 3;
             for (int k = 0; k < 8; k++) {
-                int column = (k & 1) == 0 ? each.fromColumn() : each.toColumn();
-                int row = (k & 4) == 0 ? each.fromRow() : each.toRow();
-                shape.vertex(
-                        (column - grid.columns() / 2.0) * grid.cell(),
-                        (k & 2) == 0 ? -half : half,
-                        (row - grid.rows() / 2.0) * grid.cell(),
-                        0,
-                        0,
-                        0);
+                double[] at = middle.clone();
+                for (int axis = 0; axis < 3; axis++) {
+                    at[axis] += (k >> axis & 1) == 0 ? -half[axis] : half[axis];
+                }
+                shape.vertex(at, none, none);
             }
             shape.quad(first, first + 4, first + 6, first + 2);
             shape.quad(first + 1, first + 3, first + 7, first + 5);
@@ -155,19 +243,40 @@ final class GlbShape {
         return shape;
     }
 
-    private int vertex(double x, double y, double z, double outX, double outY, double outZ) {
+    /** The same, each face with corners of its own. */
+    static GlbShape texturedGrid(GridObject grid) {
+        GlbShape shape = new GlbShape(true);
+        double[] whole = {grid.columns() * grid.cell() / 2, grid.height() / 2, grid.rows() * grid.cell() / 2};
+        for (GridCells.Rectangle each : new GridCells(grid).rectangles) {
+            shape.box(middle(grid, each), half(grid, each), whole);
+        }
+        return shape;
+    }
+
+    private static double[] middle(GridObject grid, GridCells.Rectangle cells) {
+        double x = (cells.fromColumn() + cells.toColumn() - grid.columns()) * grid.cell() / 2;
+        return new double[] {x, 0, (cells.fromRow() + cells.toRow() - grid.rows()) * grid.cell() / 2};
+    }
+
+    private static double[] half(GridObject grid, GridCells.Rectangle cells) {
+        double x = (cells.toColumn() - cells.fromColumn()) * grid.cell() / 2;
+        return new double[] {x, grid.height() / 2, (cells.toRow() - cells.fromRow()) * grid.cell() / 2};
+    }
+
+    private int vertex(double[] at, double[] out, double[] place) {
         if (size + 3 > points.length) {
             points = Arrays.copyOf(points, 2 * points.length);
+            places = Arrays.copyOf(places, 2 * places.length);
             normals = normals == null ? null : Arrays.copyOf(normals, points.length);
         }
-        points[size] = (float) (x + 0.0);
-        points[size + 1] = (float) (y + 0.0);
-        points[size + 2] = (float) (z + 0.0);
-        if (normals != null) {
-            normals[size] = (float) (outX + 0.0);
-            normals[size + 1] = (float) (outY + 0.0);
-            normals[size + 2] = (float) (outZ + 0.0);
+        for (int k = 0; k < 3; k++) {
+            points[size + k] = (float) (at[k] + 0.0);
+            if (normals != null) {
+                normals[size + k] = (float) (out[k] + 0.0);
+            }
         }
+        places[size / 3 * 2] = place[0];
+        places[size / 3 * 2 + 1] = place[1];
         size += 3;
         return size / 3 - 1;
     }

@@ -10,6 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongConsumer;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
@@ -19,8 +21,8 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
 /**
- * Writes a world as a binary glTF 2.0 file (.glb): a node for each object with its name, place and colour, groups as
- * nodes with children, in metres. glTF's axes are this module's: right-handed, Y up. Round shapes have 48 flat sides, with the
+ * Writes a world as a binary glTF 2.0 file (.glb): a node for each object with its name, place and material, groups as
+ * nodes with children, in metres; pictures are in the file. glTF's axes are this module's: right-handed, Y up. Round shapes have 48 flat sides, with the
  * normals of the true surface.
  */
 public final class GlbWriter {
@@ -47,14 +49,11 @@ public final class GlbWriter {
         for (WorldObject each : world.objects()) {
             progress.accept(nodes.size());
             GeometryObject object = each.object();
-            String color = each.color();
-            int painted = color != null
-                    ? Integer.parseInt(color.substring(1), 16)
-                    : (object.isMoveable() ? Palette.robot(robots) : Palette.of(object.kind())).in(Theme.LIGHT);
+            int usual = (object.isMoveable() ? Palette.robot(robots) : Palette.of(object.kind())).in(Theme.LIGHT);
             robots += object.isMoveable() ? 1 : 0;
             String name = object.name();
             String called = name == null ? object.kind().word() + " " + (nodes.size() + 1) : name;
-            nodes.add(scene.object(object, painted, called));
+            nodes.add(scene.object(object, Material.of(Color.ofPacked(usual)), called));
         }
         Unit unit = world.unit();
         int root = scene.root(title, unit == null ? 1 : unit.metres(), nodes);

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -196,21 +197,29 @@ final class PageData {
         int before = 0;
         for (Scene.Thing thing : setting.statics()) {
             GeometryObject object = thing.object();
-            int colour = Palette.of(object.kind()).in(Theme.LIGHT);
-            int number = objects.number(object, thing.colour() == null ? colour : thing.colour());
+            int usual = Palette.of(object.kind()).in(Theme.LIGHT);
+            int number = objects.number(object, colour(thing, usual));
             out.chapters.signed(number - before);
             before = number;
         }
         List<Scene.Thing> movers = film.movers(begin);
         out.chapters.count(movers.size());
         for (int k = 0; k < movers.size(); k++) {
-            Integer colour = movers.get(k).colour();
-            int robot = Palette.robot(k).in(Theme.LIGHT);
-            int number = objects.number(movers.get(k).object(), colour == null ? robot : colour);
+            int usual = Palette.robot(k).in(Theme.LIGHT);
+            int number = objects.number(movers.get(k).object(), colour(movers.get(k), usual));
             out.chapters.signed(number - before);
             before = number;
         }
         writeLife(begin, end, setting, movers);
+    }
+
+    /** That of a world file, or else of the material, or else the usual one. */
+    private static int colour(Scene.Thing thing, int usual) {
+        Integer told = thing.colour();
+        Material material = thing.object().material();
+        return told != null
+                ? told
+                : material.isDefault() ? usual : material.color().packed();
     }
 
     /** What happened from one frame to before another. */

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -32,6 +34,7 @@ final class PageObjects {
     private final PageStreams out;
     private final Map<Painted, Integer> known = new HashMap<>();
     private final Map<TriangleMesh, Integer> meshes = new HashMap<>();
+    private final PageLooks looks;
 
     /** Each grid of which cells were taken together, in words. */
     private final List<String> coarse = new ArrayList<>();
@@ -39,6 +42,7 @@ final class PageObjects {
     PageObjects(Quanta quanta, PageStreams out) {
         this.quanta = quanta;
         this.out = out;
+        looks = new PageLooks(quanta, out.looks);
     }
 
     List<String> coarse() {
@@ -48,7 +52,7 @@ final class PageObjects {
     /**
      * The number of an object, which is written at its first use.
      *
-     * @param colour 0xRRGGBB
+     * @param colour 0xRRGGBB; also that of all surfaces of an object without a material
      */
     int number(GeometryObject object, int colour) {
         GeometryObject placed = object.isMoveable() ? object.at(Pose.ORIGIN) : object;
@@ -76,22 +80,24 @@ final class PageObjects {
         out.objects.real(object.isMoveable() ? 0 : quanta.z(pose.center()));
         turned(Turned.of(pose));
         List<Part> parts = new ArrayList<>();
-        collect(object, Placement.NONE, parts);
+        Material usual = Material.of(Color.ofPacked(painted.colour));
+        collect(object, object.material().within(usual), Placement.NONE, parts);
         out.objects.count(parts.size());
         parts.forEach(this::part);
     }
 
     /** A shape that is no group, in its object's own frame. */
-    private record Part(GeometryObject shape, Placement place) {}
+    private record Part(GeometryObject shape, Material material, Placement place) {}
 
-    private static void collect(GeometryObject object, Placement place, List<Part> parts) {
+    private static void collect(GeometryObject object, Material material, Placement place, List<Part> parts) {
         if (object instanceof ObjectGroup group) {
             for (GeometryObject member : group.members()) {
                 Pose pose = member.pose();
-                collect(member, place.then(Placement.turned(pose.center(), pose.rotation())), parts);
+                Placement inner = place.then(Placement.turned(pose.center(), pose.rotation()));
+                collect(member, member.material().within(material), inner, parts);
             }
         } else {
-            parts.add(new Part(object, place));
+            parts.add(new Part(object, material, place));
         }
     }
 
@@ -120,6 +126,7 @@ final class PageObjects {
             case GRID -> cells((GridObject) shape, CELLS | flag);
             case GROUP -> throw new IllegalStateException("a group has been taken apart (got: " + shape + ")");
         }
+        out.objects.count(looks.number(part.material));
         if (placed) {
             out.objects.real(quanta.length(part.place.origin().x()));
             out.objects.real(quanta.length(part.place.origin().y()));

@@ -10,6 +10,9 @@ final class PageStreams {
     /** Objects: names, colours, parts. */
     final Packed objects = new Packed();
 
+    /** What surfaces look like. */
+    final Packed looks = new Packed();
+
     /** The vertices and triangles of meshes. */
     final Packed meshes = new Packed();
 
@@ -40,8 +43,8 @@ final class PageStreams {
 
     /** All of them, in the order in which the page reads them. */
     byte[] toBytes() {
-        List<Packed> all =
-                List.of(about, objects, meshes, chapters, tracks, times, moves, turns, free, sensors, scans, distances);
+        List<Packed> all = List.of(
+                about, looks, objects, meshes, chapters, tracks, times, moves, turns, free, sensors, scans, distances);
         Packed whole = new Packed();
         whole.count(all.size());
         for (Packed each : all) {

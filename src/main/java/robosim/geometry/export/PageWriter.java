@@ -12,11 +12,15 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
+import robosim.geometry.viewer.playback.Colours;
+import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.World;
 
 /**
  * Writes a recording as one HTML file that plays it in three dimensions, in any browser with WebGL 2, without a server
@@ -77,10 +81,16 @@ public final class PageWriter {
         return this;
     }
 
-    /** Plays a conversation and writes its page. */
-    public static void write(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
-        new PageWriter(Films.of(scenario))
+    /**
+     * Plays a conversation and writes its page.
+     *
+     * @param world lends colours and a unit; null for none
+     */
+    public static void write(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
+            throws IOException {
+        new PageWriter(Films.of(scenario, world == null ? Colours.NONE : Colours.of(world)))
                 .titled(scenario.header().title())
+                .described("", world == null ? "" : Pictures.unit(world))
                 .withGoals(goals)
                 .write(file);
     }
@@ -110,19 +120,19 @@ public final class PageWriter {
                 .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
     }
 
-    /** A program without the blanks beside its punctuation, other than in its strings and templates. */
+    /** A program without the blanks beside its punctuation, other than in its strings; shaders are templates. */
     private static String dense(String program) {
         StringBuilder dense = new StringBuilder(program.length());
-        char quote = 0;
+        boolean isQuoted = false;
         for (int k = 0; k < program.length(); k++) {
             char c = program.charAt(k);
-            if (quote == 0 && c == ' ' && (isPunctuation(program, k - 1) || isPunctuation(program, k + 1))) {
+            if (!isQuoted && c == ' ' && (isPunctuation(program, k - 1) || isPunctuation(program, k + 1))) {
                 continue;
             }
-            if (quote != 0 && (c == quote || (c == '\n' && quote != '`'))) {
-                quote = 0;
-            } else if (quote == 0 && (c == '\'' || c == '`')) {
-                quote = c;
+            if (isQuoted && (c == '\'' || c == '\n')) {
+                isQuoted = false;
+            } else if (c == '\'') {
+                isQuoted = true;
             }
             dense.append(c);
         }

@@ -26,26 +26,27 @@ public final class Arrival {
         }
         world.seek(goal);
         long start = world.clock().steps();
-        double nearest = goal.missing(robot);
+        Goal.Pursuit pursuit = goal.pursue();
+        Shortfall nearest = pursuit.missing(robot);
         GeometryObject best = robot.object();
         long bestStep = 0;
-        for (int k = 1; k <= steps && nearest > 0; k++) {
+        for (int k = 1; k <= steps && !nearest.isNone(); k++) {
             if (world.clock().isIdle()) {
                 throw new IllegalStateException(
                         "a robot must follow a behaviour before one can reach anything in steps;"
                                 + " give it one by robot(...).follows(...) (got: none)");
             }
             world.clock().advance();
-            double missing = goal.missing(robot);
-            if (missing < nearest) {
+            Shortfall missing = pursuit.missing(robot);
+            if (missing.isLessThan(nearest)) {
                 nearest = missing;
                 best = robot.object();
                 bestStep = world.clock().steps() - start;
             }
         }
-        if (nearest > 0) {
+        if (!nearest.isNone()) {
             throw robot.failure(" was to reach " + goal + " in " + Words.steps(steps) + ", but came no nearer than "
-                    + Words.found(nearest) + " short of it, after " + Words.steps(bestStep) + " at "
+                    + nearest + ", after " + Words.steps(bestStep) + " at "
                     + Words.center(best)
                     + "; it stands " + Words.place(robot.object()) + world.lastRefusal(robot.name()));
         }

@@ -13,6 +13,7 @@ import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.World;
 
 /** The files that a failed test leaves in its folder. */
 final class Evidence {
@@ -70,9 +71,12 @@ final class Evidence {
             lines += "\n  replay: " + unlessItFails("written", () -> replay(world.scenario(title)));
             lines += "\n  image:  "
                     + unlessItFails(
-                            "drawn", () -> picture(world.scenario(title), world.goals(), folder.resolve(PICTURE)));
+                            "drawn",
+                            () -> picture(world.scenario(title), world.goals(), world.file(), folder.resolve(PICTURE)));
             lines += "\n  page:   "
-                    + unlessItFails("written", () -> page(world.scenario(title), world.goals(), folder.resolve(PAGE)));
+                    + unlessItFails(
+                            "written",
+                            () -> page(world.scenario(title), world.goals(), world.file(), folder.resolve(PAGE)));
         }
         int connection = 0;
         for (byte[] recording : talks.recorded()) {
@@ -98,8 +102,8 @@ final class Evidence {
             Files.write(file, recording);
             return file.toString();
         });
-        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), List.of(), picture(connection)));
-        String page = unlessItFails("written", () -> page(Scenario.read(file), List.of(), page(connection)));
+        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), List.of(), null, picture(connection)));
+        String page = unlessItFails("written", () -> page(Scenario.read(file), List.of(), null, page(connection)));
         return written + "\n  image:  " + image + "\n  page:   " + page;
     }
 
@@ -111,16 +115,18 @@ final class Evidence {
     }
 
     /** Draws the robots at the end, with their last paths, what they sensed, what blocked them and their goals. */
-    private String picture(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
+    private String picture(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
+            throws IOException {
         Files.createDirectories(folder);
-        Pictures.lastMoments(scenario, goals, file);
+        Pictures.lastMoments(scenario, goals, world, file);
         return file.toString();
     }
 
     /** Writes the whole conversation as a page that plays it in three dimensions. */
-    private String page(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
+    private String page(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
+            throws IOException {
         Files.createDirectories(folder);
-        PageWriter.write(scenario, goals, file);
+        PageWriter.write(scenario, goals, world, file);
         return file.toString();
     }
 

@@ -1,14 +1,22 @@
 package robosim.geometry.junit;
 
+import java.util.List;
 import java.util.function.Consumer;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.MoveResult;
+import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.Drive;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.session.BodyRequests;
+import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.world.SonarRing;
 
 /**
  * A robot of a {@link RobotWorld}, with commands and assertions that read like sentences. Each either succeeds or fails
@@ -47,6 +55,91 @@ public final class Robot {
     /** Moves straight ahead, or back if negative; fails if anything blocks the way. */
     public Robot drives(double distance) {
         return moves(new Move(distance, 0, 0, 0, 0));
+    }
+
+    /**
+     * Tells it to drive from now on: it has a body, is driven within its limits, slides, pushes and is pushed, and never
+     * overlaps anything. Without a {@linkplain #hasBody body} or a {@linkplain #hasDrive drive} it gets that of a solid of
+     * its shape, 200 kg/m<sup>3</sup>, and two wheels as far apart as it is wide.
+     *
+     * @param speed m/s forward; a world unit is a metre
+     * @param turn  degrees a second, counter-clockwise; of a car the angle of its front wheels
+     */
+    public Driving drives(double speed, double turn) {
+        world.tell(name, speed, 0, turn);
+        return new Driving(world, this);
+    }
+
+    /** Tells it to drive in any direction from now on, as {@link #drives(double, double)}; for drives that can. */
+    public Driving drives(double forward, double right, double turn) {
+        world.tell(name, forward, right, turn);
+        return new Driving(world, this);
+    }
+
+    /** Gives it a body. */
+    public Robot hasBody(Body body) {
+        BodyRequest asked = BodyRequests.of(name, Checks.present("body", body), null);
+        DriveSettings drive = world.body(name).drive();
+        world.give(drive == null ? asked : asked.withDrive(drive));
+        return this;
+    }
+
+    /** Gives it a drive; its command does not count. */
+    public Robot hasDrive(Drive drive) {
+        world.give(world.body(name).withDrive(BodyRequests.of(Checks.present("drive", drive))));
+        return this;
+    }
+
+    /** Fails unless it and an object have met so far while bodies moved: one ran into the other. */
+    public Robot hits(String other) {
+        Checks.present("other", other);
+        world.known(other);
+        if (world.meetings().stream().noneMatch(meeting -> meeting.isBetween(name, other))) {
+            throw failure(" was to hit " + Text.quoted(other) + world.moment() + ", but " + met() + "; it stands "
+                    + Words.place(object()));
+        }
+        return this;
+    }
+
+    /** Fails unless it and another body have met so far. */
+    public Robot isBumpedBy(String other) {
+        hits(other);
+        if (!world.isBody(other)) {
+            throw failure(" was to be bumped by " + Text.quoted(other) + ", but that is no body, which stood still");
+        }
+        return this;
+    }
+
+    /** Fails if it has met anything so far while bodies moved. */
+    public Robot hitsNothing() {
+        if (world.meetings().stream().anyMatch(meeting -> meeting.isOf(name))) {
+            throw failure(" was to hit nothing, but " + met() + "; it stands " + Words.place(object()));
+        }
+        return this;
+    }
+
+    private String met() {
+        for (Bodies.Meeting meeting : world.meetings()) {
+            if (meeting.isOf(name)) {
+                String other = meeting.other(name);
+                long others = world.meetings().stream()
+                        .filter(each -> each.isOf(name) && !each.other(name).equals(other))
+                        .map(each -> each.other(name))
+                        .distinct()
+                        .count();
+                return "has met " + (other.isEmpty() ? "what has no name" : Text.quoted(other)) + " in step "
+                        + meeting.step() + " at "
+                        + Words.point(meeting.contact().point(), 0)
+                        + (others == 0 ? "" : " and " + others + " more");
+            }
+        }
+        return "has met nothing";
+    }
+
+    /** Fails if it is not within a distance of a place on the ground. */
+    public Robot endsNear(double x, double z, double within) {
+        world.checkNear("robot", name, x, z, within);
+        return this;
     }
 
     /** Turns in place about the vertical; fails if anything blocks it. */
@@ -105,6 +198,85 @@ public final class Robot {
     /** The distance from its centre to the nearest surface in a direction; {@code +Infinity} if there is none. */
     public double range(double direction) {
         return world.measure(name, direction);
+    }
+
+    /**
+     * The distance from its centre to the nearest surface in a cone; {@code +Infinity} if there is none.
+     *
+     * @param width full opening angle in degrees, from 0 (a line) up to, not including, 180
+     */
+    public double range(double direction, double width) {
+        if (!(width >= 0 && width < 180)) { // written so that NaN fails it
+            throw new IllegalArgumentException("width must be 0 to below 180 degrees (got: " + width + ")");
+        }
+        return world.measure(
+                name,
+                Degrees.cos(direction),
+                -Degrees.sin(direction),
+                new Beam(0, Double.POSITIVE_INFINITY, Degrees.toRadians(width)));
+    }
+
+    /**
+     * One of the sonars that the world's file gives it.
+     *
+     * @param number from 0, in the order of the file
+     * @throws IllegalArgumentException if it has no such sonar
+     */
+    public Sonar sonar(int number) {
+        int from = 0;
+        for (SonarRing ring : world.sonars(name)) {
+            if (number >= from && number - from < ring.count()) {
+                return new Sonar(world, this, number, ring, number - from);
+            }
+            from += ring.count();
+        }
+        throw new IllegalArgumentException(
+                from == 0
+                        ? "a robot with sonars must have a <sonar> in its world's file (got: " + this + ", without any)"
+                        : "number must be 0 to " + (from - 1) + ", of the sonars of " + this + " (got: " + number
+                                + ")");
+    }
+
+    /** What all the sonars that the world's file gives it read, in the order of the file. */
+    public double[] sonars() {
+        List<SonarRing> rings = world.sonars(name);
+        double[] readings = new double[rings.stream().mapToInt(SonarRing::count).sum()];
+        for (int k = 0; k < readings.length; k++) {
+            readings[k] = sonar(k).reads();
+        }
+        return readings;
+    }
+
+    /** Fails if nothing echoes in a cone within a range; {@code width} is its full opening angle in degrees. */
+    public Robot senses(double direction, double range, double width) {
+        check("range", range);
+        double distance = range(direction, width);
+        if (distance > range) {
+            throw failure(" was to sense something within " + Words.number(range) + sight(direction, width) + ", but "
+                    + heard(distance, range) + "; it stands " + Words.place(object()));
+        }
+        return this;
+    }
+
+    /** Fails if something echoes in a cone within a range; {@code width} is its full opening angle in degrees. */
+    public Robot sensesNothing(double direction, double range, double width) {
+        check("range", range);
+        double distance = range(direction, width);
+        if (distance <= range) {
+            throw failure(" was to sense nothing within " + Words.number(range) + sight(direction, width) + ", but "
+                    + heard(distance, range) + "; it stands " + Words.place(object()));
+        }
+        return this;
+    }
+
+    private String sight(double direction, double width) {
+        return " in a cone of " + Words.number(width) + " degrees" + sight(direction);
+    }
+
+    private static String heard(double distance, double range) {
+        return Double.isInfinite(distance)
+                ? "nothing echoes there at any distance"
+                : "the first echo is " + Words.apart(distance, range) + " away";
     }
 
     /** Fails if nothing echoes in a direction within a range. */

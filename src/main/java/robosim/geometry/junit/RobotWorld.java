@@ -17,16 +17,26 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.net.session.Motion;
+import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.drive.WorldBodies;
+import robosim.geometry.world.SonarRing;
 
 /**
  * A world with robots that are addressed by name, and a clock. What the robots do is recorded, so that a failed test
  * can leave a scenario that replays it. May be used by one thread at a time.
  *
  * <pre>{@code
- * RobotWorld world = RobotWorld.of(WorldReader.read(Path.of("worlds/rooms.xml")).toGeometry());
+ * RobotWorld world = RobotWorld.from(WorldReader.read(Path.of("worlds/rooms.xml")));
  * world.robot("drum 1").drives(2.0).turns(90).senses(0, 3.0).rangeTo("bench 1").isAtLeast(0.5);
  * world.robots().size(); // 8
  * }</pre>
@@ -35,6 +45,8 @@ import robosim.geometry.scenario.Scenario;
  * radians: quarter turns are exact, other angles are accurate to the last bits.
  */
 public final class RobotWorld {
+    private static final int MOST_STEPS = 10_000_000;
+
     private final Geometry geometry;
     private final VirtualClock clock;
     private final Transcript transcript;
@@ -43,6 +55,14 @@ public final class RobotWorld {
     private final List<Watch> watches = new ArrayList<>();
 
     private @Nullable Goal sought;
+
+    /** The file that it came from, for colours, the unit and sonars; null if a program made it. */
+    private final robosim.geometry.world.@Nullable World file;
+
+    /** Null as long as nothing has a body. */
+    private @Nullable Bodies bodies;
+
+    private final List<BodyRequest> inFile;
 
     /** A move that was blocked. */
     private record Refusal(String mover, @Nullable String obstacle, String words) {
@@ -54,17 +74,141 @@ public final class RobotWorld {
     /** A robot and an object that must not touch. */
     private record Watch(String robot, String other) {}
 
-    RobotWorld(Geometry geometry, VirtualClock clock) {
+    RobotWorld(Geometry geometry, robosim.geometry.world.@Nullable World file, VirtualClock clock) {
         this.geometry = geometry;
+        this.file = file;
+        this.inFile = file == null ? List.of() : WorldBodies.of(file);
         this.clock = clock;
         this.transcript = new Transcript(geometry);
         transcript.catchUp();
     }
 
+    private void catchUp() {
+        Bodies before = bodies;
+        boolean isNew = before != null && transcript.isBehind();
+        if (isNew) {
+            settle();
+        }
+        transcript.catchUp();
+        if (before != null && isNew) {
+            StepBundle anew = before.anew(geometry::hasObject);
+            bodies = before.again(new Motion(geometry));
+            run(bodies, anew);
+        }
+    }
+
+    /**
+     * Drops what poses keep beyond the bits that a recorded world has: what rounding took from the sums of many moves. Else a
+     * replay, which begins with the recorded world, would be off in the last bit.
+     */
+    private void settle() {
+        for (GeometryObject object : geometry.objects()) {
+            Pose pose = object.pose();
+            if (object.isMoveable() && object.name() != null) {
+                geometry.removeObject(object.name());
+                geometry.addObjectUnchecked(object.at(Pose.of(pose.center(), pose.rotation(), pose.heading(), 0)));
+            }
+        }
+    }
+
+    private Bodies bodies() {
+        catchUp();
+        Bodies all = bodies;
+        if (all == null) {
+            all = new Bodies(new Motion(geometry));
+            bodies = all;
+            clock.moving(this::step);
+            if (!inFile.isEmpty()) {
+                run(all, new StepBundle(0, inFile, List.of()));
+                inFile.forEach(all::give);
+            }
+        }
+        return all;
+    }
+
+    /** Carries out a step; fails if a body or a command cannot be given. */
+    private void run(Bodies all, StepBundle step) {
+        Reply reply = all.run(step, clock.steps());
+        transcript.stepped(step, reply, clock.steps());
+        if (!reply.problems().isEmpty()) {
+            throw new IllegalArgumentException(reply.problems().get(0).reason());
+        }
+    }
+
+    private void step() {
+        Bodies all = bodies();
+        run(all, all.next(clock.step().toNanos() / 1e9));
+        watches.forEach(this::check);
+    }
+
+    /** What an object was given as its body. */
+    BodyRequest body(String name) {
+        return bodies().of(name);
+    }
+
+    /** Gives an object a body. */
+    void give(BodyRequest body) {
+        Bodies all = bodies();
+        run(all, new StepBundle(0, List.of(body), List.of()));
+        all.give(body);
+    }
+
+    /** Tells a robot to drive, from the next step on. */
+    void tell(String name, double forward, double right, double degrees) {
+        bodies().tell(new DriveCommand(name, forward, right, Degrees.toRadians(degrees)));
+    }
+
+    /** Lets time pass. */
+    void elapse(double seconds) {
+        double step = clock.step().toNanos() / 1e9;
+        double steps = Math.rint(seconds / step);
+        if (!(seconds >= 0 && Math.abs(steps * step - seconds) <= 1e-9 * (1 + seconds) && steps <= MOST_STEPS)) {
+            throw new IllegalArgumentException("seconds must be a multiple of the clock's step of " + step
+                    + " s, of at most " + MOST_STEPS + " steps (got: " + seconds + ")");
+        }
+        bodies();
+        clock.advance((int) steps);
+    }
+
+    /** What bodies met so far, in order. */
+    List<Bodies.Meeting> meetings() {
+        Bodies all = bodies;
+        return all == null ? List.of() : all.meetings();
+    }
+
+    boolean isBody(String name) {
+        Bodies all = bodies;
+        return all != null && all.has(name);
+    }
+
+    void checkNear(String kind, String name, double x, double z, double within) {
+        Robot.check("within", within);
+        Point at = known(name).center();
+        double dx = at.x() - x;
+        double dz = at.z() - z;
+        double off = Math.sqrt(dx * dx + dz * dz);
+        if (!(off <= within)) {
+            throw new AssertionFailedError(kind + " " + Text.quoted(name) + " was to be within " + Words.number(within)
+                    + " of (" + Words.number(x) + ", " + Words.number(z) + ")" + moment() + ", but is "
+                    + Words.apart(off, within) + " away; it stands " + Words.place(known(name)));
+        }
+    }
+
     /** For tests without the extension; a step of its clock is a tenth of a second. */
     public static RobotWorld of(Geometry geometry) {
         Checks.present("geometry", geometry);
-        return new RobotWorld(geometry, new VirtualClock(Duration.ofMillis(100)));
+        return new RobotWorld(geometry, null, new VirtualClock(Duration.ofMillis(100)));
+    }
+
+    /**
+     * A world from a file, for tests without the extension, as {@link #of(Geometry)}: its robots have their own sonars,
+     * and pictures have its colours and its unit.
+     *
+     * @throws IllegalArgumentException if an object extends beyond the world's bounds
+     */
+    public static RobotWorld from(robosim.geometry.world.World world) {
+        Checks.present("world", world);
+        return new RobotWorld(world.toGeometry(), world, new VirtualClock(Duration.ofMillis(100)));
     }
 
     /** The world itself; changes to it affect the robots. */
@@ -89,6 +233,17 @@ public final class RobotWorld {
                     + " (got: " + Text.quoted(name) + ")");
         }
         return robots.computeIfAbsent(name, each -> new Robot(this, each));
+    }
+
+    /**
+     * An object, to give it a mass, so that robots push it.
+     *
+     * @throws IllegalArgumentException if there is none of that name; the message lists those that exist
+     */
+    public Thing object(String name) {
+        Checks.present("name", name);
+        known(name);
+        return new Thing(this, name);
     }
 
     /** All moveable objects, in the order in which they were added. */
@@ -136,7 +291,7 @@ public final class RobotWorld {
     }
 
     MoveResult move(String name, Move move) {
-        transcript.catchUp();
+        catchUp();
         MoveRequest request = new MoveRequest(
                 name, move.x(), move.y(), move.z(), Degrees.toRadians(move.rx()), Degrees.toRadians(move.ry()));
         Move asked = new Move(
@@ -155,12 +310,31 @@ public final class RobotWorld {
     }
 
     double measure(String name, double degrees) {
-        transcript.catchUp();
-        double x = Degrees.cos(degrees);
-        double z = -Degrees.sin(degrees);
-        double distance = geometry.getSonarDistance(name, x, z, 0, Double.POSITIVE_INFINITY, 0);
-        transcript.measured(name, x, z, distance, clock.steps());
+        return measure(name, Degrees.cos(degrees), -Degrees.sin(degrees), Beam.LINE);
+    }
+
+    /** Measures as a peer does whose beam it is, with the opening angle in radians. */
+    double measure(String name, double x, double z, Beam beam) {
+        catchUp();
+        double distance =
+                geometry.getSonarDistance(name, x, z, beam.min(), beam.max(), Degrees.toDegrees(beam.width()));
+        transcript.measured(name, x, z, beam, distance, clock.steps());
         return distance;
+    }
+
+    /** The sonars that the world's file gives a robot. */
+    List<SonarRing> sonars(String name) {
+        return file == null
+                ? List.of()
+                : file.objects().stream()
+                        .filter(each -> name.equals(each.object().name()))
+                        .flatMap(each -> each.sonars().stream())
+                        .toList();
+    }
+
+    /** The file that it came from; null if a program made it. */
+    robosim.geometry.world.@Nullable World file() {
+        return file;
     }
 
     /** Watches that two objects never touch, from now on and in what happened so far. */
@@ -179,6 +353,12 @@ public final class RobotWorld {
         for (Refusal refusal : refusals) {
             if (refusal.isBetween(watch.robot, watch.other)) {
                 throw new AssertionFailedError(pair + ", but " + refusal.words);
+            }
+        }
+        for (Bodies.Meeting meeting : meetings()) {
+            if (meeting.isBetween(watch.robot, watch.other)) {
+                throw new AssertionFailedError(pair + ", but they met in step " + meeting.step() + " at "
+                        + Words.point(meeting.contact().point(), 0));
             }
         }
         if (geometry.hasObject(watch.other) && geometry.hasObject(watch.robot) && touch(watch.robot, watch.other)) {

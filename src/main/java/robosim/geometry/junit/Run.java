@@ -11,7 +11,6 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.extension.ExtensionConfigurationException;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.platform.commons.support.AnnotationSupport;
-import robosim.geometry.Geometry;
 
 /** The objects that are injected into one test. A world is made when it is first asked for. */
 final class Run {
@@ -84,12 +83,12 @@ final class Run {
             if (annotation == null) {
                 throw new ExtensionConfigurationException("a test with a world must have one by @World (got: none)");
             }
-            world = new RobotWorld(geometry(annotation), new VirtualClock(Duration.ofMillis(annotation.stepMillis())));
+            world = world(annotation, new VirtualClock(Duration.ofMillis(annotation.stepMillis())));
         }
         return world;
     }
 
-    private Geometry geometry(World named) {
+    private RobotWorld world(World named, VirtualClock clock) {
         Class<?> test = context.getRequiredTestClass();
         String[] files = named.value();
         if (named.method().isEmpty() == (files.length == 0)) {
@@ -97,14 +96,19 @@ final class Run {
                     + (files.length == 0 ? "neither" : "both") + ")");
         }
         if (files.length == 0) {
-            return WorldFile.build(named.method(), test);
+            return new RobotWorld(WorldFile.build(named.method(), test), null, clock);
         }
         String chosen = choice.world();
         if (chosen == null && files.length > 1) {
             throw new ExtensionConfigurationException(
                     "@World must name one file except on a @ScenarioTest (got: " + files.length + ")");
         }
-        return WorldFile.read(chosen == null ? files[0] : chosen, test);
+        robosim.geometry.world.World file = WorldFile.read(chosen == null ? files[0] : chosen, test);
+        try {
+            return new RobotWorld(file.toGeometry(), file, clock);
+        } catch (IllegalArgumentException e) {
+            throw new ExtensionConfigurationException("the world of @World cannot be had: " + e.getMessage(), e);
+        }
     }
 
     SplittableRandom splittable() {

@@ -16,6 +16,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
@@ -34,6 +35,11 @@ final class Transcript {
         this.geometry = geometry;
     }
 
+    /** Whether the world was changed by other means since the last request. */
+    boolean isBehind() {
+        return !geometry.objects().equals(known);
+    }
+
     /** Called before the next request is carried out. */
     void catchUp() {
         List<GeometryObject> present = geometry.objects();
@@ -46,6 +52,12 @@ final class Transcript {
         }
     }
 
+    /** Called after a step was carried out. */
+    void stepped(StepBundle step, Reply reply, long clock) {
+        add(step, reply, clock);
+        known = geometry.objects();
+    }
+
     /** Called after a move was carried out. */
     void moved(MoveRequest request, @Nullable String refusal, long clock) {
         Reply reply = refusal == null
@@ -56,9 +68,9 @@ final class Transcript {
     }
 
     /** Called after a distance was measured. */
-    void measured(String name, double x, double z, double distance, long clock) {
+    void measured(String name, double x, double z, Beam beam, double distance, long clock) {
         add(
-                new SonarRequestBundle(List.of(new SonarRequest(name, x, z, Beam.LINE))),
+                new SonarRequestBundle(List.of(new SonarRequest(name, x, z, beam))),
                 new Reply(new DistanceBundle(List.of(distance))),
                 clock);
     }

@@ -7,6 +7,7 @@ import java.time.ZoneId;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A clock that advances in steps of a fixed length, and only when told to. It begins at the epoch, and is a {@link
@@ -15,6 +16,7 @@ import java.util.List;
 public final class VirtualClock extends Clock {
     private final Duration step;
     private final List<Runnable> behaviours = new ArrayList<>();
+    private @Nullable Runnable bodies;
     private long steps;
 
     VirtualClock(Duration step) {
@@ -41,12 +43,15 @@ public final class VirtualClock extends Clock {
 
     /**
      * Makes a step: advances the time, then runs each {@linkplain Robot#follows behaviour} once, in the order of the
-     * robots.
+     * robots, then lets bodies move, if there are any.
      */
     public void advance() {
         steps++;
         for (Runnable behaviour : List.copyOf(behaviours)) {
             behaviour.run();
+        }
+        if (bodies != null) {
+            bodies.run();
         }
     }
 
@@ -64,8 +69,13 @@ public final class VirtualClock extends Clock {
         behaviours.add(behaviour);
     }
 
+    /** Sets what moves bodies in each step. */
+    void moving(Runnable all) {
+        bodies = all;
+    }
+
     boolean isIdle() {
-        return behaviours.isEmpty();
+        return behaviours.isEmpty() && bodies == null;
     }
 
     @Override

@@ -18,11 +18,11 @@ import robosim.geometry.world.WorldReader;
 final class WorldFile {
     private WorldFile() {}
 
-    static Geometry read(String name, Class<?> test) {
+    static robosim.geometry.world.World read(String name, Class<?> test) {
         Path file = Path.of(name);
         try {
             if (Files.exists(file)) {
-                return WorldReader.read(file).toGeometry();
+                return WorldReader.read(file);
             }
             URL resource = resource(name, test);
             if (resource == null) {
@@ -33,10 +33,10 @@ final class WorldFile {
                                 + ")");
             }
             if (resource.getProtocol().equals("file")) { // so that its meshes are found relative to it
-                return WorldReader.read(Path.of(resource.toURI())).toGeometry();
+                return WorldReader.read(Path.of(resource.toURI()));
             }
             try (InputStream in = resource.openStream()) {
-                return WorldReader.read(in, name, null).toGeometry();
+                return WorldReader.read(in, name, null);
             }
         } catch (IOException | URISyntaxException | IllegalArgumentException e) {
             throw new ExtensionConfigurationException("the world of @World cannot be had: " + e.getMessage(), e);

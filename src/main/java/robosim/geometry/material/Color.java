@@ -28,10 +28,21 @@ public record Color(double red, double green, double blue) implements Serializab
     /** By component of 8 bits: the least linear value that is rounded to it, halfway between its encoding and the one below. */
     private static final double[] LEAST = new double[MOST + 1];
 
+    /** Parts of the linear values from 0 to 1, for a first guess; a power of two. */
+    private static final int PARTS = 4096;
+
+    /** By part: the component of the least value in it. At most one or two more are in the same part. */
+    private static final int[] FROM = new int[PARTS];
+
     static {
         for (int k = 0; k <= MOST; k++) {
             LINEAR[k] = decoded((double) k / MOST);
             LEAST[k] = k == 0 ? 0 : decoded((k - 0.5) / MOST);
+        }
+        int component = 0;
+        for (int k = 0; k < PARTS; k++) {
+            component = upFrom(component, (double) k / PARTS);
+            FROM[k] = component;
         }
     }
 
@@ -114,11 +125,16 @@ public record Color(double red, double green, double blue) implements Serializab
      * @param linear any number; below 0 and NaN count as 0, above 1 as 1
      */
     public static int component(double linear) {
-        int least = 0;
-        for (int step = (MOST + 1) / 2; step > 0; step /= 2) {
-            if (linear >= LEAST[least + step]) {
-                least += step;
-            }
+        if (linear >= 1) {
+            return MOST;
+        }
+        return linear > 0 ? upFrom(FROM[(int) (linear * PARTS)], linear) : 0;
+    }
+
+    private static int upFrom(int first, double linear) {
+        int least = first;
+        while (least < MOST && linear >= LEAST[least + 1]) {
+            least++;
         }
         return least;
     }

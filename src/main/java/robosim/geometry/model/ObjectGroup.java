@@ -163,52 +163,28 @@ public final class ObjectGroup implements GeometryObject {
     }
 
     /**
-     * The members that are no groups themselves, depth first, each placed in this group's own frame; a fresh list. The
-     * index in it is what {@code SenseBuffer.part} tells.
+     * The members that are no groups themselves, depth first, each placed in this group's own frame and made of what is seen
+     * of it: its own material, or where it has none that of the group around it. A walk through all members; the index in
+     * the list is what {@code SenseBuffer.part} tells.
      */
     public List<GeometryObject> parts() {
-        if (depth == 1) {
-            return members;
-        }
         List<GeometryObject> parts = new ArrayList<>();
-        for (GeometryObject member : members) {
-            if (member instanceof ObjectGroup inner) {
-                for (GeometryObject part : inner.parts()) {
-                    parts.add(part.at(part.pose().within(member.pose())));
-                }
-            } else {
-                parts.add(member);
-            }
-        }
+        addParts(Pose.ORIGIN, material(), parts);
         return List.copyOf(parts);
     }
 
-    /**
-     * What a part is made of: its own material, or where it has none that of the group around it.
-     *
-     * @param part its index in {@link #parts}
-     */
-    public Material material(int part) {
-        Material found = part < 0 ? null : material(part, new int[1], material());
-        if (found == null) {
-            throw new IllegalArgumentException("part must be the index of one of parts() (got: " + part + ")");
-        }
-        return found;
-    }
-
-    private @Nullable Material material(int part, int[] passed, Material around) {
+    private void addParts(Pose frame, Material around, List<GeometryObject> parts) {
+        boolean isPlaced = frame.equals(Pose.ORIGIN); // within() would round its attitude
         for (GeometryObject member : members) {
+            Pose place = isPlaced ? member.pose() : member.pose().within(frame);
             Material own = member.material().within(around);
             if (member instanceof ObjectGroup inner) {
-                Material found = inner.material(part, passed, own);
-                if (found != null) {
-                    return found;
-                }
-            } else if (passed[0]++ == part) {
-                return own;
+                inner.addParts(place, own, parts);
+            } else {
+                GeometryObject part = isPlaced ? member : member.at(place);
+                parts.add(own.equals(part.material()) ? part : part.withMaterial(own));
             }
         }
-        return null;
     }
 
     /** The bounding volume that was given, in the group's own frame; null if a default is used. */

@@ -10,6 +10,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.leaf.UprightRows;
+import robosim.geometry.narrow.mesh.KnownInside;
 import robosim.geometry.narrow.mesh.MeshRay;
 import robosim.geometry.narrow.mesh.PointInMesh;
 import robosim.geometry.narrow.normal.Normals;
@@ -52,6 +53,10 @@ public final class Cast {
 
     private double nearest;
     private final MeshRay.Judge judge = this::judge;
+    private final KnownInside inside = new KnownInside();
+
+    /** A distance that is as good as the nearest, as only whether there is one is asked; below 0 if it is not. */
+    private double enough = Double.NEGATIVE_INFINITY;
 
     public Cast(Scratch scratch) {
         s = scratch;
@@ -128,6 +133,11 @@ public final class Cast {
         takeUnit();
     }
 
+    /** Is told that from now on any distance up to one is as good as the nearest; below 0 if none is. */
+    public void contentWith(double distance) {
+        enough = distance;
+    }
+
     /** Distance from the start to the leaf; +Infinity if it is missed, and possibly if it is beyond the limit. */
     public double distance(LeafColumn column, int leaf, double limit) {
         triangle = -1;
@@ -138,9 +148,26 @@ public final class Cast {
         if (kind.isGrid()) {
             return grid(column, leaf, limit);
         }
-        if (PointInMesh.counts(dimension, column, leaf) && PointInMesh.holds(column, leaf, ox, oy, oz, s)) {
+        boolean isSolid = PointInMesh.counts(dimension, column, leaf);
+        if (isSolid && enough >= 0) {
+            return anyOfSolid(column, leaf, limit);
+        }
+        if (isSolid && inside.holds(column, leaf, ox, oy, oz, s)) {
             return 0;
         }
+        return surface(column, leaf, limit);
+    }
+
+    /** Looks on past the limit: a line that crosses the surface nowhere begins outside, and few begin near it elsewhere. */
+    private double anyOfSolid(LeafColumn column, int leaf, double limit) {
+        double crossed = surface(column, leaf, Double.POSITIVE_INFINITY);
+        if (crossed <= limit || crossed == Double.POSITIVE_INFINITY) {
+            return crossed;
+        }
+        return PointInMesh.holds(column, leaf, ox, oy, oz, s) ? 0 : crossed;
+    }
+
+    private double surface(LeafColumn column, int leaf, double limit) {
         nearest = Double.POSITIVE_INFINITY;
         s.outer.open(column, leaf);
         if (dimension == Dimension.SPATIAL && !cone) {
@@ -244,7 +271,8 @@ public final class Cast {
             nearest = distance;
             triangle = place;
         }
-        return nearest;
+        boolean isEnough = nearest <= enough && triangle >= 0; // both may be infinite
+        return isEnough ? Double.NEGATIVE_INFINITY : nearest; // that ends the search
     }
 
     private boolean isLower(int place) {
@@ -274,23 +302,34 @@ public final class Cast {
                 : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
     }
 
-    /** The triangle of a mesh that gave the last answer; -1 if none did. */
-    public int triangle() {
-        return triangle < 0 ? -1 : s.outer.triangle(triangle);
+    /** Where what gave the last answer is found again: the position of a mesh's triangle, a grid's cell; -1 for none. */
+    public int piece() {
+        return triangle;
     }
 
-    /** The triangle or cell of a leaf that the line meets; -1 if it is no mesh or grid, or the line starts inside a solid mesh. */
-    public int face(LeafColumn column, int leaf) {
+    /**
+     * The triangle or cell of a leaf that the line meets; -1 if it is no mesh or grid, or the line starts inside a solid mesh.
+     *
+     * @param piece as {@link #piece} told it
+     */
+    public int face(LeafColumn column, int leaf, int piece) {
         LeafKind kind = column.kind(leaf);
-        if (!kind.hasPieces()) {
+        if (!kind.hasPieces() || piece < 0) {
             return -1;
         }
-        distance(column, leaf, Double.POSITIVE_INFINITY);
-        return kind.isGrid() ? triangle : triangle();
+        if (kind.isGrid()) {
+            return piece;
+        }
+        s.outer.open(column, leaf);
+        return s.outer.triangle(piece);
     }
 
-    /** Writes the unit normal, three numbers, of the leaf where the line hits it at a distance. */
-    public void normal(LeafColumn column, int leaf, double distance, double[] out) {
+    /**
+     * Writes the unit normal, three numbers, of the leaf where the line hits it at a distance.
+     *
+     * @param piece as {@link #piece} told it
+     */
+    public void normal(LeafColumn column, int leaf, double distance, int piece, double[] out) {
         takeUnit();
         double px = ox + distance * ux;
         double py = oy + distance * uy;
@@ -305,14 +344,14 @@ public final class Cast {
             row = s.triangleA;
             at = 0;
         } else if (kind.isMesh()) {
-            distance(column, leaf, Double.POSITIVE_INFINITY);
-            if (triangle < 0) { // inside a solid mesh
+            if (piece < 0) { // inside a solid mesh
                 out[0] = -ux;
                 out[1] = -uy;
                 out[2] = -uz;
                 return;
             }
-            s.outer.corners(triangle, s.triangleA, 0);
+            s.outer.open(column, leaf);
+            s.outer.corners(piece, s.triangleA, 0);
             kind = LeafKind.TRIANGLE;
             row = s.triangleA;
             at = 0;

@@ -18,7 +18,10 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.channel.MessageChannel;
 
 /**
@@ -182,7 +185,7 @@ final class Connection implements Runnable {
         message = 1;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
-            String refusal = refusal(request, channel.messageBytes());
+            String refusal = refusal(request, channel.messageBytes(), session.objectCount());
             if (refusal != null) {
                 channel.refuse(refusal);
                 throw new ProtocolException(refusal);
@@ -190,10 +193,15 @@ final class Connection implements Runnable {
             if (request instanceof BatchRequestBundle batch) {
                 in.needs(batch.workBytes());
             }
+            int before = session.objectCount();
             Reply reply = reply(channel, session, request);
+            if (session.objectCount() < before && request instanceof BatchRequestBundle) {
+                worldMemory.shrink(session.objectCount(), before);
+            }
             around.figures().carriedOut(request, reply);
             if (reply != null) {
                 channel.write(reply);
+                in.answered();
                 answers++;
                 around.figures().answered(System.nanoTime() - start);
             }
@@ -222,7 +230,7 @@ final class Connection implements Runnable {
     }
 
     /** Why a request is not allowed; null if it is allowed. */
-    private @Nullable String refusal(Bundle request, int messageBytes) {
+    private @Nullable String refusal(Bundle request, int messageBytes, int objects) {
         Quotas quotas = options.quotas();
         if (request instanceof InitBundle init) {
             String tooMany = tooMany("a world", "objects", init.objects().size(), quotas.objects());
@@ -235,10 +243,26 @@ final class Connection implements Runnable {
             return tooMany("a bundle", "requests", sonars.requests().size(), quotas.requests());
         }
         if (request instanceof BatchRequestBundle batch) {
-            return tooMany("a bundle", "beams, poses and edges", batch.size(), quotas.requests());
+            int additions = additions(batch);
+            String tooMany = tooMany("a bundle", "beams, poses, edges and pixels", batch.size(), quotas.requests());
+            tooMany = tooMany == null && additions > 0
+                    ? tooMany("a world", "objects", objects + additions, quotas.objects())
+                    : tooMany;
+            return tooMany == null && additions > 0 ? worldMemory.claimMore(messageBytes) : tooMany;
         }
-        return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
+        if (request instanceof StepBundle step) {
+            return tooMany("a bundle", "bodies and commands", step.size(), quotas.requests());
+        }
+        return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a StepBundle (got: "
                 + request.getClass().getSimpleName() + ")";
+    }
+
+    private static int additions(BatchRequestBundle batch) {
+        int additions = 0;
+        for (BatchRequest request : batch.requests()) {
+            additions += request instanceof WorldRequest.Add ? 1 : 0;
+        }
+        return additions;
     }
 
     private static @Nullable String tooMany(String whole, String items, int count, int most) {

@@ -9,6 +9,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 
 /** Counts what the connections of one server or client do. */
 final class Figures implements FiguresMXBean {
@@ -50,6 +51,8 @@ final class Figures implements FiguresMXBean {
             requests.add(sonars.requests().size());
         } else if (request instanceof BatchRequestBundle batch) {
             requests.add(batch.size());
+        } else if (request instanceof StepBundle step) {
+            requests.add(1 + step.size());
         }
     }
 

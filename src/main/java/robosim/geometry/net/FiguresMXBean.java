@@ -17,7 +17,7 @@ public interface FiguresMXBean {
     /** Messages processed, including those that make a world. */
     long getBundles();
 
-    /** Moves and sonar requests carried out, and beams, poses and edges of batches. */
+    /** Moves and sonar requests carried out, and beams, poses, edges and pixels of batches. */
     long getRequests();
 
     /** Moves that were not made. */

@@ -8,7 +8,7 @@ import robosim.geometry.protocol.MessageLimits;
  *
  * @param connections maximum number of connections of a server at a time; each has a thread
  * @param objects     maximum number of objects in a world; a group counts as one
- * @param requests    maximum number of moves or sonar requests in a bundle, or of beams, poses and edges of a batch
+ * @param requests    maximum number of moves or sonar requests in a bundle, or of beams, poses, edges and pixels of a batch
  */
 public record Quotas(int connections, int objects, int requests) {
     /** 256 connections; otherwise the limit of any list in a message, {@link MessageLimits#MAX_LIST_LENGTH}. */

@@ -15,9 +15,11 @@ import robosim.geometry.model.Move;
 import robosim.geometry.net.session.Batches;
 import robosim.geometry.net.session.Extent;
 import robosim.geometry.net.session.LogBudget;
+import robosim.geometry.net.session.Motion;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
 import robosim.geometry.net.session.World;
+import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
@@ -30,11 +32,14 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /**
  * A conversation about one world at a time: takes a request bundle and returns an answer bundle or nothing. It is
@@ -49,6 +54,8 @@ import robosim.geometry.protocol.batch.NoAnswer;
  *   <li>A {@link SonarRequestBundle} is answered by one distance for each request, in order.
  *   <li>A {@link BatchRequestBundle} is answered by one answer for each request, in order, with the bits of the single
  *       calls.
+ *   <li>A {@link StepBundle} gives bodies and commands to objects, lets time pass, and is answered by where all bodies are and
+ *       what they met. A body or command that cannot be given is left out and logged.
  *   <li>A request with a name that is unknown, missing or of a static object, or that its world refuses (in a planar
  *       world, a sonar pointing straight up), is logged: a move is left out of the answer, a distance is NaN, a request of
  *       a batch has a {@link NoAnswer}. Before the first InitBundle every name is unknown. The session goes on.
@@ -69,9 +76,14 @@ public final class Session {
     private Runnable breath = () -> {};
 
     private final Batches batches = new Batches();
+    private final WorldRequests about = new WorldRequests();
 
     private @Nullable World world;
-    private Set<String> moveable = Set.of();
+
+    /** The bodies of the world; null before the first step. */
+    private @Nullable Motion motion;
+
+    private Set<String> moveable = new HashSet<>();
     private double radians;
     private double degrees;
 
@@ -107,7 +119,7 @@ public final class Session {
     public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
         this(options, listener, name, log, World::of);
         this.world = World.over(Checks.present("world", world));
-        moveable = new HashSet<>();
+        about.begin(world.objects().size());
         for (GeometryObject object : world.objects()) {
             String mover = object.name();
             if (object.isMoveable() && mover != null) {
@@ -144,7 +156,7 @@ public final class Session {
      * Carries out a request; the short form of {@link #reply}.
      *
      * @return the answer; null after an {@link InitBundle}
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, an answer and no request
+     * @throws IllegalArgumentException if it {@linkplain Bundle#isAnswer is an answer}
      */
     public @Nullable Bundle answer(Bundle request) {
         Reply reply = reply(request);
@@ -154,14 +166,15 @@ public final class Session {
     /**
      * Carries out a request, and reports what was refused and why.
      *
-     * @return the answer, with a problem for each move that is left out, each distance that is NaN and each
-     *     {@link NoAnswer}; null after an {@link InitBundle}
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, an answer and no request
+     * @return the answer, with a problem for each move that is left out, each distance that is NaN, each
+     *     {@link NoAnswer} and each body or command that is left out; null after an {@link InitBundle}
+     * @throws IllegalArgumentException if it {@linkplain Bundle#isAnswer is an answer}
      */
     public @Nullable Reply reply(Bundle request) {
-        if (request == null || request instanceof DistanceBundle || request instanceof BatchAnswerBundle) {
+        if (request == null || request.isAnswer()) {
             throw new IllegalArgumentException(
-                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
+                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a StepBundle"
+                            + " (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
@@ -188,6 +201,9 @@ public final class Session {
         if (request instanceof BatchRequestBundle batch) {
             return answer(batch);
         }
+        if (request instanceof StepBundle step) {
+            return step(step);
+        }
         return request instanceof MoveBundle moves ? move(moves) : measure((SonarRequestBundle) request);
     }
 
@@ -198,8 +214,10 @@ public final class Session {
             made = maker.make(settings(init));
         } catch (IllegalArgumentException e) {
             complaints.warn("this world cannot be made, the previous one stays: " + reason(e));
+            about.failed(reason(e));
             return;
         }
+        about.begin(0);
         Set<String> names = new HashSet<>();
         Set<String> movers = new HashSet<>();
         int index = 0;
@@ -211,36 +229,51 @@ public final class Session {
         }
         world = made;
         moveable = movers;
+        batches.forget();
+        motion = null;
     }
 
     private WorldSettings settings(InitBundle init) {
-        if (init.settings() != null) {
-            return init.settings();
+        WorldSettings given = init.settings() == null ? WorldSettings.NONE : init.settings();
+        if (given.isComplete()) {
+            return given;
         }
         double[] sizes = Extent.worldFor(init.objects());
-        return new WorldSettings(sizes[0], sizes[1], sizes[2], options.dimension(), options.accuracy());
+        return new WorldSettings(
+                given.width() > 0 ? given.width() : sizes[0],
+                given.height() > 0 ? given.height() : sizes[1],
+                given.length() > 0 ? given.length() : sizes[2],
+                given.dimension() == null ? options.dimension() : given.dimension(),
+                given.accuracy() == null ? options.accuracy() : given.accuracy());
     }
 
     private boolean add(World made, GeometryObject object, int index, Set<String> names) {
+        String reason = refusal(made, object, names);
         String name = object.name();
-        String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
-        if (name != null && names.contains(name)) {
-            complaints.warn(label + " was not added: an earlier object has its name");
+        if (reason != null) {
+            String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
+            complaints.warn(label + " was not added: " + reason);
+            about.leftOut(index, name, reason);
             return false;
         }
-        try {
-            if (!made.add(object)) {
-                complaints.warn(label + " was not added: it would leave the world");
-                return false;
-            }
-        } catch (IllegalArgumentException e) {
-            complaints.warn(label + " was not added: " + reason(e));
-            return false;
-        }
+        about.added();
         if (name != null) {
             names.add(name);
         }
         return true;
+    }
+
+    /** Adds an object; returns why it was not added, or null. */
+    private static @Nullable String refusal(World made, GeometryObject object, Set<String> names) {
+        String name = object.name();
+        if (name != null && names.contains(name)) {
+            return "an earlier object has its name";
+        }
+        try {
+            return made.add(object) ? null : "it would leave the world";
+        } catch (IllegalArgumentException e) {
+            return reason(e);
+        }
     }
 
     private Reply move(MoveBundle bundle) {
@@ -319,18 +352,59 @@ public final class Session {
 
     private BatchAnswer answer(BatchRequest request, int index, List<Problem> problems) {
         String name = request.objectName();
-        if (world == null || !moveable.contains(name)) {
+        boolean isOfMover = request instanceof WorldRequest
+                ? request instanceof WorldRequest.Place || request instanceof WorldRequest.Go
+                : !(request instanceof PictureRequest picture) || picture.isCarried();
+        if (world == null || (isOfMover && !moveable.contains(name))) {
             problems.add(unknown(name, index, "its batches have no answer"));
             return new NoAnswer();
         }
         try {
-            return batches.answer(world, request, breath);
+            Geometry geometry = world.geometry();
+            return request instanceof WorldRequest asked && geometry != null
+                    ? about.answer(geometry, asked, moveable, this::tried)
+                    : batches.answer(world, request, breath);
         } catch (IllegalArgumentException e) {
             String reason = reason(e);
             complaints.warn("a batch of object " + Text.quoted(name) + " has no answer: " + reason);
             problems.add(Problem.of(index, reason));
             return new NoAnswer();
         }
+    }
+
+    private Reply step(StepBundle step) {
+        List<Problem> problems = new ArrayList<>();
+        StepBundle.Answer nothing = new StepBundle.Answer(List.of(), List.of(), List.of());
+        Geometry geometry = world();
+        if (geometry == null) {
+            return new Reply(nothing, List.of(notStepped("there is no world yet")));
+        }
+        breath.run();
+        try {
+            motion = motion == null ? new Motion(geometry) : motion;
+            return new Reply(motion.step(step, (index, reason) -> problems.add(leftOut(index, reason))), problems);
+        } catch (IllegalArgumentException e) {
+            return new Reply(nothing, List.of(notStepped(reason(e))));
+        }
+    }
+
+    private Problem leftOut(int index, String reason) {
+        complaints.warn("body or command " + index + " of a step is left out: " + reason);
+        return Problem.of(index, reason);
+    }
+
+    private Problem notStepped(String reason) {
+        complaints.warn("a step moves nothing: " + reason);
+        return Problem.of(0, reason);
+    }
+
+    private void tried(WorldRequest.Go go, MoveResult result) {
+        listener.tried(new MoveRequest(go.objectName(), go.x(), go.y(), go.z(), go.rx(), go.ry()), result);
+    }
+
+    /** How many objects the world has. */
+    int objectCount() {
+        return about.present();
     }
 
     /** The width of a beam in degrees; cached, since most beams are as wide as the last. */
@@ -345,7 +419,9 @@ public final class Session {
     /** A problem that is logged and part of the reply. */
     private Problem unknown(String name, int index, String consequence) {
         String rest = world == null ? ", there is no world yet" : "";
-        Supplier<String> words = () -> "no moveable object " + Text.quoted(name) + rest;
+        Supplier<String> words = () -> name.isEmpty() && world == null
+                ? "there is no world yet"
+                : "no moveable object " + Text.quoted(name) + rest;
         complaints.warn(words.get() + ": " + consequence);
         return Problem.of(index, words); // reasons may be much larger than the bundle, so their text is not kept
     }

@@ -24,9 +24,21 @@ import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
+import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.Velocity;
 
 /** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
 final class AllowedClasses {
@@ -69,13 +81,44 @@ final class AllowedClasses {
             Integers.class,
             ScanMotion.class,
             FreePosesRequest.class,
+            PictureRequest.class,
+            PictureAnswer.class,
+            SceneLight.class,
+            SceneLight.Sun.class,
+            SceneLight.Lamp.class,
+            SceneLight.Spot.class,
             FreeEdgesRequest.class,
             BatchAnswerBundle.class,
             SenseAnswer.class,
             FreeAnswer.class,
             NoAnswer.class,
+            WorldRequest.Describe.class,
+            WorldRequest.Locate.class,
+            WorldRequest.Place.class,
+            WorldRequest.Add.class,
+            WorldRequest.Remove.class,
+            WorldRequest.Go.class,
+            WorldAnswer.LeftOut.class,
+            WorldAnswer.Described.class,
+            WorldAnswer.Located.class,
+            WorldAnswer.Changed.class,
+            WorldAnswer.Went.class,
             int[].class,
             byte[].class);
+
+    /** Steps of bodies, and their answers. */
+    private static final Set<Class<?>> STEPS = Set.of(
+            StepBundle.class,
+            StepBundle.Answer.class,
+            BodyRequest.class,
+            SurfaceSettings.class,
+            DriveSettings.class,
+            DriveSettings.Kind.class,
+            DriveCommand.class,
+            BodyAnswer.class,
+            Velocity.class,
+            ContactAnswer.class,
+            ContactAnswer.Phase.class);
 
     private static final Set<Class<?>> MADE = Set.of(
             BoxObject.class,
@@ -97,7 +140,7 @@ final class AllowedClasses {
 
     AllowedClasses(Set<Class<?>> translated) {
         for (Set<Class<?>> some :
-                List.of(BUNDLES, VALUES, BATCHES, SerialForms.classes(), Material.serialClasses(), translated)) {
+                List.of(BUNDLES, VALUES, BATCHES, STEPS, SerialForms.classes(), Material.serialClasses(), translated)) {
             for (Class<?> type : some) {
                 named.put(type.getName(), type);
             }

@@ -9,7 +9,7 @@ import robosim.geometry.protocol.batch.NoAnswer;
 /**
  * The answer to a {@link BatchRequestBundle}.
  *
- * @param answers one for each request, in order; a {@link NoAnswer} if the request names no moveable object
+ * @param answers one for each request, in order; a {@link NoAnswer} if the request names no such object
  */
 public record BatchAnswerBundle(List<BatchAnswer> answers) implements Bundle {
     @Serial
@@ -18,5 +18,10 @@ public record BatchAnswerBundle(List<BatchAnswer> answers) implements Bundle {
     /** Refuses a list or an answer that is null. */
     public BatchAnswerBundle {
         answers = Checks.copy("answers", answers, BatchAnswer.class);
+    }
+
+    @Override
+    public boolean isAnswer() {
+        return true;
     }
 }

@@ -4,11 +4,13 @@ import java.io.Serial;
 import java.util.List;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
 
 /**
- * Requests with packed numbers: all beams of sensors, many poses and edges of planners; answered by a
- * {@link BatchAnswerBundle} with one answer for each request, in order.
+ * Requests of several kinds, carried out in order: all beams of sensors, many poses and edges of planners, pictures,
+ * changes of the world and questions about it; answered by a {@link BatchAnswerBundle} with one answer for each request, in
+ * order.
  *
  * @param requests what to find out
  */
@@ -17,13 +19,33 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
     private static final long serialVersionUID = 1;
 
     /**
-     * Refuses a list or a request that is null, and more than {@link MessageLimits#MAX_BEAMS} beams or {@link MessageLimits#MAX_POSES}
-     * poses and edges, counted in every request that refers to them.
+     * Refuses a list or a request that is null, and more than {@link MessageLimits#MAX_BEAMS} beams, {@link MessageLimits#MAX_POSES}
+     * poses, edges and requests of other kinds, {@link MessageLimits#MAX_PICTURE_PIXELS} pixels or {@link MessageLimits#MAX_PICTURE_RAYS} rays for
+     * them, counted in every request that refers to them.
      */
     public BatchRequestBundle {
         requests = Checks.copy("requests", requests, BatchRequest.class);
-        check("beams", beams(requests), MessageLimits.MAX_BEAMS);
-        check("poses and edges", size(requests) - beams(requests), MessageLimits.MAX_POSES);
+        long beams = 0;
+        long places = 0;
+        long pixels = 0;
+        long rays = 0;
+        for (BatchRequest request : requests) {
+            if (request instanceof SenseRequest) {
+                beams += request.size();
+            } else if (request instanceof PictureRequest picture) {
+                pixels += picture.size();
+                rays += picture.rays(); // one has fewer than 2^42, and a list fewer than 2^21 items
+            } else {
+                places += request.size();
+            }
+        }
+        check("beams", beams, MessageLimits.MAX_BEAMS);
+        check("poses, edges and requests of other kinds", places, MessageLimits.MAX_POSES);
+        check("pixels", pixels, MessageLimits.MAX_PICTURE_PIXELS);
+        check(
+                "rays for pictures (pixels times samples times sources of light and one times mirrors and one)",
+                rays,
+                MessageLimits.MAX_PICTURE_RAYS);
     }
 
     private static void check(String what, long count, int most) {
@@ -33,38 +55,30 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
         }
     }
 
-    private static long beams(List<BatchRequest> requests) {
-        long beams = 0;
-        for (BatchRequest request : requests) {
-            beams += request instanceof SenseRequest ? request.size() : 0;
-        }
-        return beams;
-    }
-
-    private static long size(List<BatchRequest> requests) {
-        long size = 0;
+    /** How many beams, poses, edges and pixels there are in all. */
+    public int size() {
+        int size = 0;
         for (BatchRequest request : requests) {
             size += request.size();
         }
         return size;
     }
 
-    /** How many beams, poses and edges there are in all. */
-    public int size() {
-        return (int) size(requests);
-    }
-
     /** About how many bytes of memory it takes to answer this: far more than the message has, where that describes a pattern. */
     public long workBytes() {
         long bytes = 0;
         for (BatchRequest request : requests) {
-            // A beam's direction, distance, normal and object: while they are found, as an answer, and as bytes.
-            boolean isSense = request instanceof SenseRequest;
-            boolean hasNormals = isSense && ((SenseRequest) request).normals();
-            boolean hasObjects = isSense && ((SenseRequest) request).objects();
-            bytes += (isSense ? 64L : 1L) * request.size();
-            bytes += (hasNormals ? 80L : 0) * request.size() + (hasObjects ? 96L : 0) * request.size();
+            bytes += bytesOfItem(request) * request.size();
         }
         return bytes;
+    }
+
+    private static long bytesOfItem(BatchRequest request) {
+        if (request instanceof SenseRequest sense) {
+            // A beam's direction, distance, normal and object: while they are found, as an answer, and as bytes.
+            return 64L + (sense.normals() ? 80L : 0) + (sense.objects() ? 96L : 0);
+        }
+        // A pixel: as a number, and as three bytes in the answer, on the way, and in base64.
+        return request instanceof PictureRequest picture ? 16L + 24L * picture.samples() * picture.samples() : 1L;
     }
 }

@@ -4,4 +4,16 @@ import java.io.Serializable;
 
 /** One message. */
 public sealed interface Bundle extends Serializable
-        permits InitBundle, MoveBundle, SonarRequestBundle, DistanceBundle, BatchRequestBundle, BatchAnswerBundle {}
+        permits InitBundle,
+                MoveBundle,
+                SonarRequestBundle,
+                DistanceBundle,
+                BatchRequestBundle,
+                BatchAnswerBundle,
+                StepBundle,
+                StepBundle.Answer {
+    /** Whether this is an answer and no request; moves may be either. */
+    default boolean isAnswer() {
+        return false;
+    }
+}

@@ -24,4 +24,9 @@ public record DistanceBundle(List<Double> distances) implements Bundle {
             }
         }
     }
+
+    @Override
+    public boolean isAnswer() {
+        return true;
+    }
 }

@@ -10,7 +10,8 @@ import robosim.geometry.model.GeometryObject;
  * A new world, which replaces the previous one. It gets no answer.
  *
  * @param objects  its objects, in the order of addition
- * @param settings its size, dimension and accuracy; null for the session's defaults, with a size that holds all objects
+ * @param settings its size, dimension and accuracy, each of which may be left out; null for the session's own, with a size
+ *                 that holds all objects
  */
 public record InitBundle(
         List<GeometryObject> objects, @Nullable WorldSettings settings) implements Bundle {

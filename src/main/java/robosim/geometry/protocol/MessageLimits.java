@@ -65,6 +65,18 @@ public final class MessageLimits {
     public static final int MAX_BEAMS = 1 << 20;
 
     /**
+     * Maximum number of pixels that one bundle may ask for. A picture of 1280 x 720 has 921,600, of 3 bytes each.
+     */
+    public static final int MAX_PICTURE_PIXELS = 1 << 20;
+
+    /**
+     * Maximum number of rays for the pictures that one bundle may ask for, counted as pixels times samples times the
+     * sources of light and one times the mirrors and one, because a few bytes can describe hours of work. A picture of 1280 x 720
+     * by one sun with three mirrors and four samples a pixel takes 29 million.
+     */
+    public static final int MAX_PICTURE_RAYS = 1 << 25;
+
+    /**
      * Maximum number of poses and edges in one bundle. A planner asks for some thousands at once; the edges of a roadmap of
      * 10,000 poses are about 100,000.
      */

@@ -20,7 +20,7 @@ import robosim.geometry.exact.Checks;
 public final class MessageReader {
     private static final int JAVA = ObjectStreamConstants.STREAM_MAGIC >> 8 & 0xff;
 
-    private final MessageInput input;
+    private final BundleInputStream.Bytes input;
     private final MessageTranslator translator;
     private @Nullable BundleInputStream objects;
 
@@ -31,7 +31,7 @@ public final class MessageReader {
 
     /** Reads messages that a translator understands, and reports when a message begins. */
     public MessageReader(InputStream in, MessageTranslator translator, MessagePace pace) {
-        this.input = new MessageInput(Checks.present("in", in), Checks.present("pace", pace));
+        this.input = new BundleInputStream.Bytes(Checks.present("in", in), Checks.present("pace", pace));
         this.translator = Checks.present("translator", translator);
     }
 

@@ -27,6 +27,9 @@ final class BlockPainter {
     private SkyLight sky = new SkyLight(Sky.NONE);
     private @Nullable Lighting lighting;
 
+    /** Where the shadows of the sky are noted; null if each sample has its own. */
+    private @Nullable SkyShade shade;
+
     // Where the camera is in the world.
     private double ex;
     private double ey;
@@ -37,6 +40,9 @@ final class BlockPainter {
 
     /** The linear light of each sample. */
     private double[] light = new double[0];
+
+    /** The light of the sky of each sample, as far as that is noted. */
+    private double[] skyLight = new double[0];
 
     private double[] directions = new double[0];
     private Hits hits = new Hits(0);
@@ -57,8 +63,9 @@ final class BlockPainter {
     }
 
     /** Begins a picture. */
-    void begin(ColorCamera by) {
+    void begin(ColorCamera by, @Nullable SkyShade of) {
         camera = by;
+        shade = of;
         surfaces.begin();
         Lighting with = by.options().lighting();
         if (!with.equals(lighting)) {
@@ -81,6 +88,7 @@ final class BlockPainter {
         }
         if (asked.length < count) {
             light = new double[3 * count];
+            skyLight = new double[3 * count];
             directions = new double[3 * count];
             hits = new Hits(count);
             next = new Hits(count);
@@ -103,12 +111,15 @@ final class BlockPainter {
         int samples = plan.samples * plan.samples;
         RayPattern pattern = plan.pattern(block, pixels, count);
         Arrays.fill(light, 0, 3 * count * samples, 0);
+        if (shade != null) {
+            Arrays.fill(skyLight, 0, 3 * count * samples, 0);
+        }
         look(by, pattern);
         for (int depth = 0; hits.count > 0; depth++) {
             illuminate(by.options(), samples, depth);
             boolean isLast = depth >= by.options().mirrors();
             askBack(by, isLast, depth);
-            int rays = gather(isLast);
+            int rays = gather(isLast, shade != null && depth == 0 ? skyLight : light);
             world.castRays(mirrored, rays, met);
             follow(rays);
         }
@@ -158,7 +169,12 @@ final class BlockPainter {
         for (Beam beam : beams) {
             illuminator.addLight(hits, beam);
         }
-        int rounds = options.skyRays();
+        SkyShade smooth = shade;
+        if (smooth != null && depth == 0) {
+            askSky(smooth, options, samples);
+            return;
+        }
+        int rounds = smooth == null ? options.skyRays() : 1;
         if (rounds > 0) {
             for (int k = 0; k < hits.count; k++) {
                 int sample = hits.target[k];
@@ -168,9 +184,37 @@ final class BlockPainter {
         }
     }
 
+    /** Lets some samples of each pixel ask for the sky. */
+    private void askSky(SkyShade smooth, ColorCamera.Options options, int samples) {
+        for (int k = 0; k < hits.count; k++) {
+            // That in the middle of a pixel stands for its surface, or the last one before it, or the first one.
+            int sample = hits.target[k];
+            boolean isFirst = k == 0 || hits.target[k - 1] / samples != sample / samples;
+            if (isFirst || sample % samples <= samples / 2) {
+                smooth.surface(pixels[sample / samples], hits, k);
+            }
+        }
+        int rounds = options.smoothRays();
+        for (int round = 0; round < rounds; round++) {
+            int asking = (2 * round + 1) * samples / (2 * rounds);
+            int count = 0;
+            for (int k = 0; k < hits.count; k++) {
+                int sample = hits.target[k];
+                if (sample % samples == asking) {
+                    int way = smooth.first(pixels[sample / samples]) * rounds + round;
+                    illuminator.askSky(count++, k, hits, way, options.skyReach());
+                }
+            }
+            illuminator.look(count);
+            for (int j = 0; j < count; j++) {
+                smooth.ask(pixels[hits.target[illuminator.asker(j)] / samples], illuminator.isFree(j));
+            }
+        }
+    }
+
     /** Asks for points that got light, or show a mirror, whether there is an unbroken way to the eye. */
     private void askBack(ColorCamera by, boolean isLast, int depth) {
-        boolean isSkyAsked = by.options().skyRays() > 0;
+        boolean isSkyAsked = by.options().skyRays() > 0 || shade != null;
         for (int k = 0; k < hits.count; k++) {
             int at = 3 * k;
             boolean isLit = hits.direct[at] > 0 || hits.direct[at + 1] > 0 || hits.direct[at + 2] > 0;
@@ -180,8 +224,11 @@ final class BlockPainter {
         illuminator.lookBack(hits, isIgnored ? by.carrier() : null, asked, seen);
     }
 
-    /** Adds the light of all points to their samples; answers how many mirrored rays go on. */
-    private int gather(boolean isLast) {
+    /**
+     * Adds the light of all points to their samples, and that of the sky to those it is kept with; answers how many mirrored
+     * rays go on.
+     */
+    private int gather(boolean isLast, double[] fromSky) {
         int rays = 0;
         for (int k = 0; k < hits.count; k++) {
             int at = 3 * k;
@@ -190,9 +237,18 @@ final class BlockPainter {
             double mirror = isLast ? 0 : surface.mirror;
             double own = hits.weight[k] * (1 - mirror);
             if (seen[k]) {
-                light[to] += own * (surface.emittedRed + hits.ambient[at] + hits.direct[at]);
-                light[to + 1] += own * (surface.emittedGreen + hits.ambient[at + 1] + hits.direct[at + 1]);
-                light[to + 2] += own * (surface.emittedBlue + hits.ambient[at + 2] + hits.direct[at + 2]);
+                if (fromSky == light) {
+                    light[to] += own * (surface.emittedRed + hits.ambient[at] + hits.direct[at]);
+                    light[to + 1] += own * (surface.emittedGreen + hits.ambient[at + 1] + hits.direct[at + 1]);
+                    light[to + 2] += own * (surface.emittedBlue + hits.ambient[at + 2] + hits.direct[at + 2]);
+                } else {
+                    light[to] += own * (surface.emittedRed + hits.direct[at]);
+                    light[to + 1] += own * (surface.emittedGreen + hits.direct[at + 1]);
+                    light[to + 2] += own * (surface.emittedBlue + hits.direct[at + 2]);
+                    fromSky[to] += own * hits.ambient[at];
+                    fromSky[to + 1] += own * hits.ambient[at + 1];
+                    fromSky[to + 2] += own * hits.ambient[at + 2];
+                }
                 if (mirror > 0) {
                     mirror(k, rays++, mirror);
                 }
@@ -245,22 +301,35 @@ final class BlockPainter {
         next = done;
     }
 
-    /** The mean light of the samples of each pixel, in sRGB. */
+    /** The mean light of the samples of each pixel, in sRGB, or noted for later. */
     private void resolve(int count, int samples, int[] out) {
         double share = 1.0 / samples;
+        SkyShade smooth = shade;
         for (int k = 0; k < count; k++) {
-            double red = 0;
-            double green = 0;
-            double blue = 0;
-            int end = 3 * samples * (k + 1);
-            for (int at = 3 * samples * k; at < end; at += 3) {
-                red += light[at];
-                green += light[at + 1];
-                blue += light[at + 2];
+            double red = share * sum(light, samples, k, 0);
+            double green = share * sum(light, samples, k, 1);
+            double blue = share * sum(light, samples, k, 2);
+            if (smooth == null) {
+                out[pixels[k]] = Color.component(red) << 16 | Color.component(green) << 8 | Color.component(blue);
+            } else {
+                smooth.light(
+                        pixels[k],
+                        red,
+                        green,
+                        blue,
+                        share * sum(skyLight, samples, k, 0),
+                        share * sum(skyLight, samples, k, 1),
+                        share * sum(skyLight, samples, k, 2));
             }
-            out[pixels[k]] = Color.component(red * share) << 16
-                    | Color.component(green * share) << 8
-                    | Color.component(blue * share);
         }
+    }
+
+    private static double sum(double[] of, int samples, int pixel, int component) {
+        double sum = 0;
+        int end = 3 * samples * (pixel + 1);
+        for (int at = 3 * samples * pixel + component; at < end; at += 3) {
+            sum += of[at];
+        }
+        return sum;
     }
 }

@@ -54,8 +54,34 @@ public final class ColorCamera {
     private final @Nullable String carrier;
     private final Options options;
 
-    /** What a painter needs to know beside the plan. */
-    record Options(Lighting lighting, int mirrors, int skyRays, double skyReach, Carrier seen, int threads) {}
+    /**
+     * What a painter needs to know beside the plan.
+     *
+     * @param skyRays of each sample
+     * @param smoothRays of each pixel; they take the place of the others
+     */
+    record Options(
+            Lighting lighting, int mirrors, int skyRays, int smoothRays, double skyReach, Carrier seen, int threads) {
+        Options lit(Lighting by) {
+            return new Options(by, mirrors, skyRays, smoothRays, skyReach, seen, threads);
+        }
+
+        Options mirrored(int depth) {
+            return new Options(lighting, depth, skyRays, smoothRays, skyReach, seen, threads);
+        }
+
+        Options shaded(int rays, int smooth, double reach) {
+            return new Options(lighting, mirrors, rays, smooth, reach, seen, threads);
+        }
+
+        Options carried(Carrier as) {
+            return new Options(lighting, mirrors, skyRays, smoothRays, skyReach, as, threads);
+        }
+
+        Options threaded(int count) {
+            return new Options(lighting, mirrors, skyRays, smoothRays, skyReach, seen, count);
+        }
+    }
 
     private ColorCamera(FramePlan plan, double fieldOfView, Pose pose, @Nullable String carrier, Options options) {
         this.plan = plan;
@@ -87,7 +113,7 @@ public final class ColorCamera {
                 horizontalFieldOfViewDegrees,
                 Pose.ORIGIN,
                 null,
-                new Options(Lighting.DAY, 3, 0, Double.POSITIVE_INFINITY, Carrier.IGNORED, 1));
+                new Options(Lighting.DAY, 3, 0, 0, Double.POSITIVE_INFINITY, Carrier.IGNORED, 1));
     }
 
     private ColorCamera with(Options other) {
@@ -112,13 +138,7 @@ public final class ColorCamera {
 
     /** This camera with other light. */
     public ColorCamera withLighting(Lighting lighting) {
-        return with(new Options(
-                Checks.present("lighting", lighting),
-                options.mirrors,
-                options.skyRays,
-                options.skyReach,
-                options.seen,
-                options.threads));
+        return with(options.lit(Checks.present("lighting", lighting)));
     }
 
     /**
@@ -140,8 +160,7 @@ public final class ColorCamera {
      */
     public ColorCamera withMirrors(int depth) {
         check("mirrors", depth, 0, MOST_MIRRORS);
-        return with(
-                new Options(options.lighting, depth, options.skyRays, options.skyReach, options.seen, options.threads));
+        return with(options.mirrored(depth));
     }
 
     /**
@@ -154,21 +173,34 @@ public final class ColorCamera {
      */
     public ColorCamera withSkyRays(int count, double reach) {
         check("count", count, 0, MOST_SKY_RAYS);
+        checkReach(reach);
+        return with(options.shaded(count, 0, reach));
+    }
+
+    private static void checkReach(double reach) {
         if (!(reach > 0)) { // written so that NaN fails it
             throw new IllegalArgumentException("reach must be above 0 (got: " + reach + ")");
         }
-        return with(new Options(options.lighting, options.mirrors, count, reach, options.seen, options.threads));
+    }
+
+    /**
+     * This camera with soft shadows of the sky that are smooth: each pixel asks so many rays whether the sky is free there,
+     * and takes the mean of its own and those of the pixels around it, as far as they show the same surface. Eight by eight
+     * pixels have together 64 times as many directions, so that few rays are enough. What a mirror shows asks one ray
+     * for each sample.
+     *
+     * @param count for each pixel, 0 to {@link #MOST_SKY_RAYS}; with 0 the sky reaches everything
+     * @param reach how far an object can be that hides the sky, in world units; may be infinite
+     */
+    public ColorCamera withSmoothSky(int count, double reach) {
+        check("count", count, 0, MOST_SKY_RAYS);
+        checkReach(reach);
+        return with(options.shaded(0, count, reach));
     }
 
     /** This camera, which sees or does not see the object that carries it. That object throws its shadow in any case. */
     public ColorCamera withCarrier(Carrier seen) {
-        return with(new Options(
-                options.lighting,
-                options.mirrors,
-                options.skyRays,
-                options.skyReach,
-                Checks.present("carrier", seen),
-                options.threads));
+        return with(options.carried(Checks.present("carrier", seen)));
     }
 
     /**
@@ -177,13 +209,7 @@ public final class ColorCamera {
      * @param count 1 to 1024
      */
     public ColorCamera withThreads(int count) {
-        return with(new Options(
-                options.lighting,
-                options.mirrors,
-                options.skyRays,
-                options.skyReach,
-                options.seen,
-                Checks.threads(count)));
+        return with(options.threaded(Checks.threads(count)));
     }
 
     private static void check(String argument, int value, int least, int most) {
@@ -235,12 +261,29 @@ public final class ColorCamera {
      *     carrier's name
      */
     public void render(Geometry world, ColorFrame out) {
+        render(world, out, percent -> {});
+    }
+
+    /**
+     * Takes a picture of a world, on the calling thread.
+     *
+     * @param progress is told how many percent are done, now and then; what it throws ends the picture, and the frame has none
+     * @throws IllegalArgumentException if the world is PLANAR, which has no heights, or has no moveable object of the
+     *     carrier's name
+     */
+    public void render(Geometry world, ColorFrame out, IntConsumer progress) {
         checkSpatial(Checks.present("world", world).dimension());
         Checks.present("out", out).reset(plan.width, plan.height);
+        Checks.present("progress", progress);
         BlockPainter painter = out.painter(world);
-        painter.begin(this);
+        SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
+        painter.begin(this, shade);
         for (int block = 0; block < plan.blocks(); block++) {
             painter.paint(block, out.pixels());
+            progress.accept((int) (100L * (block + 1) / plan.blocks()));
+        }
+        for (int row = 0; shade != null && row < plan.height; row++) {
+            shade.resolve(row, out.pixels());
         }
         out.finish(plan.width, plan.height);
     }
@@ -261,8 +304,9 @@ public final class ColorCamera {
         Checks.present("progress", progress);
         int count = Math.min(options.threads, plan.blocks());
         BlockPainter[] painters = out.painters(snapshot, count);
+        SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
         for (int k = 0; k < count; k++) {
-            painters[k].begin(this);
+            painters[k].begin(this, shade);
         }
         int[] pixels = out.pixels();
         AtomicInteger taken = new AtomicInteger();
@@ -272,6 +316,13 @@ public final class ColorCamera {
                 progress.accept((int) (100L * (block + 1) / plan.blocks()));
             }
         });
+        if (shade != null) {
+            IntStream.range(0, count).parallel().forEach(k -> {
+                for (int row = k; row < plan.height; row += count) {
+                    shade.resolve(row, pixels);
+                }
+            });
+        }
         out.finish(plan.width, plan.height);
     }
 

@@ -21,6 +21,7 @@ public final class ColorFrame {
     private int[] pixels = new int[0];
     private BlockPainter[] painters = new BlockPainter[0];
     private @Nullable Snapshot snapshot;
+    private @Nullable SkyShade shade;
 
     /** An empty frame. */
     public ColorFrame() {}
@@ -38,6 +39,17 @@ public final class ColorFrame {
     void finish(int newWidth, int newHeight) {
         width = newWidth;
         height = newHeight;
+    }
+
+    /** Room for the shadows of the sky; made for the first picture that has them. */
+    SkyShade shade(FramePlan plan) {
+        SkyShade room = shade;
+        if (room == null) {
+            room = new SkyShade();
+            shade = room;
+        }
+        room.reset(plan.width, plan.height, plan.widthOfPixel());
+        return room;
     }
 
     /** One painter for each thread, all of them for copies of one snapshot. */

@@ -63,6 +63,11 @@ final class FramePlan {
         return across * down;
     }
 
+    /** The width of a pixel one unit ahead of the camera. */
+    double widthOfPixel() {
+        return 2 * tangent / width;
+    }
+
     /** The most pixels of a block. */
     int mostPixels() {
         return patches * side * patches * side;

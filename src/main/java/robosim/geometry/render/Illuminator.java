@@ -62,7 +62,24 @@ final class Illuminator {
         asker[count] = k;
     }
 
-    private boolean isFree(int k) {
+    /** Takes a ray of a point into a direction for one of those that are asked together. */
+    void askSky(int count, int k, Hits hits, int way, double reach) {
+        ray(count, k, hits, 0, 0, 0, reach);
+        SkyRays.way(way, hits.normal, 3 * k, rays, RAY * count + 3);
+    }
+
+    /** Answers so many rays that were taken. */
+    void look(int count) {
+        world.freeRays(rays, count, free);
+    }
+
+    /** The point of a ray. */
+    int asker(int ray) {
+        return asker[ray];
+    }
+
+    /** Whether a ray met nothing. */
+    boolean isFree(int k) {
         return (free[k / Long.SIZE] >>> k & 1) == 1;
     }
 

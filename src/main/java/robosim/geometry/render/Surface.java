@@ -34,12 +34,13 @@ final class Surface {
     /**
      * A surface.
      *
-     * @param material that of the object, or of the group around it
-     * @param size     at least the largest distance of any two points of the object, or of the group
+     * @param object with the material that is seen
+     * @param size   at least the largest distance of any two points of the object, or of the group that it is a part of
      */
-    Surface(GeometryObject object, Material material, double size) {
+    Surface(GeometryObject object, double size) {
         this.object = object;
         this.size = size;
+        Material material = object.material();
         Color color = material.color();
         red = color.linearRed();
         green = color.linearGreen();

@@ -1,11 +1,9 @@
 package robosim.geometry.render;
 
-import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.material.Material;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
@@ -100,34 +98,13 @@ final class Surfaces {
         double y = box.maxY() - box.minY();
         double z = box.maxZ() - box.minZ();
         double size = x + y + z; // at least the diagonal
-        List<Surface> parts = new ArrayList<>();
-        List<Pose> places = new ArrayList<>();
-        if (object instanceof ObjectGroup group) {
-            add(group, Pose.ORIGIN, group.material(), size, parts, places);
-        } else {
-            parts.add(new Surface(object, object.material(), size));
-            places.add(Pose.ORIGIN);
-        }
+        List<GeometryObject> parts = object instanceof ObjectGroup group ? group.parts() : List.of(object);
         Entry entry = new Entry(parts.size());
-        parts.toArray(entry.parts);
-        places.toArray(entry.within);
+        for (int k = 0; k < parts.size(); k++) {
+            entry.parts[k] = new Surface(parts.get(k), size);
+            entry.within[k] = object instanceof ObjectGroup ? parts.get(k).pose() : Pose.ORIGIN;
+        }
         place(entry, object.pose());
         return entry;
-    }
-
-    /** Adds the members of a group that are none themselves, depth first. */
-    private static void add(
-            ObjectGroup group, Pose frame, Material material, double size, List<Surface> parts, List<Pose> places) {
-        for (GeometryObject member : group.members()) {
-            Material own = member.material().within(material);
-            Pose within =
-                    frame.equals(Pose.ORIGIN) ? member.pose() : member.pose().within(frame);
-            if (member instanceof ObjectGroup inner) {
-                add(inner, within, own, size, parts, places);
-            } else {
-                parts.add(new Surface(member, own, size));
-                places.add(within);
-            }
-        }
     }
 }

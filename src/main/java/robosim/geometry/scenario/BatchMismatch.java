@@ -8,8 +8,12 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.PictureAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Says where the answers to a batch differ. */
 final class BatchMismatch {
@@ -57,7 +61,18 @@ final class BatchMismatch {
             }
             return place;
         }
+        if (before instanceof PictureAnswer one && now instanceof PictureAnswer two) {
+            int pixel = 0;
+            while (color(one, pixel) == color(two, pixel)) {
+                pixel++;
+            }
+            return pixel;
+        }
         return -1;
+    }
+
+    private static int color(PictureAnswer picture, int pixel) {
+        return picture.pixel(pixel % picture.width(), pixel / picture.width());
     }
 
     private static boolean isSame(SenseAnswer one, SenseAnswer two, int beam) {
@@ -76,6 +91,14 @@ final class BatchMismatch {
     }
 
     private static String words(BatchRequest request) {
+        if (request instanceof PictureRequest picture) {
+            return "picture of " + picture.camera().width() + " x "
+                    + picture.camera().height() + " pixels "
+                    + (picture.isCarried() ? "by " + Text.quoted(picture.objectName()) : "in the world");
+        }
+        if (request instanceof WorldRequest) {
+            return Text.line(request.toString());
+        }
         String what =
                 request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
         return "batch of " + request.size() + " " + what + " of " + Text.quoted(request.objectName());
@@ -91,7 +114,13 @@ final class BatchMismatch {
         if (answer instanceof FreeAnswer free) {
             return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
         }
-        return "no answer";
+        if (answer instanceof PictureAnswer picture) {
+            return item < 0
+                    ? "pixels"
+                    : "#%06x at column %d of row %d"
+                            .formatted(color(picture, item), item % picture.width(), item / picture.width());
+        }
+        return answer instanceof WorldAnswer ? Text.line(answer.toString()) : "no answer";
     }
 
     private static String normal(SenseAnswer answer, int beam) {

@@ -14,11 +14,12 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 
 /**
  * A step whose answer differs from the expected one. Answers are the same if the same moves were made, in the same
- * order, and each distance has the same bits; NaN equals NaN; and each bit and number of the answers to a batch is the same. If an answer says which moves were refused, these are
+ * order, and each distance has the same bits; NaN equals NaN; and each bit and number of the answers to a batch or a step is the same. If an answer says which moves were refused, these are
  * compared too, which tells equal moves apart. The words that say why something was refused are not compared.
  *
  * @param step     number of the step in the conversation, from 1
@@ -57,6 +58,10 @@ public record Mismatch(long step, long line, int index, String request, String e
         if (step.request() instanceof BatchRequestBundle batch) {
             return BatchMismatch.of(number, step, batch.requests(), expected, got);
         }
+        if (step.request() instanceof StepBundle) {
+            return StepMismatch.of(
+                    number, step, (StepBundle.Answer) expected.bundle(), (StepBundle.Answer) got.bundle());
+        }
         return moves(number, step, ((MoveBundle) step.request()).moves(), expected, got);
     }
 
@@ -70,6 +75,9 @@ public record Mismatch(long step, long line, int index, String request, String e
         }
         if (request instanceof BatchRequestBundle batch) {
             return "a batch of " + batch.size();
+        }
+        if (request instanceof StepBundle stepped) {
+            return "a step of " + stepped.seconds() + " s";
         }
         return request instanceof SonarRequestBundle sonars ? sonars.requests().size() + " distances" : "a new world";
     }

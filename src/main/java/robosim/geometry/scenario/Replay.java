@@ -14,6 +14,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 
 /**
  * Replays a conversation without sockets and compares the answers bit for bit. Players, watchers and sweeps do it step
@@ -99,13 +100,16 @@ public final class Replay {
         return mismatch;
     }
 
-    /** The number of moves, distances, poses and edges in a request. */
+    /** The number of moves, distances, poses, edges and steps, with their bodies and commands, in a request. */
     private static long requests(Bundle request) {
         if (request instanceof MoveBundle moves) {
             return moves.moves().size();
         }
         if (request instanceof BatchRequestBundle batch) {
             return batch.size();
+        }
+        if (request instanceof StepBundle step) {
+            return 1L + step.size();
         }
         return request instanceof SonarRequestBundle sonars ? sonars.requests().size() : 0;
     }
@@ -120,7 +124,7 @@ public final class Replay {
         return steps;
     }
 
-    /** The number of moves, distances, poses and edges that were compared with expected ones. */
+    /** The number of moves, distances, poses, edges and steps that were compared with expected ones. */
     public long compared() {
         return compared;
     }

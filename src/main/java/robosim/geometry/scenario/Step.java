@@ -11,6 +11,7 @@ import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 
@@ -19,8 +20,8 @@ import robosim.geometry.protocol.batch.BatchRequest;
  *
  * @param line     the line of the request in its file, from 1; 0 if there is none
  * @param notes    notes for people before it
- * @param request  an {@link InitBundle}, a {@link MoveBundle}, a {@link SonarRequestBundle} or a
- *                 {@link BatchRequestBundle}
+ * @param request  an {@link InitBundle}, a {@link MoveBundle}, a {@link SonarRequestBundle}, a
+ *                 {@link BatchRequestBundle} or a {@link StepBundle}
  * @param expected the recorded or expected answer; null for an InitBundle, and if unknown
  * @param timing   the timing; null if it was not recorded
  */
@@ -34,9 +35,9 @@ public record Step(
     /** Refuses an answer that does not fit the request. */
     public Step {
         notes = Checks.list("notes", notes);
-        if (request == null || request instanceof DistanceBundle || request instanceof BatchAnswerBundle) {
-            throw new IllegalArgumentException("request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a"
-                    + " BatchRequestBundle (got: "
+        if (request == null || request.isAnswer()) {
+            throw new IllegalArgumentException("request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a"
+                    + " BatchRequestBundle or a StepBundle (got: "
                     + (request == null ? "null" : "a " + request.getClass().getSimpleName()) + ")");
         }
         if (expected != null) {
@@ -79,9 +80,15 @@ public record Step(
             }
             checkAnswers(batch.requests(), answers.answers());
         }
+        if (request instanceof StepBundle && !(answer instanceof StepBundle.Answer)) {
+            throw new IllegalArgumentException("a step must be answered by bodies (got: " + words(answer) + ")");
+        }
     }
 
     private static String words(Bundle answer) {
+        if (answer instanceof StepBundle.Answer) {
+            return "bodies";
+        }
         return answer instanceof MoveBundle ? "moves" : answer instanceof DistanceBundle ? "distances" : "answers";
     }
 

@@ -3,6 +3,7 @@ package robosim.geometry.scenario;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
@@ -11,9 +12,12 @@ import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Estimates the memory of a step in units of some 60 bytes, the most that one object, move or distance takes. */
 final class StepWeight {
@@ -47,12 +51,23 @@ final class StepWeight {
         } else if (step.request() instanceof BatchRequestBundle batch) {
             for (BatchRequest request : batch.requests()) {
                 weight += 1 + text(request.objectName());
+                weight += request instanceof WorldRequest.Add add ? of(List.of(add.object())) : 0;
             }
             weight += batch.workBytes() / UNIT_BYTES;
+        } else if (step.request() instanceof StepBundle bodies) {
+            weight += weight(bodies, step.expected());
         }
         return step.expected() == null
                 ? weight
                 : weight + step.expected().problems().size();
+    }
+
+    private static long weight(StepBundle step, @Nullable Reply expected) {
+        // A body or an answer about one has numbers of some 240 bytes, a contact of some 120.
+        long weight = 4L * step.size();
+        return expected != null && expected.bundle() instanceof StepBundle.Answer answer
+                ? weight + 4L * answer.bodies().size() + 2L * answer.contacts().size()
+                : weight;
     }
 
     /** Without recursion: members may have members to any depth, and this runs on the session's thread. */

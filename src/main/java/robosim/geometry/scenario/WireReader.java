@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -64,9 +63,10 @@ public final class WireReader implements StepReader {
             return null;
         }
         steps++;
-        if (request instanceof DistanceBundle || request instanceof BatchAnswerBundle) {
+        if (request.isAnswer()) {
             throw refused(
-                    "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a BatchRequestBundle (got: "
+                    "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a"
+                            + " StepBundle (got: "
                             + (request instanceof DistanceBundle ? "distances" : "answers") + ")",
                     null);
         }

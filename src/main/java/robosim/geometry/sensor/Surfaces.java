@@ -1,16 +1,14 @@
 package robosim.geometry.sensor;
 
-import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 
 /** What objects and the parts of groups are made of; remembers what it was asked of groups. */
 final class Surfaces {
-    private final IdentityHashMap<ObjectGroup, Material[]> groups = new IdentityHashMap<>();
+    private final IdentityHashMap<ObjectGroup, List<GeometryObject>> groups = new IdentityHashMap<>();
 
     /**
      * The material of a part of an object.
@@ -21,26 +19,12 @@ final class Surfaces {
         if (!(object instanceof ObjectGroup group) || part < 0) {
             return object.material();
         }
-        Material @Nullable [] parts = groups.get(group);
+        List<GeometryObject> parts = groups.get(group);
         if (parts == null) {
-            List<Material> found = new ArrayList<>();
-            collect(group, group.material(), found);
-            parts = found.toArray(new Material[0]);
+            parts = group.parts();
             groups.put(group, parts);
         }
-        return parts[part];
-    }
-
-    /** Lists the materials of a group's parts, depth first. */
-    private static void collect(ObjectGroup group, Material ofGroup, List<Material> found) {
-        for (GeometryObject member : group.members()) {
-            Material own = member.material().within(ofGroup);
-            if (member instanceof ObjectGroup inner) {
-                collect(inner, own, found);
-            } else {
-                found.add(own);
-            }
-        }
+        return parts.get(part).material();
     }
 
     void forget() {

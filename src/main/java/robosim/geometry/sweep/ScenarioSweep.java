@@ -23,6 +23,9 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioException;
@@ -53,7 +56,16 @@ public final class ScenarioSweep implements SweepScenario {
     /** Standard deviation of the error added to a distance, world units. */
     public static final String RANGE = "range";
 
-    private static final List<String> PARAMETERS = List.of(PLACE, HEADING, SLIP, AIM, RANGE);
+    /** Factor of the speeds that robots are told to drive at; 1 if it is left out. */
+    public static final String SPEED = "speed";
+
+    /** Factor of the turns that robots are told to drive with; 1 if it is left out. */
+    public static final String TURN = "turn";
+
+    /** Factor of the masses that bodies are given; 1 if it is left out. */
+    public static final String MASS = "mass";
+
+    private static final List<String> PARAMETERS = List.of(PLACE, HEADING, SLIP, AIM, RANGE, SPEED, TURN, MASS);
 
     private static final long serialVersionUID = 1;
 
@@ -190,9 +202,14 @@ public final class ScenarioSweep implements SweepScenario {
         ScenarioTally tally = new ScenarioTally();
         for (int k = 0; k < requests.size(); k++) {
             Bundle asked = requests.get(k);
-            Bundle request = asked instanceof MoveBundle moves
-                    ? errors.slipped(moves)
-                    : errors.askew((SonarRequestBundle) asked);
+            Bundle request;
+            if (asked instanceof StepBundle step) {
+                request = driven(step, replicate, errors);
+            } else {
+                request = asked instanceof MoveBundle moves
+                        ? errors.slipped(moves)
+                        : errors.askew((SonarRequestBundle) asked);
+            }
             replay.step(new Step(request, null));
             Reply reply = replay.reply();
             if (reply == null) {
@@ -201,6 +218,22 @@ public final class ScenarioSweep implements SweepScenario {
             tally.take(asked, request, reply, answers.get(k), errors);
         }
         return tally.result(stuck);
+    }
+
+    /** A step with other commands and masses; a command slips like a move. */
+    private static StepBundle driven(StepBundle step, Replicate replicate, Noise errors) {
+        double speed = replicate.number(SPEED, 1);
+        double turn = replicate.number(TURN, 1);
+        double mass = replicate.number(MASS, 1);
+        List<BodyRequest> bodies = new ArrayList<>();
+        for (BodyRequest body : step.bodies()) {
+            bodies.add(body.withMass(body.mass() * mass));
+        }
+        List<DriveCommand> commands = new ArrayList<>();
+        for (DriveCommand command : step.commands()) {
+            commands.add(errors.slipped(command, speed, turn));
+        }
+        return new StepBundle(step.seconds(), bodies, commands);
     }
 
     private static double amount(Replicate replicate, String parameter) {
@@ -272,6 +305,13 @@ public final class ScenarioSweep implements SweepScenario {
                         turn * move.ry()));
             }
             return new MoveBundle(slipped);
+        }
+
+        DriveCommand slipped(DriveCommand command, double speed, double turn) {
+            double way = speed * (1 + slip * random.nextGaussian());
+            double curve = turn * (1 + slip * random.nextGaussian());
+            return new DriveCommand(
+                    command.objectName(), way * command.forward(), way * command.right(), curve * command.turn());
         }
 
         SonarRequestBundle askew(SonarRequestBundle sonars) {

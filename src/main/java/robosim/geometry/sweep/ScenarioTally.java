@@ -1,9 +1,12 @@
 package robosim.geometry.sweep;
 
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.MoveBundle;
@@ -12,6 +15,9 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.ContactAnswer;
 
 /** Collects the results of a conversation. */
 final class ScenarioTally {
@@ -25,13 +31,40 @@ final class ScenarioTally {
     private double sum;
     private int changed;
 
+    /** Whether there were steps of bodies. */
+    private boolean isDriven;
+
+    private int contacts;
+    private int stopped;
+    private final Map<String, Point> places = new HashMap<>();
+
     /** Adds a step: the recorded request, the request made now, and the outcomes of both. */
     void take(Bundle recorded, Bundle request, Reply reply, @Nullable Bundle answer, ScenarioSweep.Noise noise) {
-        if (request instanceof MoveBundle moves) {
+        if (reply.bundle() instanceof StepBundle.Answer step) {
+            takeStep(step, answer);
+        } else if (request instanceof MoveBundle moves) {
             takeMoves(((MoveBundle) recorded).moves(), moves.moves(), reply, (MoveBundle) answer);
         } else {
             takeDistances(((SonarRequestBundle) request).requests(), reply, (DistanceBundle) answer, noise);
         }
+    }
+
+    private void takeStep(StepBundle.Answer now, @Nullable Bundle answer) {
+        isDriven = true;
+        for (ContactAnswer contact : now.contacts()) {
+            contacts += contact.phase() == ContactAnswer.Phase.BEGIN ? 1 : 0;
+        }
+        stopped += now.stopped().size();
+        for (BodyAnswer body : now.bodies()) {
+            Point to = body.center();
+            Point from = places.put(body.objectName(), to);
+            if (from != null) {
+                double dx = to.x() - from.x();
+                double dz = to.z() - from.z();
+                way += Math.sqrt(dx * dx + dz * dz);
+            }
+        }
+        changed += answer == null || answer.equals(now) ? 0 : 1;
     }
 
     private void takeMoves(
@@ -76,7 +109,7 @@ final class ScenarioTally {
 
     /** The result; {@code stuck} is the number of objects that found no free start. */
     Result result(int stuck) {
-        return Result.of("moves made", made)
+        Result result = Result.of("moves made", made)
                 .and("moves refused", refused)
                 .and("way [world units]", way)
                 .and("echoes", echoes)
@@ -86,5 +119,6 @@ final class ScenarioTally {
                 .and("not answered", unanswered)
                 .and("other than recorded", changed)
                 .and("no free start", stuck);
+        return isDriven ? result.and("contacts", contacts).and("stopped", stopped) : result;
     }
 }

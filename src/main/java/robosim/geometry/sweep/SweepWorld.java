@@ -13,6 +13,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.sweep.lines.Names;
+import robosim.geometry.world.World;
 import robosim.geometry.world.WorldReader;
 
 /**
@@ -39,8 +40,14 @@ public record SweepWorld(String name, Snapshot snapshot) implements Serializable
      */
     public static SweepWorld read(Path file) throws IOException {
         Checks.present("file", file);
-        return new SweepWorld(
-                Names.of(file), WorldReader.read(file).toGeometry().snapshot());
+        return of(file, WorldReader.read(file));
+    }
+
+    /** A world that was read from a file, after which it is named as {@link #read} does. */
+    public static SweepWorld of(Path file, World world) {
+        Checks.present("file", file);
+        Checks.present("world", world);
+        return new SweepWorld(Names.of(file), world.toGeometry().snapshot());
     }
 
     /** This world in the dimensions and accuracies that parameters ask for, each built once for all threads. */

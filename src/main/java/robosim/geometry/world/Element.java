@@ -31,6 +31,10 @@ final class Element {
     @Nullable
     GeometryObject bounds;
 
+    /** The {@code <body>} of an object, and the {@code <drive>} of a body. */
+    @Nullable
+    Element motion;
+
     /** The pattern of a material. */
     @Nullable
     Texture texture;

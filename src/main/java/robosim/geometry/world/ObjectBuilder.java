@@ -22,6 +22,8 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.body.BodyXml;
+import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
@@ -93,6 +95,15 @@ final class ObjectBuilder {
                 length(element, "min", "0"),
                 element.attribute("max") == null ? Double.POSITIVE_INFINITY : length(element, "max", "0"),
                 number(element, "width", "0"));
+    }
+
+    /** What a {@code <body>} says about its object; null if there is none. */
+    static @Nullable ObjectBody body(@Nullable Element body, GeometryObject object) {
+        if (body == null) {
+            return null;
+        }
+        Element drive = body.motion;
+        return BodyXml.body(body::attribute, drive == null ? null : BodyXml.drive(drive::attribute, object));
     }
 
     static boolean isObject(Element element) {

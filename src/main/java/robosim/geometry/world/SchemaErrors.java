@@ -35,6 +35,7 @@ final class SchemaErrors {
                     "rgb", "# and six hexadecimal digits, like #cc8800, or three numbers from 0 to 1, like 0.8 0.5 0"),
             Map.entry("index", "a whole number of at least 0"),
             Map.entry("unit", "km, m, cm, mm, in or ft"),
+            Map.entry("driveKind", "differential, omnidirectional, ackermann, velocity or force"),
             Map.entry("dimension", "PLANAR or SPATIAL"),
             Map.entry("accuracy", "SPHERE, AABB, OBB, DOP or EXACT"));
 

@@ -1,15 +1,18 @@
 package robosim.geometry.world;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Pose;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
 import robosim.geometry.world.sdf.SdfShapes;
@@ -42,6 +45,66 @@ public final class SdfReader {
         return read(file, models, new ArrayList<>());
     }
 
+    /**
+     * A sensor of a link, as a file describes it; {@code robosim.geometry.sensor.file.SdfSensors} makes sensors of it.
+     *
+     * @param name    those of its models, its link and its own, separated by {@code ::}
+     * @param type    as in the file: {@code gpu_lidar}, {@code camera}
+     * @param carrier the name of the moveable object that carries it; null for one that stands in the world
+     * @param pose    in the frame of the carrier, or in the world
+     * @param values  the texts of its elements by their paths, as {@code scan/horizontal/samples} or {@code noise/stddev}
+     * @param source  the file that describes it
+     * @param line    in the file, from 1
+     */
+    public record Sensor(
+            String name,
+            String type,
+            @Nullable String carrier,
+            Pose pose,
+            Map<String, String> values,
+            String source,
+            int line) {
+        /** Keeps a copy. */
+        public Sensor {
+            values = Map.copyOf(values);
+        }
+    }
+
+    /**
+     * The sensors of a file, of any type, in the order of their links; their carriers are named as in the world that
+     * {@link #read} makes of it.
+     *
+     * @param file   SDFormat, or the folder of a model
+     * @param models as in {@link #read}
+     * @throws WorldException naming file, line and remedy, as {@link #read} does
+     */
+    public static List<Sensor> sensors(Path file, List<Path> models) throws WorldException {
+        Checks.present("file", file);
+        Checks.list("models", models);
+        try {
+            Path main = Files.isDirectory(file) ? SdfFiles.modelOf(file, remark -> {}) : file;
+            SdfFiles files = new SdfFiles(main, models);
+            return found(new SdfTree(files), files, main).sensors().stream()
+                    .map(each -> new Sensor(
+                            each.name(),
+                            each.type(),
+                            each.carrier(),
+                            each.pose(),
+                            each.values(),
+                            each.file(),
+                            each.line()))
+                    .toList();
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        }
+    }
+
+    private static SdfObjects found(SdfTree tree, SdfFiles files, Path file) throws FileProblem {
+        SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
+        found.add(tree.read(files.main(file.toString())));
+        return found;
+    }
+
     /** Reads the model in a folder. */
     static WorldImport readFolder(Path folder, List<Path> models) throws WorldException {
         List<String> remarks = new ArrayList<>();
@@ -56,8 +119,7 @@ public final class SdfReader {
         try {
             SdfFiles files = new SdfFiles(file, models);
             SdfTree tree = new SdfTree(files);
-            SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
-            found.add(tree.read(files.main(file.toString())));
+            SdfObjects found = found(tree, files, file);
             List<WorldObject> objects =
                     found.objects().stream().map(WorldObject::new).toList();
             double[] reach =

@@ -17,6 +17,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
@@ -27,12 +28,24 @@ import robosim.geometry.world.xml.SafeXml;
  * contributes to the world.
  */
 final class WorldHandler extends DefaultHandler {
+    /** Reads the files that worlds include. */
+    @FunctionalInterface
+    interface Includes {
+        /**
+         * The objects of a file that an element names, where the element puts them.
+         *
+         * @param base the folder of the file with the element; null if it has none
+         */
+        List<WorldObject> include(Element element, @Nullable Path base, Placement place, @Nullable Unit unit)
+                throws FileProblem;
+    }
+
     private final String source;
     private final ValidatorHandler validator;
     private final ObjectBuilder builder;
     private final @Nullable List<FileProblem> problems;
     private final @Nullable Path base;
-    private final XmlWorld reader;
+    private final Includes reader;
     private final Map<String, Integer> linesOfNames = new HashMap<>();
     private final List<WorldObject> objects = new ArrayList<>();
 
@@ -54,7 +67,7 @@ final class WorldHandler extends DefaultHandler {
             @Nullable Path base,
             ValidatorHandler validator,
             @Nullable List<FileProblem> problems,
-            XmlWorld reader) {
+            Includes reader) {
         this.source = source;
         this.base = base;
         this.reader = reader;
@@ -228,7 +241,8 @@ final class WorldHandler extends DefaultHandler {
         if (ObjectBuilder.isObject(element)) {
             GeometryObject object = builder.object(element);
             if (parent.parent == null) {
-                objects.add(new WorldObject(object, element.attribute("color"), element.sonars));
+                ObjectBody body = ObjectBuilder.body(element.motion, object);
+                objects.add(new WorldObject(object, element.attribute("color"), element.sonars, body));
             } else {
                 parent.members.add(object);
             }
@@ -241,6 +255,7 @@ final class WorldHandler extends DefaultHandler {
         switch (element.name) {
             case "bounds" -> parent.bounds = element.members.get(0);
             case "sonar" -> parent.sonars.add(builder.sonar(element));
+            case "body", "drive" -> parent.motion = element;
             case "material" -> builder.materials.define(element);
             case "checker", "stripes", "image" -> parent.texture = builder.materials.texture(element);
             case "uv" -> parent.uv = element.uv;

@@ -4,10 +4,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
@@ -18,6 +20,7 @@ import robosim.geometry.world.sdf.SdfManifest;
 import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
+import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
 
 /**
@@ -97,6 +100,17 @@ public record WorldImport(
         }
     }
 
+    /**
+     * Reads a file as {@link #read(Path, ImportOptions)} does, and names each file that it opens: the file itself,
+     * meshes, textures, a map's image, models. So a program can refuse to overwrite what it has read.
+     *
+     * @param opened told of each file when it is opened; of one that is opened twice, twice
+     */
+    public static WorldImport read(Path file, ImportOptions options, Consumer<Path> opened) throws WorldException {
+        Checks.present("opened", opened);
+        return RegularFile.told(opened, () -> read(file, options));
+    }
+
     private static void refuseByName(Path file, String ending) throws WorldException {
         switch (ending) {
             case "pgm", "png" ->
@@ -139,11 +153,34 @@ public record WorldImport(
             case "yaml", "yml" -> RosMapReader.readImport(file, options);
             default -> {
                 try {
-                    yield XmlWorld.read(file, options);
+                    yield of(XmlWorld.read(file, options.models(), others(options)));
                 } catch (FileProblem e) {
                     throw new WorldException(e);
                 }
             }
+        };
+    }
+
+    private static WorldImport of(XmlWorld.Found found) {
+        return new WorldImport(
+                found.world(),
+                found.format(),
+                found.read(),
+                Map.of(),
+                List.copyOf(found.skipped()),
+                List.copyOf(found.remarks()));
+    }
+
+    /** How a world file reads those of other formats that it includes. */
+    static XmlWorld.Others others(ImportOptions options) {
+        return (file, folders) -> {
+            WorldImport read = read(file, options.withModels(folders));
+            return new XmlWorld.Found(
+                    read.world,
+                    read.format,
+                    read.read,
+                    new LinkedHashSet<>(read.skipped),
+                    new LinkedHashSet<>(read.remarks));
         };
     }
 

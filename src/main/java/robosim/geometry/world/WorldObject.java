@@ -7,6 +7,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.world.body.ObjectBody;
 
 /**
  * An object of a world file: the object itself, and data that only viewers and environments use.
@@ -15,9 +16,18 @@ import robosim.geometry.model.GeometryObject;
  * @param color  for the viewer, {@code #rrggbb} in lower case; where null is given, that of the object's material, and where
  *     this is the default's, null, which leaves it to the viewer
  * @param sonars range sensors; only an object with a name can have any, and no grid
+ * @param body   how it moves, of a static object how its surface is; null if nothing is known. Only an object with a name can
+ *     have one, and no grid
  */
-public record WorldObject(GeometryObject object, @Nullable String color, List<SonarRing> sonars) {
-    /** Refuses a colour of another form, and sensors of a grid or of an object without a name. */
+public record WorldObject(
+        GeometryObject object,
+        @Nullable String color,
+        List<SonarRing> sonars,
+        @Nullable ObjectBody body) {
+    /**
+     * Refuses a colour of another form, sensors and bodies of a grid or of an object without a name, and a body of a static
+     * object that is more than a surface.
+     */
     public WorldObject {
         Checks.present("object", object);
         if (color != null) {
@@ -38,6 +48,19 @@ public record WorldObject(GeometryObject object, @Nullable String color, List<So
         if (!sonars.isEmpty() && object.name() == null) {
             throw new IllegalArgumentException("an object with sonars must have a name (got: " + object + ")");
         }
+        if (body != null && (object.name() == null || object.kind() == GeometryObject.Kind.GRID)) {
+            throw new IllegalArgumentException(
+                    "an object with a body must have a name, and be no grid (got: " + object + ")");
+        }
+        if (body != null && !object.isMoveable() && !body.isSurface()) {
+            throw new IllegalArgumentException("the body of a static object must be its surface alone: restitution,"
+                    + " friction and slidingFriction (got: " + body + ")");
+        }
+    }
+
+    /** An object without a body. */
+    public WorldObject(GeometryObject object, @Nullable String color, List<SonarRing> sonars) {
+        this(object, color, sonars, null);
     }
 
     /** An object in the colour of its material, without sensors. */

@@ -7,6 +7,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.dynamics.Drive;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.material.Material;
@@ -21,6 +22,8 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.body.BodyXml;
+import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
@@ -135,12 +138,17 @@ public final class WorldWriter {
                     + " cells together (got: " + cells + ")");
         }
         for (WorldObject object : world.objects()) {
-            object(object.object(), object.color(), object.sonars(), 1);
+            object(object.object(), object.color(), object.sonars(), object.body(), 1);
         }
         out.append("</world>\n");
     }
 
-    private void object(GeometryObject object, @Nullable String color, List<SonarRing> sonars, int depth) {
+    private void object(
+            GeometryObject object,
+            @Nullable String color,
+            List<SonarRing> sonars,
+            @Nullable ObjectBody body,
+            int depth) {
         if (depth > Limits.MAX_GROUPS + 1) {
             throw new IllegalArgumentException(
                     "groups must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
@@ -159,6 +167,18 @@ public final class WorldWriter {
         content(object, depth + 1);
         for (SonarRing sonar : sonars) {
             sonar(sonar, depth + 1);
+        }
+        if (body != null) {
+            open("body", depth + 1);
+            BodyXml.write(body, this::attribute);
+            Drive drive = body.drive();
+            line(drive == null ? "/>" : ">");
+            if (drive != null) {
+                open("drive", depth + 2);
+                BodyXml.write(drive, this::attribute);
+                line("/>");
+                close("body", depth + 1);
+            }
         }
         if (out.length() == begin) {
             out.setLength(begin - 2);
@@ -245,7 +265,7 @@ public final class WorldWriter {
         } else if (object instanceof ObjectGroup group) {
             bounds(group.boundingVolume(), depth);
             for (GeometryObject member : group.members()) {
-                object(member, WorldMaterials.colorOf(member), List.of(), depth);
+                object(member, WorldMaterials.colorOf(member), List.of(), null, depth);
             }
         } else if (object instanceof GridObject grid) {
             BitSet occupied = grid.occupied();
@@ -259,7 +279,7 @@ public final class WorldWriter {
     private void bounds(@Nullable GeometryObject volume, int depth) {
         if (volume != null) {
             indent(depth).append("<bounds>\n");
-            object(volume, WorldMaterials.colorOf(volume), List.of(), depth + 1);
+            object(volume, WorldMaterials.colorOf(volume), List.of(), null, depth + 1);
             indent(depth).append("</bounds>\n");
         }
     }

@@ -80,7 +80,16 @@ function readScans(begin, sensors, from) {
   return { frames, kinds, starts, distances: Float64Array.from(all) };
 }
 
-const NAMES = ['about', 'objects', 'meshes', 'chapters', 'tracks', 'times', 'moves', 'turns', 'free', 'sensors', 'scans', 'distances'];
+const NAMES = ['about', 'looks', 'objects', 'meshes', 'chapters', 'tracks', 'times', 'moves', 'turns', 'free', 'sensors', 'scans', 'distances'];
+
+/** What a surface looks like: colours are linear; a pattern has a second one, its size (negative of stripes) and an angle. */
+function readLook(o) {
+  const color = () => [o.octet(), o.octet(), o.octet()].map(toLinear);
+  const look = { color: color(), glow: color(), gloss: o.octet() / 255, mirror: o.octet() / 255, second: [0, 0, 0], size: 0, angle: 0 }, kind = o.octet();
+  if (kind) { look.second = color(); look.size = o.real(); }
+  if (kind === 2) { look.size = -look.size; look.angle = o.real(); }
+  return look;
+}
 
 function readObject(from, out) {
   const o = from.objects;
@@ -93,6 +102,7 @@ function readObject(from, out) {
       const n = o.count(), cells = part.cells = new Int32Array(4 * n);
       for (let k = 0, row = 0; k < n; k++) cells.set([row += o.count(), o.count(), o.count(), o.count()], 4 * k);
     }
+    part.look = o.count();
     if (code & 8) part.place = o.reals(7);
     object.parts.push(part);
   }
@@ -135,6 +145,8 @@ function decode(bytes) {
     for (let k = 0, v = 0; k < corners.length; k++) corners[k] = v += m.signed();
     data.meshes.push({ points, corners });
   }
+  data.looks = [];
+  while (from.looks.at < from.looks.b.length) data.looks.push(readLook(from.looks));
   data.objects = [];
   while (from.objects.at < from.objects.b.length) data.objects.push(readObject(from, data));
   data.sensors = Array.from({ length: from.sensors.count() }, () => Array.from({ length: from.sensors.count() }, () => {

@@ -6,12 +6,16 @@ const HEAD = '#version 300 es\nprecision highp float;\nprecision highp sampler2D
 const INSTANCE = HEAD + `
 layout(location=0) in vec4 point; layout(location=1) in vec3 normal;
 layout(location=2) in vec3 centre; layout(location=3) in vec4 spin; layout(location=4) in vec4 size; layout(location=5) in vec4 color;
+layout(location=6) in vec4 second; layout(location=7) in vec4 light; layout(location=8) in vec4 inner; layout(location=9) in vec4 extent;
 uniform mat4 camera; uniform mat4 sunCamera; uniform float push;
-out vec3 place; out vec3 facing; out vec4 paint; out vec4 inSun;
+out vec3 place; out vec3 facing; out vec4 paint; out vec4 inSun; out vec3 own; out vec3 ownFacing; out vec4 other; out vec4 glow; out vec4 half_; out float mirror;
 vec3 turn(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 void main() {
-  facing = turn(spin, normal / max(size.xyz, vec3(1e-6)));
-  place = centre + turn(spin, point.xyz * size.xyz + vec3(0.0, point.w * size.w, 0.0));
+  ownFacing = normal / max(size.xyz, vec3(1e-6));
+  facing = turn(spin, ownFacing);
+  own = point.xyz * size.xyz + vec3(0.0, point.w * size.w, 0.0);
+  place = centre + turn(spin, own);
+  own += inner.xyz; other = second; glow = light; half_ = extent; mirror = inner.w;
   paint = color;
   vec3 out_ = dot(facing, facing) > 0.0 ? normalize(facing) : vec3(0.0);
   inSun = sunCamera * vec4(place + push * out_, 1.0);
@@ -39,13 +43,49 @@ vec3 shaded(vec3 albedo, vec3 n, vec3 at, float light, float gloss) {
   return (albedo * (sky * near + vec3(0.68, 0.64, 0.57) * facing * light) + vec3(shine * light)) * mix(1.0, 0.62, night);
 }`;
 
+/** Patterns: where a point lies in the plane of one, and the mean of its colours over a pixel. */
+const PATTERN = `
+in vec3 own; in vec3 ownFacing; in vec4 other; in vec4 glow; in vec4 half_;
+uniform float shape;
+vec2 wave(vec2 x) { return 1.0 - 2.0 * abs(fract(x / 2.0) - 0.5); }
+vec3 pattern(vec3 first, vec3 n) {
+  vec3 a = abs(n), h = half_.xyz;
+  vec2 p, w;
+  if (shape > 0.5 && (shape > 1.5 || a.y <= max(a.x, a.z))) {
+    float angle = atan(-own.z, own.x), ball = own.y - clamp(own.y, -h.y, h.y);
+    p.x = (angle < 0.0 ? angle + 6.2831853 : angle) * h.x;
+    p.y = shape > 1.5 ? (atan(ball, length(own.xz)) + 1.5707963) * h.x + own.y - ball + h.y : own.y + h.y;
+    // Where the angle begins anew, it is compared with one that does not.
+    w = vec2(min(fwidth(p.x), fwidth(atan(own.z, -own.x) * h.x)), fwidth(p.y));
+  } else {
+    if (a.y >= a.x && a.y >= a.z) p = vec2(own.x + h.x, h.z - sign(n.y) * own.z);
+    else p = vec2(a.x >= a.z ? h.z - sign(n.x) * own.z : h.x + sign(n.z) * own.x, own.y + h.y);
+    w = fwidth(p);
+  }
+  float size = abs(other.a);
+  if (other.a < 0.0) {
+    vec2 d = vec2(-sin(glow.a), cos(glow.a));
+    p = vec2(dot(p, d), 0.5 * size);
+    w = vec2(dot(w, abs(d)), 0.0);
+  }
+  p /= size;
+  w = max(w / size, 1e-3);
+  vec2 mean = (wave(p + 0.5 * w) - wave(p - 0.5 * w)) / w;
+  return mix(other.rgb, first, 0.5 + 0.5 * clamp(mean.x * mean.y, -1.0, 1.0));
+}`;
+
 const SOLID = HEAD + `
-in vec3 place; in vec3 facing; in vec4 paint; in vec4 inSun; out vec4 pixel;
-uniform float alpha; uniform float gloss;` + LIGHT + `
+in vec3 place; in vec3 facing; in vec4 paint; in vec4 inSun; in float mirror; out vec4 pixel;
+uniform float alpha; uniform vec3 ground;` + LIGHT + PATTERN + `
 void main() {
-  vec3 n = dot(facing, facing) > 0.0 ? normalize(facing) : normalize(cross(dFdx(place), dFdy(place)));
-  if (dot(n, eye - place) < 0.0) n = -n;
-  vec3 c = shaded(paint.rgb, n, place, lit(inSun), gloss);
+  bool flat_ = dot(facing, facing) == 0.0;
+  vec3 n = normalize(flat_ ? cross(dFdx(place), dFdy(place)) : facing), m = flat_ ? cross(dFdx(own), dFdy(own)) : ownFacing;
+  if (dot(n, eye - place) < 0.0) { n = -n; m = flat_ ? -m : m; }
+  vec3 c = other.a == 0.0 ? paint.rgb : pattern(paint.rgb, m);
+  c = shaded(c, n, place, lit(inSun), half_.w);
+  vec3 away = reflect(normalize(place - eye), n);
+  vec3 sky = mix(vec3(0.6, 0.7, 0.82), vec3(0.2, 0.35, 0.62), max(away.y, 0.0)) * mix(1.0, 0.3, night);
+  c = mix(c, mix(ground * 0.6, sky, smoothstep(-0.05, 0.05, away.y)), mirror) + glow.rgb;
   c = mix(c, vec3(0.72, 0.02, 0.05) * (0.55 + 0.45 * max(dot(n, sun), 0.0)), paint.a);
   pixel = vec4(encoded(c), alpha);
 }`;
@@ -149,12 +189,15 @@ function attributes(gl, buffer, stride, list, each) {
   }
 }
 
-const PER_INSTANCE = 15;
+const PER_INSTANCE = 31;
+/** Patterns lie on surfaces as on boxes, or around them. */
+const ROUND = { cylinder: 1, ball: 2 };
 
 /** Many instances of one surface, drawn at once. */
 class Batch {
-  constructor(gl, surface, count) {
+  constructor(gl, key, surface, count) {
     this.gl = gl;
+    this.shape = ROUND[key] || 0;
     this.count = count;
     this.values = new Float32Array(PER_INSTANCE * count);
     this.size = surface.count;
@@ -163,21 +206,27 @@ class Batch {
     attributes(gl, surface.points, 7, [[0, 4], [1, 3]], false);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, surface.index);
     this.buffer = gl.createBuffer();
-    attributes(gl, this.buffer, PER_INSTANCE, [[2, 3], [3, 4], [4, 4], [5, 4]], true);
+    attributes(gl, this.buffer, PER_INSTANCE, [[2, 3], [3, 4], [4, 4], [5, 4], [6, 4], [7, 4], [8, 4], [9, 4]], true);
     gl.bufferData(gl.ARRAY_BUFFER, this.values.byteLength, gl.DYNAMIC_DRAW);
     gl.bindVertexArray(null);
     this.changed = true;
   }
-  set(k, pose, size, color) {
+  /** Puts an instance somewhere; what it looks like stays. */
+  set(k, pose, size) {
+    this.values.set(pose, PER_INSTANCE * k);
+    this.values.set(size, PER_INSTANCE * k + 7);
+    this.changed = true;
+  }
+  dress(k, look, half, inner) {
     const v = this.values, at = PER_INSTANCE * k;
-    for (let j = 0; j < 7; j++) v[at + j] = pose[j];
-    for (let j = 0; j < 4; j++) v[at + 7 + j] = size[j];
-    for (let j = 0; j < 3; j++) v[at + 11 + j] = color[j];
+    v.set(look.color, at + 11);
+    v.set([...look.second, look.size, ...look.glow, look.angle, ...inner, look.mirror, ...half, look.gloss], at + 15);
     this.changed = true;
   }
   tint(k, strength) { this.values[PER_INSTANCE * k + 14] = strength; this.changed = true; }
-  draw() {
+  draw(program) {
     const gl = this.gl;
+    gl.uniform1f(program.at.shape || null, this.shape);
     gl.bindVertexArray(this.array);
     if (this.changed) {
       gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);

@@ -65,20 +65,21 @@ function meshSurface(mesh) {
 }
 
 
-/** The pieces of an object, each an instance of a surface: its surface's key, pose in the object and sizes. */
+// The pieces of an object, each an instance of a surface: its surface's key, pose in the object, sizes and look;
+// half are half the sizes of what its pattern lies on, and inner is its place in that.
 function pieces(object) {
   const all = [];
   for (const part of object.parts) {
-    const s = part.sizes;
-    if (part.shape === 0) all.push({ key: 'box', place: part.place, size: [s[0], s[1], s[2], 0] });
-    else if (part.shape === 1) all.push({ key: 'cylinder', place: part.place, size: [s[0], s[1], s[0], 0] });
-    else if (part.shape < 4) all.push({ key: 'ball', place: part.place, size: [s[0], s[0], s[0], part.shape === 3 ? s[1] / 2 : 0] });
-    else if (part.shape === 4) all.push({ key: 'mesh' + part.mesh, place: part.place, size: [1, 1, 1, 0] });
+    const s = part.sizes, add = (key, size, half, place, inner) => all.push({ key, size, half, place: place || part.place, inner: inner || [0, 0, 0], look: part.look });
+    if (part.shape === 0) add('box', [s[0], s[1], s[2], 0], [s[0] / 2, s[1] / 2, s[2] / 2]);
+    else if (part.shape === 1) add('cylinder', [s[0], s[1], s[0], 0], [s[0], s[1] / 2, s[0]]);
+    else if (part.shape < 4) add('ball', [s[0], s[0], s[0], part.shape === 3 ? s[1] / 2 : 0], [s[0], part.shape === 3 ? s[1] / 2 : 0, 0]);
+    else if (part.shape === 4) add('mesh' + part.mesh, [1, 1, 1, 0], [0, 0, 0]);
     else {
       for (let k = 0; k < part.cells.length; k += 4) {
         const [row, column, wide, deep] = part.cells.subarray(k, k + 4), cell = s[0];
-        const inner = [(column + wide / 2 - part.columns / 2) * cell, 0, (row + deep / 2 - part.rows / 2) * cell, 0, 0, 0, 1];
-        all.push({ key: 'box', place: within(part.place, inner), size: [wide * cell, s[1], deep * cell, 0] });
+        const inner = [(column + wide / 2 - part.columns / 2) * cell, 0, (row + deep / 2 - part.rows / 2) * cell];
+        add('box', [wide * cell, s[1], deep * cell, 0], [part.columns * cell / 2, s[1] / 2, part.rows * cell / 2], within(part.place, [...inner, 0, 0, 0, 1]), inner);
       }
     }
   }

@@ -6,6 +6,9 @@ const LOOKS = {
   dark: { paper: [0.0065, 0.008, 0.0115], ground: [0.05, 0.058, 0.072], line: [0.012, 0.014, 0.018], night: 1 },
 };
 
+/** The arrow on a robot. */
+const ARROW = { color: [0.94, 0.94, 0.92], glow: [0, 0, 0], second: [0, 0, 0], size: 0, angle: 0, gloss: 0, mirror: 0 };
+
 class View {
   constructor(canvas, data) {
     const gl = this.gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
@@ -78,14 +81,15 @@ class View {
         return { piece, key: piece.key, index: counts[piece.key]++ };
       });
     });
-    for (const key in counts) made[key] = new Batch(this.gl, this.surface(key), counts[key]);
-    return { list: Object.values(made), objects: where.map(w => w.map(e => ({ piece: e.piece, batch: made[e.key], index: e.index, arrow: e.key === 'arrow' }))) };
+    for (const key in counts) made[key] = new Batch(this.gl, key, this.surface(key), counts[key]);
+    where.forEach(w => w.forEach(({ piece, key, index }) => made[key].dress(index, this.data.looks[piece.look] || ARROW, piece.half, piece.inner)));
+    return { list: Object.values(made), objects: where.map(w => w.map(e => ({ piece: e.piece, batch: made[e.key], index: e.index }))) };
   }
 
   /** The arrow on top of an object. */
   arrow(object) {
     const { low, high } = object.bounds, width = Math.min(high[0] - low[0], high[2] - low[2]) * 0.42;
-    return { key: 'arrow', size: [width, 1, width, 0],
+    return { key: 'arrow', size: [width, 1, width, 0], half: [0, 0, 0], inner: [0, 0, 0],
       place: [(low[0] + high[0]) / 2, high[1] + 0.0015 * this.reach, (low[2] + high[2]) / 2, 0, 0, 0, 1] };
   }
 
@@ -99,8 +103,8 @@ class View {
     this.statics = this.batches(chapter.statics, false);
     this.movers = this.batches(chapter.movers, true);
     this.goals = this.batches(this.data.goals, false);
-    this.statics.objects.forEach((o, k) => this.put(o, this.data.objects[chapter.statics[k]].pose, this.data.objects[chapter.statics[k]].paint));
-    this.goals.objects.forEach((o, k) => this.put(o, this.data.objects[this.data.goals[k]].pose, this.data.objects[this.data.goals[k]].paint));
+    this.statics.objects.forEach((o, k) => this.put(o, this.data.objects[chapter.statics[k]].pose));
+    this.goals.objects.forEach((o, k) => this.put(o, this.data.objects[this.data.goals[k]].pose));
     this.poses = chapter.movers.map(() => [0, 0, 0, 0, 0, 0, 1]);
     this.red = [];
     this.farthest = 0;
@@ -113,10 +117,7 @@ class View {
   /** The world's origin on the page. */
   zero() { return this.data.origin.map(v => -v / this.data.unit); }
 
-  put(object, pose, color) {
-    for (const { piece, batch, index, arrow } of object)
-      batch.set(index, within(pose, piece.place), piece.size, arrow ? [0.94, 0.94, 0.92] : color);
-  }
+  put(object, pose) { for (const { piece, batch, index } of object) batch.set(index, within(pose, piece.place), piece.size); }
 
   /** Moves everything to where it is at a moment; `frame` may lie between two. */
   moment(frame) {
@@ -125,9 +126,8 @@ class View {
     const chapter = this.chapter;
     chapter.tracks.forEach((track, k) => {
       poseAt(track, frame, this.poses[k]);
-      const object = this.data.objects[chapter.movers[k]];
-      this.put(this.movers.objects[k], this.poses[k], object.paint);
-      if (k === this.hidden) for (const { batch, index } of this.movers.objects[k]) batch.set(index, this.poses[k], [0, 0, 0, 0], object.paint);
+      this.put(this.movers.objects[k], this.poses[k]);
+      if (k === this.hidden) for (const { batch, index } of this.movers.objects[k]) batch.set(index, this.poses[k], [0, 0, 0, 0]);
     });
     this.markRefused(Math.floor(frame));
   }
@@ -259,7 +259,7 @@ class View {
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1.5, 3);
     use(gl, this.shadow, { camera: sunCamera, sunCamera, push: 0 });
-    solids.forEach(b => b.draw());
+    solids.forEach(b => b.draw(this.shadow));
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, canvas.width, canvas.height);
@@ -273,15 +273,15 @@ class View {
     use(gl, this.floor, { ...common, middle, wide: 2.2 * this.reach, border: this.border, zero: this.zero(), cell: this.cell, ground: look.ground, line: look.line });
     gl.bindVertexArray(this.square);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
-    use(gl, this.solid, { ...common, alpha: 1, gloss: 0.12, push: 1e-3 * this.reach });
-    solids.forEach(b => b.draw());
+    use(gl, this.solid, { ...common, alpha: 1, ground: look.ground, push: 1e-3 * this.reach });
+    solids.forEach(b => b.draw(this.solid));
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
     use(gl, this.haze, { camera });
     this.beams.draw();
-    use(gl, this.solid, { ...common, alpha: 0.4, gloss: 0, push: 0 });
-    this.goals.list.forEach(b => b.draw());
+    use(gl, this.solid, { ...common, alpha: 0.4, ground: look.ground, push: 0 });
+    this.goals.list.forEach(b => b.draw(this.solid));
     use(gl, this.stroke, { camera, eye, screen: [canvas.width / 2, canvas.height / 2] });
     this.strokes.draw();
     gl.depthMask(true);

@@ -202,9 +202,26 @@ class ConvertCommandTest extends CommandRun {
         Path link = Files.createSymbolicLink(folder.resolve("link.xml"), xml);
         for (Path out : new Path[] {xml, folder.resolve("./rooms.xml"), link}) {
             assertThat(run("convert", xml, out)).isEqualTo(ExitCodes.UNUSABLE);
-            assertThat(err.toString()).startsWith("OUT must not be IN, which it would overwrite (got: ");
+            assertThat(err.toString())
+                    .startsWith("OUT must not be a file that is read, which it would overwrite; name another (got: ");
         }
         assertThat(xml).hasSameTextualContentAs(Path.of("worlds/rooms.xml"));
+    }
+
+    /** A mesh that a world refers to is input too. */
+    @Test
+    void aFileIsNotConvertedOntoAMeshOfIt() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("part.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Path xml = Files.writeString(folder.resolve("w.xml"), """
+                <world xmlns="urn:robosim:world:1" width="9" height="9" length="9">
+                  <mesh file="part.obj" center="0 0 0"/>
+                </world>""");
+        assertThat(run("convert", xml, mesh)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString())
+                .contains("OUT must not be a file that is read")
+                .contains(mesh.toString());
+        assertThat(mesh).content().startsWith("v 0 0 0");
+        assertThat(run("convert", xml, folder.resolve("other.obj"))).isZero();
     }
 
     /** A world without its walls is no world that is fine. */

@@ -2,6 +2,7 @@ package robosim.geometry.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.ByteBuffer;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.image.PngReader;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
 
@@ -70,6 +72,12 @@ class PythonCameraTest {
             for (int pixel = 0; pixel < PIXELS; pixel++) {
                 seesBall |= blues[3 * pixel + 2] == 20;
             }
+        }
+        try (InputStream in = Files.newInputStream(folder.resolve("color-0010.png"))) {
+            PngReader.Pixels picture = PngReader.read(in);
+            assertThat(picture.width()).isEqualTo(320);
+            assertThat(picture.height()).isEqualTo(240);
+            assertThat(Arrays.stream(picture.pixels()).distinct().count()).isGreaterThan(200);
         }
         assertThat(frames).isBetween(50, 400);
         assertThat(seesBall).isTrue();

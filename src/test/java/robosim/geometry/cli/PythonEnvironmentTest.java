@@ -140,7 +140,7 @@ class PythonEnvironmentTest {
             assertThat(process.waitFor()).as(text).isZero();
             assertThat(text.lines())
                     .containsExactly(
-                            "robosim-geometry 1.0.0-SNAPSHOT",
+                            "robosim-geometry 1.0.0-rc.1",
                             "[2.9]",
                             "[{'index': 0, 'reason': 'blocked by \"wall\" after 0.529 of the way'}]");
         }

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.image.PngReader;
+import robosim.geometry.sensor.file.SdfSensorsTest;
 
 /** The cameras of {@code render}. */
 class RenderCommandTest {
@@ -56,6 +57,39 @@ class RenderCommandTest {
         assertThat(picture("--camera", "30,20,30", "--look-at", "5,0,0").pixels())
                 .isNotEqualTo(seen.get(6));
         assertThat(picture("--no-floor").pixels()).isNotEqualTo(seen.get(0));
+    }
+
+    /** A camera that the file describes, with its own size unless another one is given. */
+    @Test
+    void aSensorOfAWorldInSdf() throws IOException {
+        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);
+        Path file = folder.resolve("seen.png");
+        String[] words = {
+            "render",
+            world.toString(),
+            "--samples",
+            "1",
+            "--sky-rays",
+            "0",
+            "--camera",
+            "sensor:eye",
+            "-o",
+            file.toString()
+        };
+        PrintWriter nothing = new PrintWriter(new StringWriter());
+        assertThat(Commands.run(nothing, new PrintWriter(err), words))
+                .as("%s", err)
+                .isZero();
+        try (var in = Files.newInputStream(file)) {
+            PngReader.Pixels read = PngReader.read(in);
+            assertThat(read.width()).isEqualTo(40);
+            assertThat(read.height()).isEqualTo(30);
+            assertThat(Arrays.stream(read.pixels()).distinct().count()).isGreaterThan(20);
+        }
+        words[7] = "sensor:laser";
+        assertThat(Commands.run(nothing, new PrintWriter(err), words)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("--camera sensor:NAME must name a camera (got: rover::base::laser");
+        refused("--camera sensor:NAME must be for a WORLD in SDFormat", "--camera", "sensor:eye");
     }
 
     @Test

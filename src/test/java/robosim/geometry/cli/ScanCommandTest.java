@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.sensor.file.SdfSensorsTest;
 
 class ScanCommandTest {
     @TempDir
@@ -56,6 +57,49 @@ class ScanCommandTest {
                         pcd.toString()))
                 .isZero();
         assertThat(Files.readString(pcd, StandardCharsets.ISO_8859_1)).startsWith("# .PCD v0.7");
+    }
+
+    @Test
+    void sensorsOfAWorldInSdf() throws IOException {
+        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);
+        Path one = folder.resolve("one.npy");
+        assertThat(run("scan", world.toString(), "--sensor", "laser", "--seed", "1", "-o", one.toString()))
+                .isZero();
+        assertThat(out.toString()).contains("3 x 180 ranges");
+        Path two = folder.resolve("two.npy");
+        assertThat(run("scan", world.toString(), "--sensor", "rover::base::laser", "--seed", "2", "-o", two.toString()))
+                .isZero();
+        assertThat(Files.readAllBytes(two))
+                .isNotEqualTo(Files.readAllBytes(one)); // it has noise, which follows the seed
+        Path cloud = folder.resolve("eye.ply");
+        assertThat(run("scan", world.toString(), "--sensor", "eye", "-o", cloud.toString()))
+                .isZero();
+        assertThat(points(cloud)).isBetween(10, 1200);
+        assertThat(run(
+                        "scan",
+                        world.toString(),
+                        "--sensor",
+                        "eye",
+                        "-o",
+                        folder.resolve("e.npy").toString()))
+                .isZero();
+        assertThat(out.toString()).contains("30 x 40 ranges");
+        String[][] wrong = {
+            {"nose", "--sensor must name a sensor of WORLD, one of rover::base::laser, rover::base::imu"},
+            {"photo", "one of rover::head::photo, post::l::photo (got: photo)"},
+            {"imu", "--sensor must be a lidar or a depth camera (got: rover::base::imu of type imu)"},
+        };
+        for (String[] each : wrong) {
+            assertThat(run("scan", world.toString(), "--sensor", each[0], "-o", one.toString()))
+                    .isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(out.toString()).contains(each[1]);
+        }
+        assertThat(run("scan", "worlds/rooms.xml", "--sensor", "x", "-o", one.toString()))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(out.toString()).contains("--sensor must be for a WORLD in SDFormat (got: worlds/rooms.xml)");
+        assertThat(run("scan", world.toString(), "--sensor", "laser", "--at", "0,0,0", "-o", one.toString()))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(out.toString()).contains("--on and --at must not be given with --sensor");
     }
 
     @Test

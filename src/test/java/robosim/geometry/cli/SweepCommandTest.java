@@ -9,6 +9,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import robosim.geometry.cli.studies.SweepCommand;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.sweep.Replicate;
@@ -75,6 +77,74 @@ class SweepCommandTest extends CommandRun {
         assertThat(digest()).isEqualTo(digest);
         assertThat(run("sweep", SCENARIO, "-n", 5, "-o", results)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("must be a new file");
+    }
+
+    /** A sweep that is stopped by a signal tells the command that goes on, and that command does. */
+    @Test
+    @EnabledOnOs({OS.LINUX, OS.MAC})
+    void aStoppedSweepSaysHowToGoOn() throws Exception {
+        Path results = folder.resolve("a b.jsonl");
+        Path said = folder.resolve("said");
+        Process sweep = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-XX:TieredStopAtLevel=1",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Main.class.getName(),
+                        "sweep",
+                        SCENARIO,
+                        "-n",
+                        "2000000",
+                        "-o",
+                        results.toString())
+                .redirectErrorStream(true)
+                .redirectOutput(said.toFile())
+                .start();
+        try {
+            while (!Files.exists(results) || Files.size(results) < 2000) {
+                assertThat(sweep.isAlive()).as(said + "").isTrue();
+                Thread.sleep(20);
+            }
+        } finally {
+            sweep.destroy();
+        }
+        assertThat(sweep.waitFor()).isEqualTo(128 + 15);
+        assertThat(said)
+                .content()
+                .containsPattern("Stopped after [1-9][0-9,]* of 2,000,000 replicates, which are in ")
+                .endsWith("robosim-geometry sweep " + SCENARIO + " -n 2000000 -o '" + results + "' --resume\n");
+        assertThat(run("sweep", SCENARIO, "-n", 2_000_000, "-o", results)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--out must be a new file, or --resume must be given");
+    }
+
+    /** A file of another format is a world too, with the folders of its models. */
+    @Test
+    void aWorldOfAnotherFormat() throws IOException {
+        Path model = Files.createDirectories(folder.resolve("models/post"));
+        Files.writeString(model.resolve("model.config"), "<model><name>post</name><sdf>model.sdf</sdf></model>");
+        Files.writeString(model.resolve("model.sdf"), """
+                <sdf version="1.6"><model name="post"><static>1</static><link name="l"><collision name="c"><geometry>
+                <cylinder><radius>0.2</radius><length>1</length></cylinder>
+                </geometry></collision></link></model></sdf>""");
+        Path world = Files.writeString(folder.resolve("yard.sdf"), """
+                <sdf version="1.6"><world name="yard">
+                <include><uri>model://post</uri><pose>2 1 0 0 0 0</pose></include>
+                <model name="robot"><link name="l"><collision name="c"><geometry>
+                <box><size>0.4 0.4 0.4</size></box></geometry></collision></link></model>
+                </world></sdf>""");
+        int code = run(
+                "sweep",
+                Wander.class.getName(),
+                world,
+                "-n",
+                2,
+                "-o",
+                folder.resolve("r.jsonl"),
+                "--models",
+                folder.resolve("models"));
+        assertThat(err.toString()).isEmpty();
+        assertThat(code).isIn(ExitCodes.FINE, ExitCodes.FINDINGS);
+        assertThat(out.toString()).contains("2 replicates on");
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.BitSet;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
@@ -17,7 +18,7 @@ import robosim.geometry.model.Point;
  * radius, and none is refused that stays farther away; {@code -Dedges=100000000} asks for more of them.
  */
 class FreeEdgesOnMapsTest {
-    private static final long EDGES = Long.getLong("edges", 200_000);
+    private static final long EDGES = Long.getLong("edges", Effort.cases(200_000));
     private static final int COLUMNS = 400;
     private static final int ROWS = 300;
     private static final double CELL = 0.05;

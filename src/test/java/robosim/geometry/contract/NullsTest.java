@@ -229,6 +229,17 @@ class NullsTest {
         call("pattern", () -> snapshot.sense(pose, null, options, out));
         call("options", () -> snapshot.sense(pose, fan, null, out));
         call("out", () -> snapshot.sense(pose, fan, options, null));
+        double[] ray = {0, 0, 0, 1, 0, 0, 9};
+        call("rays", () -> world.castRays(null, 1, out));
+        call("out", () -> world.castRays(ray, 1, null));
+        call("rays", () -> world.freeRays(null, 1, new long[1]));
+        call("free", () -> world.freeRays(ray, 1, null));
+        call("ignored", () -> world.freeRays(ray, 1, null, new long[1]));
+        call("rays", () -> snapshot.castRays(null, 1, out));
+        call("out", () -> snapshot.castRays(ray, 1, null));
+        call("rays", () -> snapshot.freeRays(null, 1, new long[1]));
+        call("free", () -> snapshot.freeRays(ray, 1, null));
+        call("ignored", () -> snapshot.freeRays(ray, 1, null, new long[1]));
         call("name", () -> world.freePoses(null, new double[4], new long[1]));
         call("poses", () -> world.freePoses("r", null, new long[1]));
         call("free", () -> world.freePoses("r", new double[4], null));

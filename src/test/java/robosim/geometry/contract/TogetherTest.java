@@ -9,6 +9,7 @@ import java.util.concurrent.ForkJoinPool;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.RayHit;
 import robosim.geometry.SenseBuffer;
@@ -139,7 +140,7 @@ class TogetherTest {
         int inside = 0;
         int beams = 0;
         long before = unsure();
-        for (int round = 0; round < 40; round++) {
+        for (int round = 0; round < Effort.cases(40); round++) {
             Geometry world = world(dimension, count, oneIn);
             Snapshot snapshot = world.snapshot();
             Geometry copy = snapshot.toGeometry();
@@ -184,7 +185,7 @@ class TogetherTest {
             }
         }
         long asked = unsure() - before;
-        assertThat(beams).isGreaterThan(20_000);
+        assertThat(beams).isGreaterThan(Effort.cases(20_000));
         if (count > 1) {
             assertThat(hits).isBetween(beams / 10, beams * 99 / 100);
             assertThat(inside).isGreaterThan(beams / 1000);
@@ -212,7 +213,7 @@ class TogetherTest {
         int beams = 0;
         int hits = 0;
         long before = unsure();
-        for (int round = 0; round < 30; round++) {
+        for (int round = 0; round < Effort.cases(30); round++) {
             Pose pose = Pose.of(new Point(random.nextDouble(-9, 9), random.nextDouble(-9, 9), 9.3), 31)
                     .turned(11, 7);
             world.sense(pose, camera, SenseOptions.range(0, 100), out);
@@ -241,7 +242,7 @@ class TogetherTest {
         scale = Math.scalb(1.0, power);
         int hits = 0;
         int beams = 0;
-        for (int round = 0; round < 30; round++) {
+        for (int round = 0; round < Effort.cases(30); round++) {
             Geometry world = world(dimension, count, round % 2 == 0 ? 3 : 30);
             if (round % 5 == 4) {
                 crowd(world);

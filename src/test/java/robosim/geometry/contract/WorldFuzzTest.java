@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
@@ -16,7 +17,7 @@ import robosim.geometry.model.Dimension;
  * start, {@code stress.layouts} a regular expression as in {@code "TILES SPATIAL .*"}.
  */
 class WorldFuzzTest {
-    private static final long OPERATIONS = Long.getLong("stress.worlds", 7_000);
+    private static final long OPERATIONS = Long.getLong("stress.worlds", Effort.cases(7_000));
     private static final long SEED = Long.getLong("stress.seed", 20_261_122);
     private static final String NAMES = System.getProperty("stress.layouts", ".*");
 

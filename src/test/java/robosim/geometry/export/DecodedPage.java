@@ -57,11 +57,17 @@ final class DecodedPage {
     final List<String> remarks = new ArrayList<>();
     final List<Integer> goals = new ArrayList<>();
     final List<Thing> things = new ArrayList<>();
+    /** Each look as numbers: two colours, two shares, the kind of a pattern, its second colour, size and angle. */
+    final List<List<Double>> looks = new ArrayList<>();
+
+    /** The number of each part's look. */
+    final List<Integer> lookOf = new ArrayList<>();
+
     final List<Chapter> chapters = new ArrayList<>();
     final List<Integer> meshTriangles = new ArrayList<>();
     private final List<double[][]> arrangements = new ArrayList<>();
 
-    private final ByteBuffer[] streams = new ByteBuffer[12];
+    private final ByteBuffer[] streams = new ByteBuffer[13];
 
     private DecodedPage(byte[] data) {
         ByteBuffer whole = ByteBuffer.wrap(data);
@@ -102,15 +108,18 @@ final class DecodedPage {
         for (long left = count(about); left > 0; left--) {
             goals.add((int) count(about));
         }
-        meshes(streams[2]);
+        meshes(streams[3]);
         while (streams[1].hasRemaining()) {
-            things.add(thing(streams[1]));
+            looks.add(look(streams[1]));
         }
-        for (long left = count(streams[9]); left > 0; left--) {
-            arrangements.add(arrangement(streams[9]));
+        while (streams[2].hasRemaining()) {
+            things.add(thing(streams[2]));
         }
-        for (long left = count(streams[3]); left > 0; left--) {
-            chapters.add(chapter(streams[3]));
+        for (long left = count(streams[10]); left > 0; left--) {
+            arrangements.add(arrangement(streams[10]));
+        }
+        for (long left = count(streams[4]); left > 0; left--) {
+            chapters.add(chapter(streams[4]));
         }
         for (ByteBuffer stream : streams) {
             if (stream.hasRemaining()) {
@@ -176,6 +185,21 @@ final class DecodedPage {
         }
     }
 
+    private List<Double> look(ByteBuffer in) {
+        List<Double> look = new ArrayList<>();
+        for (int k = 0; k < 9; k++) {
+            look.add((double) (in.get() & 255));
+        }
+        double kind = look.get(8);
+        for (int k = 0; k < 3 && kind > 0; k++) {
+            look.add((double) (in.get() & 255));
+        }
+        for (int k = 0; k < kind; k++) {
+            look.add(in.getFloat() * (k == 0 ? unit : 1));
+        }
+        return look;
+    }
+
     private Thing thing(ByteBuffer in) {
         String name = text(in);
         text(in);
@@ -206,6 +230,7 @@ final class DecodedPage {
                     count(in);
                 }
             }
+            lookOf.add((int) count(in));
             if ((code & 8) != 0) {
                 in.position(in.position() + 28);
             }
@@ -251,11 +276,11 @@ final class DecodedPage {
     }
 
     private void track(Chapter chapter) {
-        long head = count(streams[4]);
+        long head = count(streams[5]);
         int[] known = new int[(int) (head / 2)];
         int frame = chapter.begin;
         for (int k = 0; k < known.length; k++) {
-            frame += (int) count(streams[5]);
+            frame += (int) count(streams[6]);
             known[k] = frame;
         }
         chapter.frames.add(known);
@@ -267,20 +292,20 @@ final class DecodedPage {
         for (int k = 0; k < known.length; k++) {
             if (head % 2 == 0) {
                 for (int j = 0; j < 7; j++) {
-                    now[j] += signed(streams[8]);
+                    now[j] += signed(streams[9]);
                 }
                 places.add(free(now));
                 continue;
             }
-            int op = streams[4].get() & 255;
+            int op = streams[5].get() & 255;
             int move = op & 31;
             if (move >= 10) {
-                ahead = signed(streams[6]);
-                aside = signed(streams[6]);
+                ahead = signed(streams[7]);
+                aside = signed(streams[7]);
             }
             if (move == 19) {
-                now[0] = signed(streams[6]);
-                now[2] = signed(streams[6]);
+                now[0] = signed(streams[7]);
+                now[2] = signed(streams[7]);
             } else if (move > 0) {
                 // By the JDK's own functions, 1e-11 from those of the page.
                 double angle = turn * Math.PI / 32768;
@@ -289,8 +314,8 @@ final class DecodedPage {
                 now[0] += (long) Math.floor(x + 0.5) + (move - 1) % 9 / 3 - 1;
                 now[2] += (long) Math.floor(z + 0.5) + (move - 1) % 3 - 1;
             }
-            turn += (op & 32) != 0 ? signed(streams[7]) : 0;
-            now[1] += (op & 64) != 0 ? signed(streams[8]) : 0;
+            turn += (op & 32) != 0 ? signed(streams[8]) : 0;
+            now[1] += (op & 64) != 0 ? signed(streams[9]) : 0;
             places.add(upright(now, turn * Math.PI / 32768));
         }
         chapter.places.add(places);
@@ -339,9 +364,9 @@ final class DecodedPage {
         List<Scan> scans = new ArrayList<>();
         long[][] last = new long[arrangements.size()][];
         int frame = begin;
-        for (long left = count(streams[10]); left > 0; left--) {
-            frame += (int) count(streams[10]);
-            int kind = (int) count(streams[10]);
+        for (long left = count(streams[11]); left > 0; left--) {
+            frame += (int) count(streams[11]);
+            int kind = (int) count(streams[11]);
             double[][] sensors = arrangements.get(kind);
             last[kind] = last[kind] == null ? new long[sensors.length] : last[kind];
             Scan scan = new Scan(
@@ -352,7 +377,7 @@ final class DecodedPage {
                     new double[sensors.length],
                     new double[sensors.length]);
             for (int k = 0; k < sensors.length; k++) {
-                long code = count(streams[11]);
+                long code = count(streams[12]);
                 last[kind][k] += code == 0 ? 0 : code % 2 == 1 ? code / 2 : -code / 2;
                 scan.distances[k] = code == 0 ? Double.POSITIVE_INFINITY : last[kind][k] / 2048.0 * unit;
                 scan.bearings[k] = sensors[k][0];

@@ -78,8 +78,8 @@ class GlbWriterTest {
     /** All look outwards, of the volume that the shape has or a little less. */
     @Test
     void shapesAreOfTheirVolume() {
-        assertThat(volume(GlbShape.box())).isCloseTo(1, within(1e-6));
-        assertThat(volume(GlbShape.cylinder())).isBetween(Math.PI * 0.99, Math.PI);
+        assertThat(volume(GlbShape.box(1, 1, 1))).isCloseTo(1, within(1e-6));
+        assertThat(volume(GlbShape.cylinder(1, 1))).isBetween(Math.PI * 0.99, Math.PI);
         assertThat(volume(GlbShape.capsule(1, 0))).isBetween(Math.PI * 4 / 3 * 0.99, Math.PI * 4 / 3);
         double capsule = Math.PI * 4 / 3 * 8 + Math.PI * 4 * 3;
         assertThat(volume(GlbShape.capsule(2, 3))).isBetween(capsule * 0.99, capsule);
@@ -143,5 +143,7 @@ class GlbWriterTest {
                 new WorldObject(new CylinderObject(new Point(1, 2, 3), 1, 0)),
                 new WorldObject(new CapsuleObject(new Point(1e-9, -2e7, 3), 0, 2)))));
         validated(written(world(null)));
+        validated(written(world(
+                null, GlbMaterialsTest.dressed().stream().map(WorldObject::new).toArray(WorldObject[]::new))));
     }
 }

@@ -16,11 +16,23 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.StateHistory;
@@ -317,5 +329,39 @@ class PageDataTest {
             assertThat(said.out().lines().filter(line -> line.startsWith("object ")))
                     .hasSameSizeAs(page.things);
         }
+    }
+
+    /** Each look is told once, with its pattern; parts of a group have their own. */
+    @Test
+    void materialsAreTold() {
+        Material tiles = Material.DEFAULT
+                .withTexture(new Texture.Checker(Color.WHITE, Color.parse("#102030"), 0.5))
+                .withMirror(0.2);
+        Material tape = Material.DEFAULT.withTexture(new Texture.Stripes(Color.BLACK, Color.WHITE, 0.25, 45));
+        ImageTexture halves = new ImageTexture(2, 1, new int[] {0xff0000, 0x000000}, 1, 1);
+        ObjectGroup pair = new ObjectGroup(List.of(
+                new BoxObject(new Point(0, 0, 0), 1, 1, 1),
+                new SphereObject(new Point(2, 0, 0), 1).withMaterial(tape)));
+        List<GeometryObject> objects = List.of(
+                new BoxObject(new Point(0, 0, 0), 1, 1, 1).withMaterial(tiles).named("a"),
+                new BoxObject(new Point(3, 0, 0), 1, 1, 1)
+                        .withMaterial(tiles.withLabel(7))
+                        .named("b"),
+                pair.movedTo(new Point(0, 0, 5)).withMaterial(Material.DEFAULT.withTexture(halves)),
+                new SphereObject(new Point(0, 5, 0), 1)
+                        .withMaterial(Material.of(Color.parse("#445566")).withEmission(Color.parse("#778899"))));
+        WorldSettings settings = new WorldSettings(20, 20, 20, Dimension.SPATIAL, Accuracy.EXACT);
+        StateHistory film = Pages.film(List.of(new Step(new InitBundle(objects, settings), null)));
+        DecodedPage page =
+                DecodedPage.of(new PageData(film, 0, 1, new PageData.Labels("", "", ""), List.of()).toBytes());
+        double gloss = Math.rint(25.5);
+        assertThat(page.looks)
+                .containsExactly(
+                        List.of(255., 255., 255., 0., 0., 0., gloss, 51., 1., 16., 32., 48., 0.5),
+                        List.of(188., 0., 0., 0., 0., 0., gloss, 0., 0.),
+                        List.of(0., 0., 0., 0., 0., 0., gloss, 0., 2., 255., 255., 255., 0.25, (double)
+                                (float) Math.toRadians(45)),
+                        List.of(68., 85., 102., 119., 136., 153., gloss, 0., 0.));
+        assertThat(page.lookOf).containsExactly(0, 0, 1, 2, 3);
     }
 }

@@ -16,6 +16,8 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
@@ -145,6 +147,18 @@ class PageInBrowserTest {
         assertThat(number(seen, "colors")).isGreaterThan(500);
         assertThat(seen).containsEntry("moved", "true");
         assertThat(number(seen, "without s")).isGreaterThan(0.001);
+    }
+
+    /** Checker, stripes and pictures, mirrors and lights, on all kinds of objects. */
+    @Test
+    void materialsAreDrawn(@TempDir Path folder) throws Exception {
+        List<GeometryObject> objects = new ArrayList<>(GlbMaterialsTest.dressed());
+        objects.add(new CylinderObject(new Point(5, 0.5, -14), 0.4, 1)
+                .withMaterial(Material.DEFAULT.withMirror(0.7).withEmission(Color.parse("#302010"))));
+        WorldSettings settings = new WorldSettings(80, 8, 80, Dimension.PLANAR, Accuracy.EXACT);
+        Map<String, String> seen =
+                visit(Pages.film(List.of(new Step(new InitBundle(objects, settings), null))), folder);
+        assertThat(number(seen, "colors")).isGreaterThan(500);
     }
 
     /** The program itself, without data. */

@@ -30,7 +30,7 @@ import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 
 /** Recordings to make pages of. */
-final class Pages {
+public final class Pages {
     private Pages() {}
 
     /** An object of each kind, on the floor at 0, some of them turned; the group has another one, and a capsule. */
@@ -70,7 +70,7 @@ final class Pages {
      *
      * @param turning whether all turn a little in every step
      */
-    static List<Step> wander(int objects, int robots, int steps, boolean turning, SplittableRandom random) {
+    public static List<Step> wander(int objects, int robots, int steps, boolean turning, SplittableRandom random) {
         int side = (int) Math.ceil(Math.sqrt(objects));
         double world = 2.0 * side + 2;
         List<GeometryObject> all = new ArrayList<>();
@@ -147,7 +147,7 @@ final class Pages {
         return told.steps;
     }
 
-    static StateHistory film(List<Step> steps) {
+    public static StateHistory film(List<Step> steps) {
         StateHistory film = new StateHistory();
         Replayer stage = new Replayer(SessionOptions.ROBOSIM);
         steps.forEach(step -> film.append(stage.play(step)));

@@ -63,6 +63,13 @@ class LastMomentsTest {
         Element wall = groups(picture, "object", "wall").get(0);
         assertThat(((Element) wall.getElementsByTagName("path").item(0)).getAttribute("d"))
                 .isEqualTo(flash);
+        // Where it would have been, the way there, and where it would have touched the wall.
+        Element attempt = (Element) blocks.get(0).getElementsByTagName("g").item(0);
+        assertThat(attempt.getAttribute("class")).isEqualTo("attempt");
+        assertThat(attempt.getElementsByTagName("*").getLength())
+                .as("shape and way")
+                .isGreaterThanOrEqualTo(2);
+        assertThat(groups(picture, "contact", "")).hasSize(1);
         assertThat(Files.readString(file)).contains("1 refused: r1 by wall", "Failing.blocked, seed 7");
     }
 

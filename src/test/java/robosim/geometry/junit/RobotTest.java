@@ -44,6 +44,25 @@ class RobotTest {
         assertThat(r1.heading()).isCloseTo(30, within(1e-14));
     }
 
+    /** A mistyped name is an error wherever one is given, and what there is is named. */
+    @Test
+    void aMistypedNameIsAnError() {
+        Runnable[] sentences = {
+            () -> world.robot("r9"),
+            () -> world.robot("wall"),
+            () -> r1.isBlockedBy("wal", 4),
+            () -> r1.rangeTo("wal"),
+            () -> r1.neverTouches("wal"),
+            () -> r1.follows(each -> {}).reaches(Goal.near("wal", 1)).within(0)
+        };
+        for (Runnable sentence : sentences) {
+            assertThatThrownBy(sentence::run)
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("name must be that of")
+                    .hasMessageContaining("\"r1\"");
+        }
+    }
+
     @Test
     void itIsBlockedByWhatIsNamed() {
         r1.isBlockedBy("wall", 4);

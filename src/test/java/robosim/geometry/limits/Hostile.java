@@ -95,6 +95,8 @@ final class Hostile {
             }
             List<Bundle> batches = new ArrayList<>(BatchSamples.everyBundle());
             batches.addAll(BatchSamples.frames());
+            batches.addAll(BatchSamples.pictures());
+            batches.addAll(BatchSamples.world());
             for (Bundle bundle : batches) {
                 ByteArrayOutputStream one = new ByteArrayOutputStream();
                 new MessageWriter(one).write(bundle);
@@ -123,6 +125,12 @@ final class Hostile {
         lines.add(JsonLines.write(new Reply(BatchSamples.answers(), List.of(Problem.of(5, "why")))));
         lines.add(JsonLines.write(BatchSamples.frames().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.frames().get(1))));
+        lines.add(JsonLines.write(BatchSamples.pictures().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.pictures().get(1))));
+        lines.add(JsonLines.write(BatchSamples.world().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.world().get(1))));
+        lines.add(JsonLines.write(BatchSamples.world().get(3)));
+        lines.add(JsonLines.write(BatchSamples.world().get(3)).replaceFirst("\\{", "{\"answer\":true,"));
         lines.add(JsonLines.write(new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "why")))));
         lines.add(lines.get(1) + "\n" + lines.get(4) + "\n" + lines.get(1));
         return lines.stream()

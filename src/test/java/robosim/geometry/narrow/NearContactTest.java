@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.math.BigDecimal;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.gjk.Gjk;
@@ -15,7 +16,7 @@ import robosim.geometry.narrow.mesh.NearestPairs;
 
 /** Distances of pairs of every kind that are nearly in contact: brackets that hold, and are as narrow as they are said to be. */
 class NearContactTest {
-    private static final int PAIRS = Integer.getInteger("near.pairs", 400);
+    private static final int PAIRS = Integer.getInteger("near.pairs", Effort.cases(400));
 
     private final Scratch scratch = new Scratch();
     private final NearestPairs nearest = new NearestPairs(scratch);

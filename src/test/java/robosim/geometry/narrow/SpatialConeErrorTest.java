@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.SpatialCone;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -31,7 +32,7 @@ class SpatialConeErrorTest {
         double worst = 0;
         int heard = 0;
         int silent = 0;
-        int count = 200;
+        int count = Effort.cases(200);
         for (int n = 0; n < count; n++) {
             double scale = Math.scalb(1.0, n % 5 == 0 ? random.nextInt(-40, 41) : 0);
             double far = Math.pow(10, random.nextDouble(0, n % 4 == 0 ? 6 : 1));

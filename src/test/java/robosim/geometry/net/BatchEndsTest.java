@@ -131,8 +131,8 @@ class BatchEndsTest {
                     new FreePosesRequest("robot", new Numbers(new double[20])))));
             assertThat(peer.isClosedByTheOtherEnd()).isTrue();
             assertThat(log.lines())
-                    .anyMatch(line ->
-                            line.contains("a bundle must have at most 1000 beams, poses and edges (got: 1001)"));
+                    .anyMatch(line -> line.contains(
+                            "a bundle must have at most 1000 beams, poses, edges and pixels (got: 1001)"));
             other.send(WORLD);
             other.send(BatchSamples.answers());
             assertThat(other.isClosedByTheOtherEnd()).isTrue();

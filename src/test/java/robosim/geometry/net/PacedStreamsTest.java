@@ -7,6 +7,7 @@ import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectOutputStream;
+import java.io.ObjectStreamConstants;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -105,15 +106,17 @@ class PacedStreamsTest {
     }
 
     /**
-     * A peer with a bare object stream hands a message over in parts, and its system holds the second back until the first
-     * is acknowledged: the module acknowledges before it waits for it, and nowhere else.
+     * A peer with a bare object stream hands a message over in parts, and its system holds each back until the one before is
+     * acknowledged: the module acknowledges before it waits for more, unless an answer has done so.
      */
     @Test
-    void aMessageThatComesInPartsIsAcknowledgedBeforeItsRestIsWaitedFor() throws Exception {
-        byte[] message = Peer.bytes(new MoveBundle(List.of()));
+    void whatNoAnswerAcknowledgesIsAcknowledgedBeforeMoreIsWaitedFor() throws Exception {
+        byte[] bytes = Peer.bytes(new MoveBundle(List.of()));
+        byte[] parts = {4, (byte) (bytes.length / 2), (byte) (bytes.length - bytes.length / 2 - 5), 1};
+        assertThat(bytes[bytes.length - 1]).isEqualTo(ObjectStreamConstants.TC_RESET);
         Told socket = new Told();
         InputStream in = new InputStream() {
-            private final ByteArrayInputStream all = new ByteArrayInputStream(message);
+            private final ByteArrayInputStream all = new ByteArrayInputStream(bytes);
             private int reads;
 
             @Override
@@ -123,7 +126,7 @@ class PacedStreamsTest {
 
             @Override
             public int read(byte[] into, int at, int length) {
-                int got = all.read(into, at, Math.min(length, message.length / 2 + 1));
+                int got = reads < parts.length ? all.read(into, at, parts[reads]) : -1;
                 socket.events.add(got < 0 ? "end" : "part " + ++reads);
                 return got;
             }
@@ -141,8 +144,20 @@ class PacedStreamsTest {
                     () -> false);
             MessageReader reader = new MessageReader(paced, MessageTranslator.RECORDS, paced);
             assertThat(reader.read()).isEqualTo(new MoveBundle(List.of()));
+            socket.events.add("answer");
+            paced.answered();
             assertThat(reader.read()).isNull();
         }
-        assertThat(socket.events).containsExactly("part 1", "TCP_QUICKACK true", "part 2", "end");
+        assertThat(socket.events)
+                .containsExactly(
+                        "part 1",
+                        "TCP_QUICKACK true",
+                        "part 2",
+                        "TCP_QUICKACK true",
+                        "part 3",
+                        "answer",
+                        "part 4",
+                        "TCP_QUICKACK true",
+                        "end");
     }
 }

@@ -13,22 +13,31 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Batches in Java serialization. */
 class BatchMessageTest {
     private static final String STORED = "batches.ser";
     private static final String FRAMES = "frames.ser";
+    private static final String PICTURES = "pictures.ser";
+    private static final String WORLD = "world-requests.ser";
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
         List<Bundle> bundles = new ArrayList<>(BatchSamples.everyBundle());
         bundles.addAll(BatchSamples.frames());
+        bundles.addAll(BatchSamples.pictures());
+        bundles.addAll(BatchSamples.world());
         byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
         assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
     }
@@ -37,6 +46,31 @@ class BatchMessageTest {
     void storedBatchesMeanWhatTheyMeant() throws IOException {
         assertThat(MessageTest.readAll(StoredBytesTest.stored(STORED))).isEqualTo(BatchSamples.everyBundle());
         assertThat(MessageTest.readAll(StoredBytesTest.stored(FRAMES))).isEqualTo(BatchSamples.frames());
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(PICTURES))).isEqualTo(BatchSamples.pictures());
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(WORLD))).isEqualTo(BatchSamples.world());
+    }
+
+    /** Whoever knows no requests about the world understands all others. */
+    @Test
+    void batchesAreWrittenAsEver() throws IOException {
+        assertThat(MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)))
+                .isEqualTo(StoredBytesTest.stored(FRAMES));
+    }
+
+    /** A mesh of many triangles costs five bytes each time that it is added again. */
+    @Test
+    void additionsAreCountedAtEveryReference() throws IOException {
+        int faces = 1000;
+        int[][] triangles = new int[faces][];
+        Arrays.fill(triangles, new int[] {0, 1, 2});
+        MeshObject mesh = new MeshObject(List.of(new Point(), new Point(1, 0, 0), new Point(0, 0, 1)), triangles);
+        WorldRequest.Add add = new WorldRequest.Add(mesh, true);
+        int most = (int) (MessageLimits.MAX_PARTS / faces) - 1; // and once as it comes
+        List<Bundle> fits = List.of(new BatchRequestBundle(times(most, add)));
+        assertThat(MessageTest.readAll(MessageTest.write(fits.get(0)))).isEqualTo(fits);
+        assertThatThrownBy(() -> MessageTest.readAll(MessageTest.write(new BatchRequestBundle(times(most + 1, add)))))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("must have at most 16000000 parts, counted at every reference");
     }
 
     private static List<BatchRequest> times(int count, BatchRequest request) {
@@ -55,12 +89,27 @@ class BatchMessageTest {
         assertThat(new BatchRequestBundle(both).size()).isEqualTo(MessageLimits.MAX_BEAMS + MessageLimits.MAX_POSES);
         both.add(edge);
         assertThatThrownBy(() -> new BatchRequestBundle(both))
-                .hasMessage("requests must have at most 262144 poses and edges together (got: 262145)");
+                .hasMessage(
+                        "requests must have at most 262144 poses, edges and requests of other kinds together (got: 262145)");
         assertThatThrownBy(() -> new BatchRequestBundle(times(5, beams)))
                 .hasMessage("requests must have at most 1048576 beams together (got: 1310720)");
         assertThatThrownBy(() -> new BatchRequestBundle(
                         times(1_000_000, new SenseRequest("r", new BeamPattern.Pinhole(4096, 4096, 1)))))
                 .hasMessageContaining("at most 1048576 beams together (got: 16777216000000)");
+        BeamPattern.Pinhole screen = new BeamPattern.Pinhole(1024, 512, 1);
+        PictureRequest half = new PictureRequest("", Mount.CENTER, screen);
+        assertThat(half.rays()).isEqualTo(1024 * 512 * 2 * 4);
+        assertThat(new BatchRequestBundle(times(2, half)).size()).isEqualTo(MessageLimits.MAX_PICTURE_PIXELS);
+        assertThat(new BatchRequestBundle(times(2, half)).workBytes()).isEqualTo(40L << 20);
+        assertThatThrownBy(() -> new BatchRequestBundle(times(3, half)))
+                .hasMessage("requests must have at most 1048576 pixels together (got: 1572864)");
+        PictureRequest fine = new PictureRequest("", Mount.CENTER, screen, 3, 3, false, null);
+        assertThatThrownBy(() -> new BatchRequestBundle(List.of(fine)))
+                .hasMessage(
+                        "requests must have at most 33554432 rays for pictures (pixels times samples times sources of"
+                                + " light and one times mirrors and one) together (got: 37748736)");
+        assertThatThrownBy(() -> new BatchRequestBundle(times(1_000_000, fine)))
+                .hasMessageContaining("pixels together");
         assertThatThrownBy(() -> new BatchRequestBundle(null)).hasMessageContaining("requests");
         assertThatThrownBy(() -> new BatchRequestBundle(Arrays.asList(edge, null)))
                 .hasMessageContaining("requests[1] must be given");
@@ -107,6 +156,12 @@ class BatchMessageTest {
             Files.write(
                     Path.of(args[0], FRAMES),
                     MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], PICTURES),
+                    MessageTest.write(BatchSamples.pictures().toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], WORLD),
+                    MessageTest.write(BatchSamples.world().toArray(Bundle[]::new)));
         }
     }
 }

@@ -1,7 +1,13 @@
 package robosim.geometry.protocol;
 
 import java.util.List;
+import robosim.geometry.material.Color;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
@@ -10,9 +16,14 @@ import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
+import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Requests with packed numbers, and answers. The stored bytes hold these: do not change them, add. */
 public final class BatchSamples {
@@ -83,6 +94,68 @@ public final class BatchSamples {
                                 Integers.of(Integer.MAX_VALUE, 0, 7)),
                         new SenseAnswer(
                                 Numbers.of(2), Numbers.of(0, 1, 0), List.of("a"), Integers.of(0), Integers.of(0)))));
+    }
+
+    /** What came after those: pictures, with every optional part given and left out. */
+    public static List<Bundle> pictures() {
+        Mount mount = new Mount(new Point(0.1, 0.5, -0.0), Numbers.of(0, 0, 1, 0, 1, 0, -1, 0, 0));
+        BeamPattern.Pinhole camera = new BeamPattern.Pinhole(2, 1, 1.5);
+        Color red = Color.parse("#ff0000");
+        Color fine = new Color(0.1, 0.2, 1e-300);
+        SceneLight light = new SceneLight(
+                Color.WHITE,
+                fine,
+                Color.BLACK,
+                0.5,
+                List.of(
+                        new SceneLight.Sun(new Point(0, -1, 0), red, 1),
+                        new SceneLight.Lamp(new Point(1, 2, 3), Color.WHITE, 0),
+                        new SceneLight.Spot(new Point(), new Point(1e-9, 0, 0), 0.7, fine, 0x1p100)));
+        SceneLight dark = new SceneLight(Color.BLACK, Color.BLACK, Color.BLACK, 0, List.of());
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new PictureRequest("robot", Mount.CENTER, camera),
+                        new PictureRequest("", mount, camera, 16, 0, false, light),
+                        new PictureRequest("\u00e9", mount, camera, 2, 16, true, dark))),
+                new BatchAnswerBundle(List.of(
+                        new PictureAnswer(2, 1, new byte[] {0, 1, 2, -1, -128, 127}),
+                        PictureAnswer.of(1, 1, new int[] {0xff8001}))));
+    }
+
+    /** Requests about the world's objects, and answers to them; what came after the frames. */
+    public static List<Bundle> world() {
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new WorldRequest.Describe(),
+                        new WorldRequest.Locate("wall \u00e9"),
+                        new WorldRequest.Place("robot", new Point(1, -0.5, 1e-300), -7),
+                        new WorldRequest.Add(new SphereObject(new Point(3, 0, 0), 0.5).named("ball"), true),
+                        new WorldRequest.Add(
+                                new ObjectGroup(List.of(new BoxObject(new Point(), 1, 2, 3))).turned(0, 30), false),
+                        new WorldRequest.Remove(""),
+                        new WorldRequest.Go("robot", 1, -0.0, 0x1p100, 1e-320, Math.PI / 2))),
+                new BatchAnswerBundle(List.of(
+                        new WorldAnswer.Described(
+                                3,
+                                List.of(
+                                        new WorldAnswer.LeftOut(1, "wall", "an earlier object has its name"),
+                                        new WorldAnswer.LeftOut(4, "", "it would leave the world")),
+                                10,
+                                5,
+                                0x1p101,
+                                Dimension.SPATIAL,
+                                Accuracy.DOP),
+                        new WorldAnswer.Located(
+                                new Point(1, 2, -3), Numbers.of(0, 0, 1, 0, 1, 0, -1, 0, 0), Math.PI / 2),
+                        new WorldAnswer.Changed(true, null),
+                        new WorldAnswer.Changed(false, null),
+                        new WorldAnswer.Changed(false, "wall"),
+                        WorldAnswer.Went.MADE,
+                        new WorldAnswer.Went(false, 0.25, 0, "", new Point(1, 2, 3), new Point(-1, 0, 0)),
+                        new WorldAnswer.Went(false, 1, 0.5, null, new Point(1, 2, 3), new Point(0, 0, 1)))),
+                new InitBundle(List.of(), WorldSettings.NONE.withDimension(Dimension.SPATIAL)),
+                new InitBundle(List.of(), new WorldSettings(0, 4, 0, null, Accuracy.OBB)),
+                new InitBundle(List.of(), WorldSettings.NONE));
     }
 
     /** The bundles. */

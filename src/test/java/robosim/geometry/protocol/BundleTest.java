@@ -27,7 +27,9 @@ class BundleTest {
         Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Math.nextUp(0x1p100), -Math.nextUp(0x1p100)
     };
 
-    private static final double[] NO_SIZES = {Double.NaN, Double.POSITIVE_INFINITY, Math.nextUp(0x1p101), 0, -0.0, -1};
+    private static final double[] NO_SIZES = {
+        Double.NaN, Double.POSITIVE_INFINITY, Math.nextUp(0x1p101), -1, -Double.MIN_VALUE
+    };
 
     @Test
     void numbersThatCannotBeAreRefusedByName() {
@@ -70,10 +72,20 @@ class BundleTest {
                 .hasMessageContaining("moves[1]");
         assertThatThrownBy(() -> new DistanceBundle(Arrays.asList(1.0, null))).hasMessageContaining("distances[1]");
         assertThatThrownBy(() -> new SonarRequestBundle(null)).hasMessageContaining("requests");
-        assertThatThrownBy(() -> new WorldSettings(1, 1, 1, null, Accuracy.EXACT))
-                .hasMessageContaining("dimension");
-        assertThatThrownBy(() -> new WorldSettings(1, 1, 1, Dimension.PLANAR, null))
-                .hasMessageContaining("accuracy");
+        assertThatThrownBy(() -> WorldSettings.NONE.withDimension(null)).hasMessageContaining("dimension");
+        assertThatThrownBy(() -> WorldSettings.NONE.withAccuracy(null)).hasMessageContaining("accuracy");
+    }
+
+    @Test
+    void settingsMayBeLeftOutOneByOne() {
+        assertThat(WorldSettings.NONE).isEqualTo(new WorldSettings(0, -0.0, 0, null, null));
+        WorldSettings some = WorldSettings.NONE.withSize(1, 2, 3).withDimension(Dimension.SPATIAL);
+        assertThat(some.isComplete()).isFalse();
+        assertThat(some.withAccuracy(Accuracy.DOP))
+                .isEqualTo(new WorldSettings(1, 2, 3, Dimension.SPATIAL, Accuracy.DOP));
+        assertThat(some.withAccuracy(Accuracy.DOP).isComplete()).isTrue();
+        assertThat(some.withAccuracy(Accuracy.DOP).withSize(1, 0, 3).isComplete())
+                .isFalse();
     }
 
     /** Generics are no guard against a stream. */

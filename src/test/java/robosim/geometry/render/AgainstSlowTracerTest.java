@@ -2,14 +2,27 @@ package robosim.geometry.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
+import robosim.geometry.image.PngWriter;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.world.ObjReader;
 
 /**
  * Each pixel beside that of a slow tracer that shares no code: rounded from the same number to within a hundredth, wherever rays
@@ -24,7 +37,56 @@ class AgainstSlowTracerTest {
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void everyPixel(long seed) {
         RandomScenes random = new RandomScenes(seed);
-        List<GeometryObject> objects = random.scene(18, seed % 2 == 0);
+        compare(random, random.scene(18, seed % 2 == 0));
+    }
+
+    /** Grids, and meshes whose images lie by texture coordinates, also read from OBJ, before mirrors. */
+    @ParameterizedTest
+    @ValueSource(longs = {11, 12, 13, 14, 15, 16})
+    void gridsAndTextureCoordinates(long seed, @TempDir Path folder) throws Exception {
+        RandomScenes random = new RandomScenes(seed);
+        List<GeometryObject> objects = new ArrayList<>(random.scene(4, true));
+        BitSet cells = new BitSet();
+        for (int k = 0; k < 63; k++) {
+            cells.set(k, random.next(0, 1) < 0.4);
+        }
+        objects.add(new GridObject(new Point(random.next(-1, 1), 0.45, 0.5), 0.4, 0.9, 9, 7, cells)
+                .turned(0, seed % 2 == 0 ? 0 : random.next(-180, 180))
+                .withMaterial(random.material((int) seed)));
+        objects.add(random.textured().movedTo(new Point(random.next(-2, 0), 1.4, -1)));
+        objects.add(objFile(random, folder).movedTo(new Point(random.next(0, 2), 1.6, -1)));
+        objects.add(new BoxObject(new Point(0, 2, -3), 7, 4, 0.3)
+                .withMaterial(Material.of(random.color()).withMirror(0.8)));
+        compare(random, objects);
+    }
+
+    /** A tent of two quads in OBJ, with an image by MTL, on which it lies by {@code vt}. */
+    private static MeshObject objFile(RandomScenes random, Path folder) throws Exception {
+        int[] pixels = new int[6 * 4];
+        for (int k = 0; k < pixels.length; k++) {
+            pixels[k] = (int) random.next(0, 1 << 24);
+        }
+        try (OutputStream out = Files.newOutputStream(folder.resolve("cloth.png"))) {
+            PngWriter.writeColour(out, 6, 4, pixels);
+        }
+        Files.writeString(folder.resolve("tent.mtl"), "newmtl cloth\nKd 1 1 1\nmap_Kd cloth.png\n");
+        StringBuilder text = new StringBuilder("mtllib tent.mtl\nusemtl cloth\n");
+        text.append("v -1 0 -1\nv 1 0 -1\nv 1 1 0\nv -1 1 0\nv 1 0 1\nv -1 0 1\n");
+        for (int k = 0; k < 8; k++) {
+            text.append("vt ")
+                    .append(random.next(-1, 2))
+                    .append(' ')
+                    .append(random.next(-1, 2))
+                    .append('\n');
+        }
+        text.append("f 1/1 4/2 3/3 2/4\nf 4/5 6/6 5/7 3/8\n");
+        MeshObject tent = ObjReader.read(Files.writeString(folder.resolve("tent.obj"), text.toString()));
+        assertThat(tent.material().texture()).isInstanceOf(ImageTexture.class);
+        assertThat(tent.textureCoordinates()).isNotNull();
+        return tent;
+    }
+
+    private static void compare(RandomScenes random, List<GeometryObject> objects) {
         Lighting lighting = random.lighting();
         Geometry world = new Geometry(40, 40, 40);
         objects.forEach(object -> assertThat(world.addObjectUnchecked(object)).isTrue());

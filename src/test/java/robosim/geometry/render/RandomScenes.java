@@ -7,6 +7,7 @@ import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -67,6 +68,19 @@ final class RandomScenes {
                                 new SphereObject(new Point(-0.3, 0.2, 0), 0.35)))
                         .movedTo(place);
         };
+    }
+
+    /** A pyramid on which an image lies by texture coordinates, but for one face. */
+    MeshObject textured() {
+        double[] points = new double[16];
+        for (int k = 0; k < points.length; k++) {
+            points[k] = next(-1.5, 2.5);
+        }
+        int[] corners = {0, 1, 2, 3, 4, 5, 6, 7, 1, 3, 2, 5, 0, -1, -1, -1};
+        return pyramid()
+                .turned(next(-90, 90), next(-180, 180))
+                .withTextureCoordinates(new TextureCoordinates(points, corners))
+                .withMaterial(Material.DEFAULT.withTexture(image()));
     }
 
     private MeshObject pyramid() {

@@ -3,6 +3,7 @@ package robosim.geometry.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -178,12 +180,52 @@ class ShadowsTest {
         assertThat(lit).isGreaterThan(10_000);
     }
 
-    /** A room of six walls around a point; by kind of boxes that overlap or only touch, or of a mesh without inside. */
+    /**
+     * A room of six walls around a point; by kind of boxes that overlap or only touch, of a mesh without inside, of solid
+     * meshes in groups in groups, of the cells of a grid between two boxes, or of triangles in a group each.
+     */
     private static List<GeometryObject> room(int kind, Point middle, double heading) {
         double thick = 0.1;
         double half = 2;
         List<GeometryObject> walls = new ArrayList<>();
-        if (kind == 2) {
+        if (kind == 4) {
+            // The cells around 40 x 40 free ones, which are the walls; grids stand upright and are in no group.
+            BitSet cells = new BitSet();
+            for (int k = 0; k < 42 * 42; k++) {
+                cells.set(k, k % 42 == 0 || k % 42 == 41 || k < 42 || k >= 41 * 42);
+            }
+            GridObject grid = new GridObject(new Point(), thick, 2 * half, 42, 42, cells);
+            Pose place = Pose.of(middle, heading);
+            List<GeometryObject> room = new ArrayList<>();
+            room.add(grid.at(place));
+            for (int side = -1; side <= 1; side += 2) {
+                room.add(new BoxObject(new Point(0, side * (half + thick / 2), 0), 5, thick, 5)
+                        .at(Pose.of(new Point(0, side * (half + thick / 2), 0), 0)
+                                .within(place)));
+            }
+            return room.stream()
+                    .map(object -> object.withMaterial(WHITE.withMirror(0.3)))
+                    .toList();
+        }
+        if (kind == 3) {
+            for (int side = -1; side <= 1; side += 2) {
+                double at = side * (half + thick / 2);
+                double wide = 2 * half + 2 * thick;
+                walls.add(new ObjectGroup(
+                        List.of(solid(at, 0, 0, thick, wide, wide), solid(0, at, 0, wide, thick, wide))));
+                walls.add(new ObjectGroup(List.of(
+                        new ObjectGroup(List.of(solid(0, 0, 0, wide, wide, thick))).movedTo(new Point(0, 0, at)))));
+            }
+        } else if (kind == 5) {
+            int[][] sides = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {3, 2, 6, 7}, {0, 3, 7, 4}, {1, 2, 6, 5}};
+            for (int[] side : sides) {
+                for (int k = 2; k < 4; k++) {
+                    walls.add(new ObjectGroup(List.of(new MeshObject(
+                            List.of(corner(side[0], half), corner(side[k - 1], half), corner(side[k], half)),
+                            new int[][] {{0, 1, 2}}))));
+                }
+            }
+        } else if (kind == 2) {
             walls.add(new MeshObject(
                     List.of(
                             new Point(-half, -half, -half),
@@ -210,11 +252,36 @@ class ShadowsTest {
                 .withMaterial(WHITE.withMirror(0.3)));
     }
 
+    private static Point corner(int k, double half) {
+        return new Point(k % 4 == 1 || k % 4 == 2 ? half : -half, k % 4 > 1 ? half : -half, k > 3 ? half : -half);
+    }
+
+    /** A box as a closed mesh that counts its inside. */
+    private static GeometryObject solid(double x, double y, double z, double width, double height, double length) {
+        List<Point> corners = new ArrayList<>();
+        for (int k = 0; k < 8; k++) {
+            Point unit = corner(k, 0.5);
+            corners.add(new Point(x + unit.x() * width, y + unit.y() * height, z + unit.z() * length));
+        }
+        return new MeshObject(corners, new int[][] {
+                    {0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {3, 2, 6, 7}, {0, 3, 7, 4}, {1, 2, 6, 5}
+                })
+                .solid();
+    }
+
     @ParameterizedTest
     @CsvSource({
         "0, 0, 0",
         "1, 0, 0",
         "2, 0, 0",
+        "3, 0, 0",
+        "3, 0, 33",
+        "3, 1e6, 71",
+        "4, 0, 0",
+        "4, 0, 33",
+        "4, 1e6, 90",
+        "5, 0, 0",
+        "5, 1e6, 0",
         "0, 0, 33",
         "2, 0, 33",
         "0, 1e6, 0",

@@ -1,11 +1,14 @@
 package robosim.geometry.render;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -91,9 +94,13 @@ final class SlowTracer {
     /** A shape at its place; the first distance above 0 at which a ray in its own frame meets it, and the normal there. */
     private record Shape(GeometryObject object, Frame frame, Material material) {}
 
-    private record Hit(double distance, V normal, Shape shape, V own) {}
+    private record Hit(double distance, V normal, Shape shape, V own, double[] share) {}
 
     private final List<Shape> shapes = new ArrayList<>();
+
+    /** By the number of a shape that is a cell of a grid, its middle in the grid's frame. */
+    private final Map<Integer, V> cells = new HashMap<>();
+
     private final Lighting lighting;
     private final int mirrors;
 
@@ -111,7 +118,16 @@ final class SlowTracer {
                 add(member, Frame.of(member).within(frame), member.material().within(material));
             }
         } else if (object instanceof GridObject grid) {
-            throw new IllegalArgumentException("no grids here: " + grid);
+            for (int row = 0; row < grid.rows(); row++) {
+                for (int column = 0; column < grid.columns(); column++) {
+                    if (grid.isOccupied(column, row)) {
+                        double x = (column + 0.5 - grid.columns() / 2.0) * grid.cell();
+                        double z = (row + 0.5 - grid.rows() / 2.0) * grid.cell();
+                        cells.put(shapes.size(), new V(x, 0, z));
+                        shapes.add(new Shape(grid, frame, material));
+                    }
+                }
+            }
         } else {
             shapes.add(new Shape(object, frame, material));
         }
@@ -209,10 +225,11 @@ final class SlowTracer {
 
     private Hit first(V from, V way) {
         Hit best = null;
-        for (Shape shape : shapes) {
+        for (int k = 0; k < shapes.size(); k++) {
+            Shape shape = shapes.get(k);
             V o = shape.frame.in(from.minus(shape.frame.center));
             V d = shape.frame.in(way);
-            Hit hit = meet(shape, o, d);
+            Hit hit = meet(shape, cells.get(k), o, d);
             if (hit != null && (best == null || hit.distance < best.distance)) {
                 best = hit;
             }
@@ -220,12 +237,16 @@ final class SlowTracer {
         return best;
     }
 
-    private static Hit meet(Shape shape, V o, V d) {
+    private static Hit meet(Shape shape, V cell, V o, V d) {
         double[] best = {Double.POSITIVE_INFINITY};
         V[] normal = new V[1];
+        double[] share = null;
         GeometryObject object = shape.object;
         if (object instanceof BoxObject box) {
             slabs(o, d, new V(box.width() / 2, box.height() / 2, box.length() / 2), best, normal);
+        } else if (object instanceof GridObject grid) {
+            double half = grid.cell() / 2;
+            slabs(o.minus(cell), d, new V(half, grid.height() / 2, half), best, normal);
         } else if (object instanceof SphereObject sphere) {
             ball(o, d, 0, sphere.radius(), best, normal);
         } else if (object instanceof CylinderObject cylinder) {
@@ -242,24 +263,51 @@ final class SlowTracer {
             ball(o, d, capsule.segment() / 2, capsule.radius(), best, normal);
             ball(o, d, -capsule.segment() / 2, capsule.radius(), best, normal);
         } else if (object instanceof MeshObject mesh) {
+            int first = 0; // corner of the face
             for (int[] face : mesh.faces()) {
                 for (int k = 2; k < face.length; k++) {
-                    triangle(
-                            o,
-                            d,
-                            V.of(mesh.vertices().get(face[0])),
-                            V.of(mesh.vertices().get(face[k - 1])),
-                            V.of(mesh.vertices().get(face[k])),
-                            best,
-                            normal);
+                    V a = V.of(mesh.vertices().get(face[0]));
+                    V b = V.of(mesh.vertices().get(face[k - 1]));
+                    V c = V.of(mesh.vertices().get(face[k]));
+                    double before = best[0];
+                    triangle(o, d, a, b, c, best, normal);
+                    if (best[0] < before) {
+                        share = share(
+                                mesh, new int[] {first, first + k - 1, first + k}, a, b, c, o.plus(d.times(best[0])));
+                    }
                 }
+                first += face.length;
             }
         }
         if (normal[0] == null) {
             return null;
         }
         V n = normal[0].dot(d) > 0 ? normal[0].times(-1) : normal[0];
-        return new Hit(best[0], shape.frame.out(n), shape, o.plus(d.times(best[0])));
+        return new Hit(best[0], shape.frame.out(n), shape, o.plus(d.times(best[0])), share);
+    }
+
+    /** The place in the image of a point of a triangle, by the shares of its corners; null without coordinates. */
+    private static double[] share(MeshObject mesh, int[] corners, V a, V b, V c, V p) {
+        TextureCoordinates given = mesh.textureCoordinates();
+        if (given == null) {
+            return null;
+        }
+        V n = b.minus(a).cross(c.minus(a));
+        double[] weights = {
+            c.minus(b).cross(p.minus(b)).dot(n) / n.dot(n),
+            a.minus(c).cross(p.minus(c)).dot(n) / n.dot(n),
+            b.minus(a).cross(p.minus(a)).dot(n) / n.dot(n)
+        };
+        double[] uv = new double[2];
+        for (int k = 0; k < 3; k++) {
+            int point = given.corners()[corners[k]];
+            if (point == TextureCoordinates.NONE) {
+                return null;
+            }
+            uv[0] += weights[k] * given.points()[2 * point];
+            uv[1] += weights[k] * given.points()[2 * point + 1];
+        }
+        return uv;
     }
 
     private static void take(double t, V n, double[] best, V[] normal) {
@@ -341,8 +389,10 @@ final class SlowTracer {
             return linear((long) Math.floor(across / stripes.size()) % 2 == 0 ? stripes.first() : stripes.second());
         }
         ImageTexture image = (ImageTexture) texture;
-        double x = st[0] / image.tileWidth() * image.width() - 0.5;
-        double y = -st[1] / image.tileHeight() * image.height() - 0.5;
+        double[] uv =
+                hit.share == null ? new double[] {st[0] / image.tileWidth(), st[1] / image.tileHeight()} : hit.share;
+        double x = uv[0] * image.width() - 0.5;
+        double y = -uv[1] * image.height() - 0.5;
         V sum = new V(0, 0, 0);
         for (int dy = 0; dy < 2; dy++) {
             for (int dx = 0; dx < 2; dx++) {
@@ -383,6 +433,9 @@ final class SlowTracer {
                 along = r * (Math.asin((p.y - half) / r) + Math.PI / 2) + c.segment();
             }
             return new double[] {longitude * r, along};
+        }
+        if (object instanceof GridObject grid) {
+            return side(p, n, grid.columns() * grid.cell() / 2, grid.height() / 2, grid.rows() * grid.cell() / 2);
         }
         return object instanceof BoxObject box
                 ? side(p, n, box.width() / 2, box.height() / 2, box.length() / 2)

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 
 /**
  * The product's decisions against exact rational arithmetic, in every family of questions: some thousand cases in an
@@ -16,8 +17,8 @@ import org.junit.jupiter.api.Test;
  * is where they start, {@code stress.families} a regular expression of names.
  */
 class StressTest {
-    private static final long RANDOM = Long.getLong("stress.random", 1_000);
-    private static final long ADVERSARIAL = Long.getLong("stress.adversarial", 600);
+    private static final long RANDOM = Long.getLong("stress.random", Effort.cases(1_000));
+    private static final long ADVERSARIAL = Long.getLong("stress.adversarial", Effort.cases(600));
     private static final long SEED = Long.getLong("stress.seed", 20_261_121);
     private static final String NAMES = System.getProperty("stress.families", ".*");
 

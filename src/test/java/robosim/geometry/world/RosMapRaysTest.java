@@ -14,6 +14,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -25,7 +26,7 @@ import robosim.geometry.model.SphereObject;
  */
 class RosMapRaysTest {
     private static final Path MAPS = Path.of("src/test/resources/robosim/geometry/world/maps");
-    private static final int RAYS = Integer.getInteger("rays", 20_000);
+    private static final int RAYS = Integer.getInteger("rays", Effort.cases(20_000));
     private static final List<String> FIGURES = new ArrayList<>();
 
     @TempDir

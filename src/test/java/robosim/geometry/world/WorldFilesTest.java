@@ -69,7 +69,7 @@ class WorldFilesTest {
                 assertThat(object.sonars()).as("sonars of %s", object.object()).isNotEmpty();
             }
         }
-        assertThat(robots).hasSizeGreaterThanOrEqualTo(5);
+        assertThat(robots).hasSizeGreaterThanOrEqualTo(2);
         for (GeometryObject robot : robots) {
             String name = Objects.requireNonNull(robot.name());
             assertThat(geometry.testObject(robot))

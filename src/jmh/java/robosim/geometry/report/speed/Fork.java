@@ -31,6 +31,7 @@ final class Fork {
                 List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath()));
         command.addAll(OPTIONS);
         command.add("-D" + Filter.PROPERTY + "=" + filter);
+        command.add("-Dpeers=" + System.getProperty("peers", ""));
         command.addAll(List.of(StudyRun.class.getName(), study, form));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         StringBuilder said = new StringBuilder();

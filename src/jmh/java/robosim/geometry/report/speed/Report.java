@@ -56,6 +56,9 @@ final class Report {
         if (has(results, "latency")) {
             LatencySection.add(results, page);
         }
+        if (has(results, "sensors")) {
+            SensorsSection.add(results, page);
+        }
         if (has(results, "filter")) {
             FilterSection.add(results, page);
         }

@@ -19,6 +19,7 @@ import java.util.List;
  * <ul>
  *   <li>{@code -Dquick}: seconds, with few cases, to see that it works.
  *   <li>{@code -Dpeers.csv=FILE}: figures of native engines, lines as {@code bench.Peers} prints them.
+ *   <li>{@code -Dpeers=FOLDER}: asks Embree in its {@code bin} about the frames of sensors, too.
  *   <li>{@code -Dpublish}: writes to {@code docs/report}, and renews the figures in the guide and in the README.
  *   <li>{@code -Dreport=FOLDER}: writes elsewhere.
  *   <li>{@code -Dcsv=FILE}: measures nothing and writes the pages of an earlier run; with {@code -Dagain=robots}, some
@@ -95,7 +96,8 @@ public final class SpeedAgainstError {
                 new Part("sizes", "on", 90),
                 new Part("worlds", "on", 90),
                 new Part("cones", "on", 50),
-                new Part("robots", "on", 40)));
+                new Part("robots", "on", 40),
+                new Part("sensors", "on", 90)));
         for (int fork = 0; fork < forks; fork++) {
             // Now one goes first, now the other.
             parts.add(new Part("filter", fork % 2 == 0 ? "on" : "alone", 20));

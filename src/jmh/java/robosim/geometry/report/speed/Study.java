@@ -28,6 +28,7 @@ interface Study {
             case "cones" -> new Cones();
             case "latency" -> new Latency();
             case "robots" -> new Robots();
+            case "sensors" -> new Sensors();
             default -> throw new IllegalArgumentException("no such study (got: " + name + ")");
         };
     }

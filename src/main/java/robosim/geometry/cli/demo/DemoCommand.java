@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -19,6 +20,7 @@ import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Terminal;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
@@ -28,7 +30,7 @@ import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldReader;
+import robosim.geometry.world.WorldWriter;
 
 /**
  * Shows the module at work in one command: a world, two processes, a conversation, an audit, a picture and a summary.
@@ -62,7 +64,8 @@ public final class DemoCommand implements Callable<Integer> {
             names = "--world",
             paramLabel = "FILE",
             defaultValue = Option.NULL_VALUE,
-            description = "a world with moveable objects (default: worlds/rooms.xml, which the jar contains)")
+            description = "a world with moveable objects, in any format that convert reads (default: worlds/rooms.xml,"
+                    + " which the jar contains)")
     private @Nullable Path world;
 
     @Option(names = "--steps", paramLabel = "N", description = "rounds of sonar and moves")
@@ -96,6 +99,10 @@ public final class DemoCommand implements Callable<Integer> {
                     + " the project's folder examples)")
     private @Nullable Path examples;
 
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
+
     private final Timings timings = new Timings();
     private Path output = Path.of("");
 
@@ -112,7 +119,11 @@ public final class DemoCommand implements Callable<Integer> {
         Path given = world == null ? null : Inputs.file(spec, "--world", world);
         Files.createDirectories(output);
         Path worldFile = given != null ? given : rooms();
-        World loaded = WorldReader.read(worldFile);
+        World loaded = files.world(worldFile);
+        if (!String.valueOf(worldFile.getFileName()).endsWith(".xml")) {
+            worldFile = files.output("--output", output.resolve("world.xml"));
+            WorldWriter.write(loaded, worldFile);
+        }
         PrintWriter out = spec.commandLine().getOut();
 
         int code = converse(environment, worldFile);

@@ -52,7 +52,7 @@ public final class ConnectionOptions {
     @Option(
             names = "--max-requests",
             paramLabel = "N",
-            description = "maximum number of moves or sonar requests in a bundle, or of beams, poses and edges")
+            description = "maximum number of moves or sonar requests in a bundle, or of beams, poses, edges and pixels")
     private int requests = Quotas.DEFAULT.requests();
 
     @ArgGroup(exclusive = false)

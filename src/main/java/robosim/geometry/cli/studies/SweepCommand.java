@@ -6,11 +6,14 @@ import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -23,6 +26,7 @@ import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.sweep.ScenarioSweep;
@@ -42,7 +46,7 @@ import robosim.geometry.sweep.SweepWorld;
         versionProvider = Version.class,
         subcommands = SweepMergeCommand.class,
         exitCodeListHeading = ExitCodes.HEADING,
-        exitCodeList = {ExitCodes.DONE, ExitCodes.FINDINGS + ":replicates failed", ExitCodes.REFUSED},
+        exitCodeList = {ExitCodes.DONE, ExitCodes.FINDINGS + ":replicates failed", ExitCodes.REFUSED, ExitCodes.ENDED},
         footerHeading = "%nParameters of a scenario file, each 0 unless given:%n",
         footer = {
             "  place    radius of the disc in which each robot starts, world units",
@@ -113,6 +117,10 @@ public final class SweepCommand implements Callable<Integer> {
 
     @Mixin
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private SweepOutput output;
 
     private SweepCommand() {}
@@ -121,7 +129,16 @@ public final class SweepCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Shard part = shard == null ? Shard.ALL : Shard.parse(shard);
         Path file = target != null ? target : Path.of(part.count() == 1 ? "sweep.jsonl" : name(part));
-        SweepRun run = SweepRun.of(sweep(), file).shard(part).threads(threads);
+        Sweep sweep = sweep();
+        SweepRun run =
+                SweepRun.of(sweep, files.output("--out", file)).shard(part).threads(threads);
+        output.check(files);
+        if (!resumed && Files.exists(file)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--out must be a new file, or --resume must be given to go on with one (got: " + file
+                            + ", which exists)");
+        }
         if (resumed) {
             run.resume();
         }
@@ -129,9 +146,11 @@ public final class SweepCommand implements Callable<Integer> {
         AtomicLong before = new AtomicLong(-1);
         SweepResults results;
         long size = run.size();
-        try (Progress progress = Progress.of(spec.commandLine(), "replicates", size)) {
+        try (Progress progress = Progress.of(spec.commandLine(), "replicates", size);
+                Stopped stopped = Stopped.tell(done -> stopped(file, done, size))) {
             results = run.progress(done -> {
                         before.compareAndSet(-1, done);
+                        stopped.at(done);
                         progress.at(done, () -> left(System.nanoTime() - start, done - before.get(), size - done));
                     })
                     .run();
@@ -148,6 +167,31 @@ public final class SweepCommand implements Callable<Integer> {
                 file);
         out.flush();
         return code;
+    }
+
+    /** What a user who stops a sweep should know. */
+    private void stopped(Path file, long done, long size) {
+        List<String> words =
+                new ArrayList<>(spec.root().commandLine().getParseResult().originalArgs());
+        if (!resumed) {
+            words.add("--resume");
+        }
+        String command = words.stream().map(SweepCommand::quoted).collect(Collectors.joining(" "));
+        PrintWriter err = spec.commandLine().getErr();
+        err.printf(
+                Locale.ROOT,
+                "%nStopped after %,d of %s, which are in %s. To run the others:%n%s %s%n",
+                done,
+                NumberText.count(size, "replicate"),
+                file,
+                Version.PROGRAM,
+                command);
+        err.flush();
+    }
+
+    /** A word as a shell reads it. */
+    private static String quoted(String word) {
+        return word.matches("[\\w./:=,@%+-]+") ? word : "'" + word.replace("'", "'\\''") + "'";
     }
 
     private static String name(Shard part) {
@@ -173,7 +217,9 @@ public final class SweepCommand implements Callable<Integer> {
         }
         Sweep sweep;
         if (scenario.endsWith(ScenarioReader.ENDING) || Files.isRegularFile(Path.of(scenario))) {
-            ScenarioSweep conversation = ScenarioSweep.read(Inputs.file(spec, "SCENARIO", Path.of(scenario)));
+            Path conversationFile = Inputs.file(spec, "SCENARIO", Path.of(scenario));
+            files.opened(conversationFile);
+            ScenarioSweep conversation = ScenarioSweep.read(conversationFile);
             sweep = Sweep.of(conversation);
             if (worlds.isEmpty()) {
                 sweep = sweep.over(conversation.world());
@@ -211,7 +257,7 @@ public final class SweepCommand implements Callable<Integer> {
     }
 
     private SweepWorld world(Path file) throws IOException {
-        return SweepWorld.read(Inputs.file(spec, "WORLD", file));
+        return SweepWorld.of(file, files.world(Inputs.file(spec, "WORLD", file)));
     }
 
     private SweepScenario made(String name) {

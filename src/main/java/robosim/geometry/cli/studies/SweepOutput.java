@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.sweep.SweepPlot;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepSummary;
@@ -25,6 +26,16 @@ public final class SweepOutput {
     private boolean digest;
 
     private SweepOutput() {}
+
+    /** Refuses to write to a file that was read. */
+    void check(WorldFiles files) throws IOException {
+        if (table != null) {
+            files.output("--table", table);
+        }
+        if (plot != null) {
+            files.output("--plot", plot);
+        }
+    }
 
     /** Prints the results and returns the exit code. */
     int tell(SweepResults results, PrintWriter out) throws IOException {

@@ -1,21 +1,13 @@
 package robosim.geometry.cli.terminal;
 
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
-import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.Skipped;
-import robosim.geometry.world.World;
-import robosim.geometry.world.WorldException;
-import robosim.geometry.world.WorldImport;
 
 /** Files that a command reads. */
 public final class Inputs {
-    private static final int MOST_SKIPPED = 10;
-
     private Inputs() {}
 
     /**
@@ -60,22 +52,5 @@ public final class Inputs {
                         spec.commandLine(), option + " must be a folder that exists (got: " + folder + ")");
             }
         }
-    }
-
-    /**
-     * Reads a world of any format; what is left out of the file is reported on the standard error.
-     *
-     * @param models folders for SDFormat's {@code model://}
-     */
-    public static World world(CommandSpec spec, Path file, List<Path> models) throws WorldException {
-        folders(spec, "--models", models);
-        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT.withModels(ModelFolders.with(models)));
-        List<Skipped> skipped = read.skipped();
-        PrintWriter err = spec.commandLine().getErr();
-        skipped.stream().limit(MOST_SKIPPED).forEach(err::println);
-        if (skipped.size() > MOST_SKIPPED) {
-            err.println("... and " + (skipped.size() - MOST_SKIPPED) + " more; `convert --all` lists them all");
-        }
-        return read.world();
     }
 }

@@ -8,7 +8,7 @@ public final class Version implements IVersionProvider {
     public static final String PROGRAM = "robosim-geometry";
 
     /** The version in the pom; a test compares the two. */
-    public static final String NUMBER = "1.0.0-SNAPSHOT";
+    public static final String NUMBER = "1.0.0-rc.1";
 
     private Version() {}
 

@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -18,12 +19,10 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.AtomicFileWriter;
-import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldWriter;
 
@@ -56,7 +55,10 @@ public final class AddCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "IN", description = "a world, or any file that convert reads")
     private Path in = Path.of("");
 
-    @Parameters(index = "1", paramLabel = "OUT", description = "the world file to write (.xml), not IN")
+    @Parameters(
+            index = "1",
+            paramLabel = "OUT",
+            description = "the world file to write (.xml), none of those that are read")
     private Path out = Path.of("");
 
     @Parameters(index = "2..*", arity = "1..*", paramLabel = "ROBOT", description = RobotSpec.FORM)
@@ -69,26 +71,20 @@ public final class AddCommand implements Callable<Integer> {
             description = "sonars around each robot, 0 for none (default: ${DEFAULT-VALUE})")
     private int sonars;
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to IN's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
 
     private AddCommand() {}
 
     @Override
     public Integer call() throws IOException {
         Inputs.file(spec, "IN", in);
-        Inputs.folders(spec, "--models", models);
         if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".xml") || Files.isDirectory(out)) {
             throw refused("OUT must be a file that ends in .xml (got: " + out + ")", null);
         }
-        if (Files.exists(out) && Files.isSameFile(in, out)) {
-            throw refused("OUT must not be IN, which it would overwrite (got: " + out + ")", null);
-        }
-        World world = WorldImport.read(in, ImportOptions.DEFAULT.withModels(ModelFolders.with(models)))
-                .world();
+        World world = files.world(in);
+        files.output("OUT", out);
         int before = world.objects().size();
         try {
             for (String robot : robots) {

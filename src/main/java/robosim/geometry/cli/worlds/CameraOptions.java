@@ -15,10 +15,19 @@ import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.Lighting;
 import robosim.geometry.render.Sky;
 import robosim.geometry.render.Viewpoints;
+import robosim.geometry.sensor.Intrinsics;
+import robosim.geometry.sensor.file.SdfSensors;
+import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.WorldException;
 
 /** The options of a picture in three dimensions. */
 public final class CameraOptions {
-    private static final String ROBOT = "robot:";
+    /** What names a robot as a place. */
+    static final String ROBOT = "robot:";
+
+    private static final String SENSOR = "sensor:";
+
+    private static final String USUAL_SIZE = "960x640";
 
     private static final double AZIMUTH = -62;
     private static final double ELEVATION = 38;
@@ -31,7 +40,8 @@ public final class CameraOptions {
             names = "--camera",
             paramLabel = "CAMERA",
             description = "overview (three-quarter view of all, the default), top, front, side, four (these four in one"
-                    + " picture), orbit (a picture from each of --frames places around), robot:NAME (from a robot), or"
+                    + " picture), orbit (a picture from each of --frames places around), robot:NAME (from a robot), sensor:NAME (a"
+                    + " camera that WORLD, in SDFormat, describes, with its size and field of view), or"
                     + " X,Y,Z (from a point)")
     private String camera = "overview";
 
@@ -47,8 +57,11 @@ public final class CameraOptions {
             description = "where the camera is on a robot, in its own frame; else on top of it, looking ahead")
     private @Nullable String mount;
 
-    @Option(names = "--size", paramLabel = "WxH", description = "size of the picture (default: ${DEFAULT-VALUE})")
-    private String size = "960x640";
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            description = "size of the picture; else 960x640, of a sensor its own")
+    private @Nullable String size;
 
     @Option(names = "--fov", paramLabel = "DEGREES", description = "horizontal field of view; else 40, of a robot 80")
     private @Nullable Double fieldOfView;
@@ -62,7 +75,7 @@ public final class CameraOptions {
     @Option(
             names = "--sky-rays",
             paramLabel = "N",
-            description = "rays for each sample that look for the sky, for soft shadows; 0 for none (default:"
+            description = "rays for each pixel that look for the sky, for soft shadows; 0 for none (default:"
                     + " ${DEFAULT-VALUE})")
     private int skyRays = 3;
 
@@ -77,6 +90,8 @@ public final class CameraOptions {
 
     @Option(names = "--no-floor", description = "lay no floor under the world")
     private boolean noFloor;
+
+    private SdfReader.@Nullable Sensor sensor;
 
     private CameraOptions() {}
 
@@ -95,8 +110,27 @@ public final class CameraOptions {
         return side(1);
     }
 
+    /** Looks up the sensor that is the camera, if one is. */
+    void find(WorldOptions world) throws WorldException {
+        if (camera.startsWith(SENSOR)) {
+            SdfReader.Sensor found = world.sensor("--camera sensor:NAME", camera.substring(SENSOR.length()));
+            if (!SdfSensors.kind(found).isCamera()) {
+                throw refused("--camera sensor:NAME must name a camera (got: " + found.name() + " of type "
+                        + found.type() + ")");
+            }
+            try {
+                Intrinsics own = SdfSensors.intrinsics(found);
+                size = size == null ? own.width() + "x" + own.height() : size;
+                fieldOfView = fieldOfView(SdfSensors.fieldOfView(found));
+            } catch (IllegalArgumentException e) {
+                throw refused(String.valueOf(e.getMessage()));
+            }
+            sensor = found;
+        }
+    }
+
     private int side(int k) {
-        String[] sides = size.split("x", -1);
+        String[] sides = (size == null ? USUAL_SIZE : size).split("x", -1);
         if (sides.length == 2) {
             try {
                 return Integer.parseInt(sides[k]);
@@ -124,6 +158,13 @@ public final class CameraOptions {
     }
 
     private List<List<Shot>> shots(Studio studio) {
+        SdfReader.Sensor found = sensor;
+        if (found != null) {
+            ColorCamera plain = camera(studio, width(), height(), 40);
+            String carrier = found.carrier();
+            return List.of(List.of(
+                    new Shot(carrier == null ? plain.at(found.pose()) : plain.on(carrier, found.pose()), 0, 0)));
+        }
         Bounds box = studio.content();
         if (camera.startsWith(ROBOT)) {
             return List.of(List.of(new Shot(onRobot(studio, camera.substring(ROBOT.length())), 0, 0)));
@@ -176,7 +217,7 @@ public final class CameraOptions {
                 .withSamples(samples)
                 .withMirrors(mirrors)
                 .withLighting(skyRays > 0 ? Lighting.DAY.withSky(Sky.DAY.withStrength(0.8)) : Lighting.DAY)
-                .withSkyRays(skyRays, studio.skyReach())
+                .withSmoothSky(skyRays, studio.skyReach())
                 .withThreads(Runtime.getRuntime().availableProcessors());
     }
 
@@ -202,8 +243,7 @@ public final class CameraOptions {
             throw refused("--camera robot:NAME must name a moveable object of the world, of "
                     + String.join(", ", studio.carriers()) + " (got: " + name + ")");
         }
-        double high = robot.bounds().maxY() - robot.center().y();
-        Point place = mount == null ? new Point(0, high, 0) : point("--mount", mount);
+        Point place = mount == null ? new Point(0, studio.top(name), 0) : point("--mount", mount);
         return camera(studio, width(), height(), 80).on(name, Pose.of(place, 0));
     }
 
@@ -219,7 +259,7 @@ public final class CameraOptions {
         }
         throw refused(option + " must be "
                 + (option.equals("--camera")
-                        ? "overview, top, front, side, four, orbit, robot:NAME or X,Y,Z"
+                        ? "overview, top, front, side, four, orbit, robot:NAME, sensor:NAME or X,Y,Z"
                         : "X,Y,Z, three numbers")
                 + " (got: " + text + ")");
     }

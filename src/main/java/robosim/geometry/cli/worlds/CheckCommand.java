@@ -2,11 +2,11 @@ package robosim.geometry.cli.worlds;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -14,9 +14,9 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Json;
-import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
@@ -33,16 +33,16 @@ import robosim.geometry.world.check.WorldCheck;
             "",
             "Shut in: each robot explores a grid from its own place, by straight moves along X and Z at its height"
                     + " (and, unless it is round, turns by 45 degrees), each of which the module checks against the static"
-                    + " objects. The step is half of the robot's smaller side, or coarser in a large world. It is halved"
-                    + " twice if not every robot is reached. The step is reported, since a way off the grid may be missed."
+                    + " objects. The first step is coarse. If not every robot is reached it is half of the robot's"
+                    + " smaller side, or coarser in a large world, and then is halved twice. The step is reported, since a way off the grid may be missed."
                     + " Robots share a room if one gets within their sizes and two steps of the other, and from"
                     + " there straight to it without touching anything else. A robot that starts in contact is not tested."
                     + " If the step had to be coarser than half of the robot's smaller side, and a finer search near"
                     + " its start did not finish, it is unknown whether the robot is shut in; this is not a finding.",
             "",
-            "Needs: 2,000 places, moves and sonar readings of the robots, from a fixed seed, tried with each of the ten"
-                    + " settings; a setting is enough if it answers all of them as EXACT does in the world's own dimension."
-                    + " Unknown if there is no robot, if no robot has room for 50 moves and distances, or if nothing was"
+            "Needs: up to 600 places, with moves and sonar readings of the robots, from a fixed seed, tried with each of the"
+                    + " ten settings until it answers otherwise; a setting is enough if it answers all of them as EXACT does in the world's own dimension."
+                    + " Without a robot a stand-in on the floor is asked. Unknown if no robot has room for 50 moves and distances, or if nothing was"
                     + " hit.",
             "",
             "Static objects may overlap, as the walls of a plan do; such overlaps are listed but are not findings."
@@ -73,11 +73,9 @@ public final class CheckCommand implements Callable<Integer> {
     @Parameters(paramLabel = "WORLD", description = "a world file")
     private Path file = Path.of("");
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
 
     @Option(names = "--json", description = "print one JSON object for scripts instead of text")
     private boolean json;
@@ -90,8 +88,7 @@ public final class CheckCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Inputs.file(spec, "WORLD", file);
-        Inputs.folders(spec, "--models", models);
-        ImportOptions options = ImportOptions.DEFAULT.withModels(ModelFolders.with(models));
+        ImportOptions options = ImportOptions.DEFAULT.withModels(files.folders());
         WorldImport read;
         try {
             read = WorldImport.read(file, options);

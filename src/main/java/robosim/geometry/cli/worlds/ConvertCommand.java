@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -17,9 +18,9 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.ModelFolders;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.export.GlbWriter;
 import robosim.geometry.model.Bounds;
@@ -102,11 +103,9 @@ public final class ConvertCommand implements Callable<Integer> {
             description = "which axis of a mesh points up: y or z (default: ${DEFAULT-VALUE})")
     private ImportOptions.Up up = ImportOptions.Up.Y;
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to IN's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
 
     @Option(
             names = "--unknown",
@@ -164,12 +163,8 @@ public final class ConvertCommand implements Callable<Integer> {
         if (!Files.isDirectory(in)) {
             Inputs.file(spec, "IN", in);
         }
-        if (Files.exists(out) && Files.isSameFile(in, out)) {
-            throw new ParameterException(
-                    spec.commandLine(), "OUT must not be IN, which it would overwrite (got: " + out + ")");
-        }
-        Inputs.folders(spec, "--models", models);
-        WorldImport read = WorldImport.read(in, options());
+        WorldImport read = files.read(in, options());
+        files.output("OUT", out);
         PrintWriter printer = spec.commandLine().getOut();
         read.lines(all ? Integer.MAX_VALUE : MOST_LINES).forEach(printer::println);
         if (strict && !read.isWhole()) {
@@ -216,7 +211,7 @@ public final class ConvertCommand implements Callable<Integer> {
 
     private ImportOptions options() {
         try {
-            return new ImportOptions(wallHeight, scale, up, ModelFolders.with(models), unknown, centred);
+            return new ImportOptions(wallHeight, scale, up, List.of(), unknown, centred);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }

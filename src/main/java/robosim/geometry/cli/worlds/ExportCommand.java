@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -12,6 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -22,6 +22,7 @@ import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.export.Films;
 import robosim.geometry.export.PageWriter;
@@ -70,12 +71,9 @@ public final class ExportCommand implements Callable<Integer> {
             description = "for a recording: a world file to take colours and the unit from")
     private @Nullable Path colours;
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description =
-                    "a folder of models for SDFormat's model://, in addition to the world file's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
 
     @Option(
             names = "--steps",
@@ -103,12 +101,12 @@ public final class ExportCommand implements Callable<Integer> {
         if (!Files.exists(file)) {
             throw refused("FILE must exist; check the path (got: " + file + ")");
         }
-        Inputs.folders(spec, "--models", models);
+        files.check();
         Path toModule = WireFiles.at(file);
         if (toModule == null) {
             Inputs.file(spec, "FILE", file);
         }
-        World lender = colours == null ? null : Inputs.world(spec, Inputs.file(spec, "--world", colours), models);
+        World lender = colours == null ? null : files.world(Inputs.file(spec, "--world", colours));
         if (toModule != null) {
             try (StepReader reader = WireFiles.open(toModule)) {
                 recording(reader, lender, range);
@@ -118,7 +116,7 @@ public final class ExportCommand implements Callable<Integer> {
                 recording(reader, lender, range);
             }
         } else {
-            World world = Inputs.world(spec, file, models);
+            World world = files.world(file);
             if (steps != null) {
                 throw refused("--steps is for a recording, and FILE is a world (got: " + steps + ")");
             }

@@ -2,31 +2,34 @@ package robosim.geometry.cli.worlds;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.function.IntConsumer;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.render.ColorFrame;
 import robosim.geometry.viewer.draw.Painter;
 import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldException;
 
-/** Draws a world file: as a camera sees it, or as a plan. */
+/** Draws a world file, or each step of a recording: as a camera sees it, or as a plan. */
 @Command(
         name = "render",
         description = {
@@ -34,7 +37,10 @@ import robosim.geometry.world.World;
                     + " with --plan. Needs no display.",
             "",
             "The picture shows heights, also of a PLANAR world, and lays a floor under what stands lowest. An orbit is a"
-                    + " series of pictures, FILE with a number before its ending."
+                    + " series of pictures, FILE with a number before its ending.",
+            "",
+            "Of a recording it takes a picture of each step, FILE with a number before its ending, of which other programs"
+                    + " make a video: ffmpeg -i frame-%%03d.png film.mp4"
         },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
@@ -46,6 +52,10 @@ import robosim.geometry.world.World;
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
             "  robosim-geometry render worlds/rooms.xml --camera orbit --frames 36 -o rooms.png",
             "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
+            "  robosim-geometry render worlds/courtyard.sdf --show depth --camera robot:courier -o depth.png",
+            "  robosim-geometry render worlds/warehouse.xml --show points --lidar vlp16 -o cloud.png",
+            "  robosim-geometry render arena.sdf --camera sensor:front_camera -o seen.png",
+            "  robosim-geometry render session.scenario.jsonl --plan --steps 1-500 --every 5 -o frame.png",
             "  robosim-geometry render worlds/maze.xml --plan --dark -o maze.png",
             "  robosim-geometry render arena.world --models ~/.gazebo/models -o arena.svg"
         })
@@ -54,8 +64,9 @@ public final class RenderCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "WORLD", description = "a world file, as in worlds/")
-    private Path world = Path.of("");
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldOptions world;
 
     @Option(
             names = {"-o", "--output"},
@@ -64,21 +75,40 @@ public final class RenderCommand implements Callable<Integer> {
             description = "the picture to write: .svg or .png")
     private Path output = Path.of("world.svg");
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
-
     @Option(names = "--dark", description = "draw the plan on a dark background; an .svg follows its viewer's theme")
     private boolean dark;
 
     @Option(names = "--plan", description = "draw the plan from above as a .png")
     private boolean plan;
 
+    @Option(
+            names = "--show",
+            paramLabel = "WHAT",
+            defaultValue = "colour",
+            completionCandidates = Look.Names.class,
+            converter = Look.Converter.class,
+            description = "${COMPLETION-CANDIDATES}: the world in its light, how far away surfaces are, which way they"
+                    + " face, which object or label each pixel shows, or what a lidar measures (default:"
+                    + " ${DEFAULT-VALUE})")
+    private Look show = Look.COLOUR;
+
     @Mixin
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CameraOptions cameras;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CloudOptions clouds;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private RecordingOptions recording;
+
+    @Option(
+            names = "--world",
+            paramLabel = "WORLD",
+            description = "for a recording: a world file to take colours and the unit from")
+    private @Nullable Path colours;
 
     private RenderCommand() {}
 
@@ -88,43 +118,120 @@ public final class RenderCommand implements Callable<Integer> {
         if (!name.endsWith(".svg") && !name.endsWith(".png")) {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
-        Inputs.file(spec, "WORLD", world);
-        World read = Inputs.world(spec, world, models);
-        if (plan || dark || name.endsWith(".svg")) {
-            Painter.write(Pictures.of(read, Pictures.title(world)), theme(), output);
+        boolean isPlan = plan || dark || name.endsWith(".svg");
+        if (RecordingOptions.isRecording(world.file())) {
+            film(isPlan);
+            return ExitCodes.FINE;
+        }
+        recording.refuse();
+        World read = world.read();
+        world.keep("FILE", output);
+        if (isPlan) {
+            Painter.write(Pictures.of(read, Pictures.title(world.file())), theme(), output);
             tell(output);
         } else {
             photograph(read);
         }
-        return 0;
+        return ExitCodes.FINE;
     }
 
-    private void tell(Path file) {
-        spec.commandLine().getOut().println("Wrote " + file);
+    /** A picture of each step of a recording; an orbit goes once around while it is played. */
+    private void film(boolean isPlan) throws IOException, WorldException {
+        World lender = colours == null ? null : world.other("--world", colours);
+        StateHistory film = recording.read(world.file(), lender);
+        int[] frames = recording.frames(film, world.file());
+        Camera camera = isPlan ? null : new Camera(moment(film, frames[0]));
+        double metres =
+                lender == null || lender.unit() == null ? 1 : lender.unit().metres();
+        String unit = lender == null ? "" : Pictures.unit(lender);
+        try (Progress progress = Progress.of(spec.commandLine(), "rendering", frames.length)) {
+            for (int k = 0; k < frames.length; k++) {
+                Path file = frames.length == 1 ? output : numbered(k, frames.length);
+                if (camera == null) {
+                    Scene scene = film.scene(frames[k]);
+                    Painter.write(
+                            scene.titled(Pictures.title(world.file())).described(scene.subtitle(), unit),
+                            theme(),
+                            file);
+                } else {
+                    camera.look(moment(film, frames[k]));
+                    camera.write(k * camera.pictures.size() / frames.length, metres, file, percent -> {});
+                }
+                progress.at(k + 1L);
+            }
+        }
+        String last = frames.length == 1 ? "" : " to " + numbered(frames.length - 1, frames.length);
+        tell((frames.length == 1 ? output : numbered(0, frames.length)) + last);
     }
 
-    private void photograph(World read) throws IOException {
-        Studio studio = new Studio(read, cameras.hasFloor());
-        List<List<CameraOptions.Shot>> pictures = cameras.pictures(studio);
-        Snapshot snapshot = studio.snapshot();
-        int[] pixels = new int[cameras.width() * cameras.height()];
-        ColorFrame frame = new ColorFrame();
-        long shots = pictures.stream().mapToLong(List::size).sum();
-        int taken = 0;
-        for (int k = 0; k < pictures.size(); k++) {
-            try (Progress progress = Progress.of(spec.commandLine(), "rendering", 100 * shots)) {
-                for (CameraOptions.Shot shot : pictures.get(k)) {
-                    long before = 100L * taken++;
-                    shot.camera().render(snapshot, frame, percent -> progress.at(before + percent));
-                    for (int row = 0; row < frame.height(); row++) {
-                        int to = (shot.top() + row) * cameras.width() + shot.left();
-                        System.arraycopy(frame.pixels(), row * frame.width(), pixels, to, frame.width());
-                    }
+    private static World moment(StateHistory film, int frame) {
+        Frame.Setting setting = film.setting(frame);
+        if (setting == null) {
+            throw new IllegalStateException("every frame must have a world");
+        }
+        return Pictures.world(setting, film.movers(frame));
+    }
+
+    private void tell(Object files) {
+        spec.commandLine().getOut().println("Wrote " + files);
+    }
+
+    private void photograph(World read) throws IOException, WorldException {
+        Camera camera = new Camera(read);
+        double metres = read.unit() == null ? 1 : read.unit().metres();
+        int count = camera.pictures.size();
+        for (int k = 0; k < count; k++) {
+            Path file = count == 1 ? output : numbered(k, count);
+            long before = 100L * k;
+            try (Progress progress = Progress.of(spec.commandLine(), "rendering", 100L * count)) {
+                camera.write(k, metres, file, percent -> progress.at(before + percent));
+            }
+            tell(file);
+        }
+    }
+
+    /** Takes pictures of a world, or of one after another with the views of the first. */
+    private final class Camera {
+        private final List<List<CameraOptions.Shot>> pictures;
+        private final int[] pixels;
+        private final ColorFrame frame = new ColorFrame();
+        private Studio studio;
+        private Snapshot snapshot;
+
+        Camera(World world) throws WorldException {
+            studio = new Studio(world, cameras.hasFloor());
+            cameras.find(RenderCommand.this.world);
+            pictures = cameras.pictures(studio);
+            snapshot = studio.snapshot();
+            pixels = new int[cameras.width() * cameras.height()];
+        }
+
+        void look(World world) {
+            studio = new Studio(world, cameras.hasFloor());
+            snapshot = studio.snapshot();
+        }
+
+        void write(int picture, double metres, Path file, IntConsumer percent) throws IOException {
+            List<CameraOptions.Shot> shots = pictures.get(picture);
+            for (int k = 0; k < shots.size(); k++) {
+                CameraOptions.Shot shot = shots.get(k);
+                int done = 100 * k / shots.size();
+                int[] seen;
+                if (show == Look.COLOUR) {
+                    shot.camera().render(snapshot, frame, share -> percent.accept(done + share / shots.size()));
+                    seen = frame.pixels();
+                } else {
+                    seen = show == Look.POINTS
+                            ? clouds.picture(shot.camera(), studio, snapshot, metres)
+                            : show.picture(shot.camera(), studio, snapshot);
+                }
+                int wide = shot.camera().width();
+                for (int row = 0; row < shot.camera().height(); row++) {
+                    int to = (shot.top() + row) * cameras.width() + shot.left();
+                    System.arraycopy(seen, row * wide, pixels, to, wide);
                 }
             }
-            Path file = pictures.size() == 1 ? output : numbered(k, pictures.size());
             AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), pixels));
-            tell(file);
         }
     }
 

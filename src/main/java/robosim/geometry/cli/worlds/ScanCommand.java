@@ -2,7 +2,6 @@ package robosim.geometry.cli.worlds;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
@@ -11,27 +10,33 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.sensor.DepthCamera;
+import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
 import robosim.geometry.sensor.PointCloud;
+import robosim.geometry.sensor.RayFrame;
+import robosim.geometry.sensor.RaySensor;
 import robosim.geometry.sensor.file.NpyWriter;
 import robosim.geometry.sensor.file.PcdWriter;
 import robosim.geometry.sensor.file.PlyWriter;
+import robosim.geometry.sensor.file.SdfSensors;
+import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.World;
 
 /** Scans a world with a lidar. */
@@ -46,15 +51,20 @@ import robosim.geometry.world.World;
         footer = {
             "  robosim-geometry scan worlds/rooms.xml -o cloud.ply",
             "  robosim-geometry scan worlds/warehouse.xml --lidar os1-128 --at 0,2,0 --in-world -o cloud.pcd",
+            "  robosim-geometry scan arena.sdf --sensor front_laser --seed 7 -o cloud.ply",
             "  robosim-geometry scan worlds/rooms.xml --lidar utm30lx --noise 0.01 --seed 7 -o ranges.npy"
         })
 public final class ScanCommand implements Callable<Integer> {
+    /** Reading the world, building it, scanning and writing. */
+    private static final int PHASES = 4;
+
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
-    private Path world = Path.of("");
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldOptions world;
 
     @Option(
             names = {"-o", "--output"},
@@ -71,6 +81,13 @@ public final class ScanCommand implements Callable<Integer> {
             converter = ModelConverter.class,
             description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
     private Model model = Model.VLP16;
+
+    @Option(
+            names = "--sensor",
+            paramLabel = "NAME",
+            description =
+                    "a lidar or depth camera that WORLD, in SDFormat, describes; with its noise, where it is mounted")
+    private @Nullable String sensor;
 
     @Option(
             names = "--on",
@@ -109,12 +126,6 @@ public final class ScanCommand implements Callable<Integer> {
             description = "of the noise (default: ${DEFAULT-VALUE})")
     private long seed;
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
-
     /** Axes of points, as the command line names them. */
     enum CloudAxes {
         ROS(PointCloud.Axes.ROS),
@@ -144,7 +155,7 @@ public final class ScanCommand implements Callable<Integer> {
             this.label = label;
         }
 
-        private Lidar lidar() {
+        Lidar lidar() {
             return switch (this) {
                 case VLP16 -> Lidar.velodyneVlp16(HERTZ);
                 case VLP32C -> Lidar.velodyneVlp32c(HERTZ);
@@ -187,30 +198,83 @@ public final class ScanCommand implements Callable<Integer> {
         if (!(noise >= 0 && noise <= 1000)) { // written so that NaN fails it
             throw refused("--noise must be from 0 to 1000 (got: " + noise + ")");
         }
-        Inputs.file(spec, "WORLD", world);
-        World read = Inputs.world(spec, world, models);
-        Snapshot snapshot = read.toGeometry().snapshot();
-        double metres = read.unit() == null ? 1 : read.unit().metres();
-        Lidar lidar = placed(read, model.lidar());
-        lidar = lidar.withRange(lidar.options().min() / metres, lidar.options().max() / metres)
-                .withThreads(Runtime.getRuntime().availableProcessors());
-        if (noise > 0) {
-            lidar = lidar.withNoise(Noise.gaussian(noise / metres), seed, 0);
+        if (sensor != null && (carrier != null || at != null)) {
+            throw refused("--on and --at must not be given with --sensor, which is where WORLD says");
         }
-        LidarFrame frame = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
-        lidar.read(snapshot, 0, frame);
-        write(frame, name);
+        String what;
+        try (Progress progress = Progress.of(spec.commandLine(), "scanning", PHASES)) {
+            World read = world.read();
+            world.keep("FILE", output);
+            progress.at(1, () -> "building the world");
+            Snapshot snapshot = read.toGeometry().snapshot();
+            String described = sensor;
+            if (described == null) {
+                double metres = read.unit() == null ? 1 : read.unit().metres();
+                Lidar lidar = placed(read, model.lidar());
+                lidar = lidar.withRange(
+                        lidar.options().min() / metres, lidar.options().max() / metres);
+                what = scan(snapshot, lidar, noise > 0 ? Noise.gaussian(noise / metres) : Noise.NONE, name, progress);
+            } else {
+                what = scan(snapshot, described, name, progress);
+            }
+        }
+        spec.commandLine().getOut().println("Wrote " + output + ": " + what);
         return ExitCodes.FINE;
     }
 
-    private void write(LidarFrame frame, String name) throws IOException {
-        String what;
+    /** Scans with a sensor that the world's file describes. */
+    private String scan(Snapshot snapshot, String described, String name, Progress progress) throws Exception {
+        SdfReader.Sensor found = world.sensor("--sensor", described);
+        try {
+            Noise its = SdfSensors.noise(found).and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
+            return switch (SdfSensors.kind(found)) {
+                case LIDAR -> scan(snapshot, SdfSensors.lidar(found), its, name, progress);
+                case DEPTH -> {
+                    DepthCamera camera = SdfSensors.depthCamera(found);
+                    DepthFrame frame = new DepthFrame();
+                    read(camera.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
+                    yield write(frame, frame.depths(), name, new PointCloud());
+                }
+                case SEGMENTATION, NORMALS, COLOR, OTHER ->
+                    throw refused("--sensor must be a lidar or a depth camera (got: " + found.name() + " of type "
+                            + found.type() + ")");
+            };
+        } catch (IllegalArgumentException e) {
+            throw refused(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private static int threads() {
+        return Runtime.getRuntime().availableProcessors();
+    }
+
+    private String scan(Snapshot snapshot, Lidar lidar, Noise its, String name, Progress progress) throws IOException {
+        LidarFrame frame = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
+        read(lidar.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
+        return write(
+                frame,
+                frame.ranges(),
+                name,
+                new PointCloud(
+                        PointCloud.Field.INTENSITY,
+                        PointCloud.Field.RING,
+                        PointCloud.Field.TIME,
+                        PointCloud.Field.LABEL));
+    }
+
+    private static <S extends RaySensor<S, F>, F extends RayFrame> void read(
+            S by, Snapshot snapshot, F frame, Progress progress) {
+        progress.at(2, () -> NumberText.count(by.pattern().size(), "ray"));
+        by.read(snapshot, 0, frame);
+        progress.at(3, () -> "writing");
+    }
+
+    /** Writes ranges or points; answers what they are. */
+    private String write(RayFrame frame, double[] ranges, String name, PointCloud cloud) throws IOException {
         if (name.endsWith(".npy")) {
-            NpyWriter.write(frame.ranges(), output, frame.rows(), frame.columns());
-            what = frame.rows() + " x " + frame.columns() + " ranges";
+            NpyWriter.write(ranges, output, frame.rows(), frame.columns());
+            return frame.rows() + " x " + frame.columns() + " ranges";
         } else {
-            PointCloud cloud = new PointCloud(
-                    PointCloud.Field.INTENSITY, PointCloud.Field.RING, PointCloud.Field.TIME, PointCloud.Field.LABEL);
             if (inWorld) {
                 frame.addInWorldTo(cloud);
             } else {
@@ -221,9 +285,8 @@ public final class ScanCommand implements Callable<Integer> {
             } else {
                 PcdWriter.write(cloud, axes.axes, output);
             }
-            what = NumberText.count(cloud.size(), "point") + " of " + NumberText.count(frame.size(), "ray");
+            return NumberText.count(cloud.size(), "point") + " of " + NumberText.count(frame.size(), "ray");
         }
-        spec.commandLine().getOut().println("Wrote " + output + ": " + what);
     }
 
     private Lidar placed(World read, Lidar lidar) {

@@ -1,9 +1,12 @@
 package robosim.geometry.cli.worlds;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.Bounds;
@@ -11,9 +14,12 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.shared.Placement;
 
 /** A world as a camera sees it: with heights, whatever its dimension is, and on a floor. */
 final class Studio {
@@ -26,6 +32,7 @@ final class Studio {
     private final World world;
     private final Geometry geometry;
     private final Bounds content;
+    private final Map<GeometryObject, Integer> numbers = new HashMap<>();
 
     /** @param hasFloor whether a floor is laid under the lowest object */
     Studio(World world, boolean hasFloor) {
@@ -39,6 +46,7 @@ final class Studio {
         geometry = new Geometry(4 * most, 4 * most, 4 * most, Dimension.SPATIAL, world.accuracy());
         for (WorldObject object : world.objects()) {
             geometry.addObjectUnchecked(object.object());
+            numbers.put(object.object(), numbers.size() + 1);
         }
         if (hasFloor) {
             double width = content.maxX() - content.minX();
@@ -100,6 +108,36 @@ final class Studio {
                 .filter(GeometryObject::isMoveable)
                 .map(object -> String.valueOf(object.name()))
                 .toList();
+    }
+
+    /** The number of an object in the world, from 1; 0 for the floor, which is none. */
+    int number(GeometryObject object) {
+        return numbers.getOrDefault(object, 0);
+    }
+
+    /** How high above its own origin an object of a name reaches. */
+    double top(String name) {
+        GeometryObject object = geometry.getObject(name);
+        return object.bounds().maxY() - object.center().y();
+    }
+
+    /** Where a camera is in the world. */
+    Pose pose(ColorCamera camera) {
+        String carrier = camera.carrier();
+        if (carrier == null) {
+            return camera.pose();
+        }
+        Pose robot = geometry.getObject(carrier).pose();
+        Placement on = Placement.turned(robot.center(), robot.rotation());
+        Pose mount = camera.pose();
+        return on.then(Placement.turned(mount.center(), mount.rotation())).pose();
+    }
+
+    /** How far the middle of the world is from a camera. */
+    double depth(ColorCamera camera) {
+        Point eye = pose(camera).center();
+        Point middle = middle(content);
+        return VectorMath.length(eye.x() - middle.x(), eye.y() - middle.y(), eye.z() - middle.z());
     }
 
     Snapshot snapshot() {

@@ -3,12 +3,11 @@ package robosim.geometry.cli.worlds;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -19,6 +18,7 @@ import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Ports;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
+import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.WatchReader;
 import robosim.geometry.viewer.draw.Theme;
@@ -71,12 +71,9 @@ public final class ViewCommand implements Callable<Integer> {
             description = "for a recording or a session: a world file to take colours and the unit from")
     private @Nullable Path colours;
 
-    @Option(
-            names = "--models",
-            paramLabel = "DIR",
-            description =
-                    "a folder of models for SDFormat's model://, in addition to the world file's own; may be repeated")
-    private List<Path> models = new ArrayList<>();
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
 
     @Option(names = "--dark", description = "use a dark background; D toggles it in the window")
     private boolean dark;
@@ -95,7 +92,7 @@ public final class ViewCommand implements Callable<Integer> {
         if (shown != null && !Files.isDirectory(shown)) {
             Inputs.file(spec, "FILE", shown);
         }
-        Inputs.folders(spec, "--models", models);
+        files.check();
         if (!Viewer.hasDisplay()) {
             spec.commandLine()
                     .getErr()
@@ -132,12 +129,12 @@ public final class ViewCommand implements Callable<Integer> {
         } else if (name.endsWith(".jsonl")) {
             Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
         } else {
-            Viewer.world(Inputs.world(spec, shown, models), title, theme());
+            Viewer.world(files.world(shown), title, theme());
         }
     }
 
     private @Nullable World lender() throws IOException {
-        return colours == null ? null : Inputs.world(spec, Inputs.file(spec, "--world", colours), models);
+        return colours == null ? null : files.world(Inputs.file(spec, "--world", colours));
     }
 
     private Theme theme() {

@@ -220,7 +220,8 @@ public final class ObjectRegistry {
         }
     }
 
-    private boolean fits(GeometryObject object) {
+    /** Whether an object lies within the world, exactly. */
+    public boolean fits(GeometryObject object) {
         LocalLeaves.placed(object, candidate);
         return worldBounds.holds(candidate, 0, candidate.size());
     }

@@ -40,6 +40,7 @@ public final class PacketSearch {
     private final double[] best = new double[RayPacket.MOST];
     private final int[] hit = new int[RayPacket.MOST];
     private final int[] hitLeaf = new int[RayPacket.MOST];
+    private final int[] hitPiece = new int[RayPacket.MOST];
 
     /** What may be nearer: an object that is certainly met, not before {@link #from}, and which of its leaves; -1 for none. */
     private final int[] pending = new int[RayPacket.MOST];
@@ -215,6 +216,7 @@ public final class PacketSearch {
             best[ray] = found;
             hit[ray] = id;
             hitLeaf[ray] = leaf;
+            hitPiece[ray] = cast.piece();
             shorten(ray, found);
             return true;
         }
@@ -249,12 +251,12 @@ public final class PacketSearch {
     /** The triangle or cell of the leaf that a ray met; -1 if it has none. */
     public int face(AccuracyView view, int ray) {
         line(ray);
-        return cast.face(view.table(hit[ray]).leaves(), hitLeaf[ray]);
+        return cast.face(view.table(hit[ray]).leaves(), hitLeaf[ray], hitPiece[ray]);
     }
 
     /** Writes the unit normal where a ray met what it hit. */
     public void normal(AccuracyView view, int ray, double[] out) {
         line(ray);
-        cast.normal(view.table(hit[ray]).leaves(), hitLeaf[ray], best[ray], out);
+        cast.normal(view.table(hit[ray]).leaves(), hitLeaf[ray], best[ray], hitPiece[ray], out);
     }
 }

@@ -49,6 +49,7 @@ public final class ObjectTable {
     private int capacityUsed;
     private long arrivals;
     private int size;
+    private long changes;
 
     public ObjectTable() {}
 
@@ -118,8 +119,14 @@ public final class ObjectTable {
         return true;
     }
 
+    /** How often an object was added or removed so far. */
+    public long changes() {
+        return changes;
+    }
+
     /** Adds an object and returns its id. */
     public int add(GeometryObject object) {
+        changes++;
         int id = freeCount > 0 ? reuse() : capacityUsed++;
         if (id == values.length) {
             int capacity = ArrayGrowth.of(id);
@@ -224,6 +231,7 @@ public final class ObjectTable {
     }
 
     public void remove(int id) {
+        changes++;
         String name = value(id).name();
         if (name != null) {
             names.remove(name);

@@ -24,6 +24,7 @@ public final class BeamQuery extends BeamSearch {
     private double best;
     private int hit;
     private int hitLeaf;
+    private int hitPiece;
 
     /** A distance at which the search may end, as nothing nearer is wanted; below 0 if the nearest is. */
     private double enough = Double.NEGATIVE_INFINITY;
@@ -100,12 +101,14 @@ public final class BeamQuery extends BeamSearch {
         hit = -1;
         best = Double.POSITIVE_INFINITY;
         enough = limit;
+        cast.contentWith(limit);
         try {
             if (likely < 0 || likely == ignored || meet(view.table(likely), likely, limit) >= 0) {
                 search(view, limit, ignored);
             }
         } finally {
             enough = Double.NEGATIVE_INFINITY;
+            cast.contentWith(enough);
         }
         return hit >= 0 && best <= limit;
     }
@@ -169,12 +172,13 @@ public final class BeamQuery extends BeamSearch {
             best = found;
             hit = id;
             hitLeaf = leaf;
+            hitPiece = cast.piece();
         }
     }
 
     /** The unit normal where the line met what it hit. */
     void normal(AccuracyView view, double at, double[] out) {
-        cast.normal(view.table(hit).leaves(), hitLeaf, at, out);
+        cast.normal(view.table(hit).leaves(), hitLeaf, at, hitPiece, out);
     }
 
     /** The leaf that gave the last answer, if anything did. */
@@ -184,7 +188,7 @@ public final class BeamQuery extends BeamSearch {
 
     /** The triangle or cell of it that the line met; -1 if it has none. */
     int face(AccuracyView view) {
-        return cast.face(view.table(hit).leaves(), hitLeaf);
+        return cast.face(view.table(hit).leaves(), hitLeaf, hitPiece);
     }
 
     /** Which part of an object a leaf is; -1 for a group where one enclosure stands for all of them. */

@@ -28,6 +28,13 @@ public final class PacedInput extends InputStream implements MessagePace {
     private Duration idleTime;
     private boolean opening;
     private boolean inside;
+
+    /**
+     * Whether bytes have come that no answer acknowledges: a part of a message, an init, or the reset with which a sender
+     * ends a message.
+     */
+    private boolean unanswered;
+
     private long deadline;
     private long messageBytes;
 
@@ -86,6 +93,11 @@ public final class PacedInput extends InputStream implements MessagePace {
         turn.hold();
     }
 
+    /** An answer was sent, and with it the acknowledgement of all that has come. */
+    public void answered() {
+        unanswered = false;
+    }
+
     /** Sets how long the peer may be idle between two messages. */
     public void mayIdle(Duration time) {
         idleTime = time;
@@ -107,13 +119,15 @@ public final class PacedInput extends InputStream implements MessagePace {
                 compute();
             } else {
                 turn.give();
-                if (inside) {
-                    SocketSettings.acknowledge(socket); // the rest may wait for that
-                } else {
+                if (!inside) {
                     turn.rest();
+                }
+                if (unanswered) {
+                    SocketSettings.acknowledge(socket); // what follows may wait for that
                 }
             }
             int got = inside ? readInside(into, at, length) : readIdle(into, at, length);
+            unanswered |= got > 0;
             if (inside) {
                 count(got);
             }

@@ -32,6 +32,9 @@ public final class WorldMemory {
     public final class Share {
         private long own;
 
+        /** The bytes of the messages that made the world. */
+        private long bytes;
+
         private Share() {}
 
         /**
@@ -41,7 +44,28 @@ public final class WorldMemory {
          */
         @Nullable
         public String claim(int messageBytes) {
-            long wanted = messageBytes < SMALL_BYTES ? 0 : (long) MEMORY_FOR_A_BYTE * messageBytes;
+            return claimAll(messageBytes);
+        }
+
+        /** Claims memory for objects that a message of the given size adds to the present world. */
+        @Nullable
+        public String claimMore(int messageBytes) {
+            return claimAll(bytes + messageBytes);
+        }
+
+        /** Some of the world's objects have left it: gives back the share of memory that they had on average. */
+        public void shrink(int present, int before) {
+            long left = bytes * present / before;
+            synchronized (WorldMemory.this) {
+                long wanted = left < SMALL_BYTES ? 0 : MEMORY_FOR_A_BYTE * left;
+                taken += wanted - own;
+                own = wanted;
+                bytes = left;
+            }
+        }
+
+        private @Nullable String claimAll(long all) {
+            long wanted = all < SMALL_BYTES ? 0 : MEMORY_FOR_A_BYTE * all;
             synchronized (WorldMemory.this) {
                 long others = taken - own;
                 if (wanted > 0 && others > 0 && others + wanted > most) {
@@ -51,6 +75,7 @@ public final class WorldMemory {
                 }
                 taken += wanted - own;
                 own = wanted;
+                bytes = all;
                 return null;
             }
         }
@@ -60,6 +85,7 @@ public final class WorldMemory {
             synchronized (WorldMemory.this) {
                 taken -= own;
                 own = 0;
+                bytes = 0;
             }
         }
     }

@@ -12,6 +12,7 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
@@ -26,10 +27,11 @@ public final class Batches {
     private final SenseBuffer normals = new SenseBuffer(Extra.NORMALS);
     private final SenseBuffer objects = new SenseBuffer(Extra.OBJECTS, Extra.PARTS);
     private final SenseBuffer all = new SenseBuffer(Extra.OBJECTS, Extra.PARTS, Extra.NORMALS);
+    private final Pictures pictures = new Pictures();
     private final long[] word = new long[1];
 
     /**
-     * Answers a request that names a moveable object.
+     * Answers a request that names a moveable object, or needs none.
      *
      * @param breath runs before each part of the work
      * @throws IllegalArgumentException if the world refuses the request
@@ -37,6 +39,9 @@ public final class Batches {
     public BatchAnswer answer(World world, BatchRequest request, Runnable breath) {
         if (request instanceof SenseRequest sense) {
             return sense(world, sense, breath);
+        }
+        if (request instanceof PictureRequest picture) {
+            return pictures.take(world, picture, breath);
         }
         boolean isPoses = request instanceof FreePosesRequest;
         Numbers places = isPoses ? ((FreePosesRequest) request).poses() : ((FreeEdgesRequest) request).edges();
@@ -46,6 +51,12 @@ public final class Batches {
     /** Forgets what only the last bundle needed. */
     public void rest() {
         patterns.trim();
+        pictures.rest();
+    }
+
+    /** Forgets the world. */
+    public void forget() {
+        pictures.forget();
     }
 
     private SenseAnswer sense(World world, SenseRequest request, Runnable breath) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import robosim.geometry.SenseBuffer;
-import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.protocol.batch.Integers;
@@ -14,7 +13,15 @@ final class SeenObjects {
     /** The most characters of all names: 100,000 of 40. */
     private static final int MOST_CHARACTERS = 1 << 22;
 
-    private final IdentityHashMap<GeometryObject, Integer> known = new IdentityHashMap<>();
+    /**
+     * An object that was seen.
+     *
+     * @param number the index of its name
+     * @param parts  of a group
+     */
+    private record Seen(int number, List<GeometryObject> parts) {}
+
+    private final IdentityHashMap<GeometryObject, Seen> known = new IdentityHashMap<>();
     private final List<String> names = new ArrayList<>();
     private final int[] objects;
     private final int[] labels;
@@ -29,30 +36,32 @@ final class SeenObjects {
     void take(SenseBuffer buffer, int first) {
         for (int k = 0; k < buffer.size(); k++) {
             GeometryObject object = buffer.object(k);
-            objects[first + k] = object == null ? -1 : number(object);
-            labels[first + k] =
-                    object == null ? 0 : material(object, buffer.part(k)).label();
+            if (object == null) {
+                objects[first + k] = -1;
+                continue;
+            }
+            Seen seen = seen(object);
+            objects[first + k] = seen.number;
+            int part = buffer.part(k);
+            GeometryObject surface = part < 0 || seen.parts.isEmpty() ? object : seen.parts.get(part);
+            labels[first + k] = surface.material().label();
         }
     }
 
-    private static Material material(GeometryObject object, int part) {
-        return object instanceof ObjectGroup group && part >= 0 ? group.material(part) : object.material();
-    }
-
-    private int number(GeometryObject object) {
-        Integer number = known.get(object);
-        if (number == null) {
+    private Seen seen(GeometryObject object) {
+        Seen seen = known.get(object);
+        if (seen == null) {
             String name = object.name() == null ? "" : object.name();
             characters += name.length();
             if (characters > MOST_CHARACTERS) {
                 throw new IllegalArgumentException("the names of the objects that are seen must have at most "
                         + MOST_CHARACTERS + " characters together (got: more)");
             }
-            number = names.size();
-            known.put(object, number);
+            seen = new Seen(names.size(), object instanceof ObjectGroup group ? group.parts() : List.of());
+            known.put(object, seen);
             names.add(name);
         }
-        return number;
+        return seen;
     }
 
     List<String> names() {

@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.SenseBuffer;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Pose;
@@ -40,10 +41,14 @@ public interface World {
         World make(WorldSettings settings);
     }
 
-    /** A new world of this module. */
+    /** A new world of this module, whose settings are complete. */
     static World of(WorldSettings settings) {
         return over(new Geometry(
-                settings.width(), settings.height(), settings.length(), settings.dimension(), settings.accuracy()));
+                settings.width(),
+                settings.height(),
+                settings.length(),
+                Checks.present("dimension", settings.dimension()),
+                Checks.present("accuracy", settings.accuracy())));
     }
 
     /** A world over an existing geometry. */

@@ -2,11 +2,15 @@ package robosim.geometry.protocol.batch;
 
 import java.io.Serializable;
 
-/** One request with packed numbers. */
-public sealed interface BatchRequest extends Serializable permits SenseRequest, FreePosesRequest, FreeEdgesRequest {
-    /** The name of the moveable object that it is about. */
+/** One request of a batch. */
+public sealed interface BatchRequest extends Serializable
+        permits SenseRequest, FreePosesRequest, FreeEdgesRequest, PictureRequest, WorldRequest {
+    /**
+     * The name of the object that it is about; empty if that has none, if there is no such object, and for a picture by a
+     * camera that nothing carries.
+     */
     String objectName();
 
-    /** How many beams, poses or edges it has. */
+    /** How many beams, poses, edges or pixels it has; 1 for any other. */
     int size();
 }

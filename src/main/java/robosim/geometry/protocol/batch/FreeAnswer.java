@@ -59,7 +59,8 @@ public record FreeAnswer(int count, byte[] free) implements BatchAnswer {
 
     @Override
     public boolean fits(BatchRequest request) {
-        return !(Checks.present("request", request) instanceof SenseRequest) && request.size() == count;
+        Checks.present("request", request);
+        return (request instanceof FreePosesRequest || request instanceof FreeEdgesRequest) && request.size() == count;
     }
 
     @Override

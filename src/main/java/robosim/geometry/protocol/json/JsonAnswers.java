@@ -3,6 +3,10 @@ package robosim.geometry.protocol.json;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.Problem;
@@ -12,12 +16,18 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.WorldAnswer;
 
 /** Reads answers with packed numbers from JSON. */
 final class JsonAnswers {
     private static final Fields ANSWERS = Fields.of("type answers", "");
-    private static final Fields ANSWER = Fields.of("", "distances normals count free error names objects labels");
+    private static final Fields ANSWER = Fields.of(
+            "",
+            "distances normals count free error names objects labels added leftOut width height length dimension"
+                    + " accuracy center rotation heading done obstacle made fraction turnFraction contact normal rgb");
+    private static final Fields LEFT_OUT = Fields.of("index reason", "name");
     private static final int DISTANCES = 1;
     private static final int NORMALS = 2;
     private static final int COUNT = 4;
@@ -27,6 +37,14 @@ final class JsonAnswers {
     private static final int OBJECTS = 64;
     private static final int LABELS = 128;
     private static final int SEEN = NAMES + OBJECTS + LABELS;
+    private static final int DESCRIBED = 0x7f << 8;
+    private static final int LOCATED = 7 << 15;
+    private static final int DONE = 1 << 18;
+    private static final int OBSTACLE = 1 << 19;
+    private static final int MADE = 1 << 20;
+    private static final int WENT = 31 << 20;
+    private static final int RGB = 25;
+    private static final int PICTURE = 3 << 10 | 1 << RGB; // width, height and rgb
 
     private final JsonInput in;
 
@@ -57,8 +75,9 @@ final class JsonAnswers {
         Integers[] integers = {Integers.NONE, Integers.NONE};
         List<String> names = new ArrayList<>();
         int[] count = new int[1];
-        byte[][] free = {new byte[0]};
+        byte[][] bytes = {new byte[0]};
         int seen = 0;
+        WorldDraft world = new WorldDraft();
         var members = in.object(ANSWER);
         for (int field = members.next(); field >= 0; field = members.next()) {
             seen |= 1 << field;
@@ -66,23 +85,116 @@ final class JsonAnswers {
                 case 0 -> numbers[0] = PackedNumbers.numbers(in.base64(Double.BYTES, MessageLimits.MAX_BEAMS));
                 case 1 -> numbers[1] = PackedNumbers.numbers(in.base64(3 * Double.BYTES, MessageLimits.MAX_BEAMS));
                 case 2 -> count[0] = (int) in.whole(0, MessageLimits.MAX_POSES);
-                case 3 -> free[0] = in.base64(1, MessageLimits.MAX_POSES / 8);
+                case 3 -> bytes[0] = in.base64(1, MessageLimits.MAX_POSES / 8);
                 case 4 -> problems.add(Problem.of(index, in.text()));
                 case 5 -> names(names);
                 case 6 -> integers[0] = integers();
-                default -> integers[1] = integers();
+                case 7 -> integers[1] = integers();
+                case RGB -> bytes[0] = in.base64(3, MessageLimits.MAX_PICTURE_PIXELS);
+                default -> world.read(field);
             }
         }
         return switch (seen) {
             case DISTANCES, DISTANCES + NORMALS, DISTANCES + SEEN, DISTANCES + NORMALS + SEEN ->
                 in.make(() -> new SenseAnswer(numbers[0], numbers[1], names, integers[0], integers[1]));
-            case COUNT + FREE -> in.make(() -> new FreeAnswer(count[0], free[0]));
+            case PICTURE -> in.make(() -> world.picture(bytes[0]));
+            case COUNT + FREE -> in.make(() -> new FreeAnswer(count[0], bytes[0]));
+            case DESCRIBED -> in.make(world::described);
+            case LOCATED -> in.make(world::located);
+            case DONE, DONE + OBSTACLE -> in.make(world::changed);
+            case MADE, WENT, WENT + OBSTACLE -> in.make(() -> world.went(world.contact != null));
             case ERROR -> new NoAnswer();
             default ->
                 throw in.refused(
                         "an answer must have distances, perhaps with normals and with names, objects and labels,"
-                                + " or count and free, or an error (got: other fields)");
+                                + " or count and free, or width, height and rgb, or the fields of an answer about the world, or an error (got: other"
+                                + " fields)");
         };
+    }
+
+    /** The fields of an answer about the world's objects. */
+    private final class WorldDraft {
+        private final double[] numbers = new double[ANSWER.count()];
+        private final List<WorldAnswer.LeftOut> leftOut = new ArrayList<>();
+        private Dimension dimension = Dimension.PLANAR;
+        private Accuracy accuracy = Accuracy.EXACT;
+        private Point center = new Point();
+        private Numbers rotation = Numbers.NONE;
+        private boolean flag;
+        private @Nullable String obstacle;
+        private @Nullable Point contact;
+        private @Nullable Point normal;
+
+        void read(int field) throws IOException {
+            switch (field) {
+                case 8 -> numbers[field] = in.whole(0, Integer.MAX_VALUE);
+                case 9 -> leftOut();
+                case 13 -> dimension = in.constant(Dimension.class);
+                case 14 -> accuracy = in.constant(Accuracy.class);
+                case 15 -> center = point();
+                case 16 -> rotation = new Numbers(in.numbers(9));
+                case 18, 20 -> flag = in.flag();
+                case 19 -> obstacle = in.text();
+                case 23 -> contact = point();
+                case 24 -> normal = point();
+                default -> numbers[field] = in.number();
+            }
+        }
+
+        private Point point() throws IOException {
+            double[] at = in.numbers(3);
+            return in.make(() -> new Point(at[0], at[1], at[2]));
+        }
+
+        private void leftOut() throws IOException {
+            in.list();
+            while (in.more(leftOut.size(), MessageLimits.MAX_LIST_LENGTH)) {
+                int index = 0;
+                String reason = "";
+                String name = "";
+                var members = in.object(LEFT_OUT);
+                for (int field = members.next(); field >= 0; field = members.next()) {
+                    switch (field) {
+                        case 0 -> index = (int) in.whole(0, MessageLimits.MAX_LIST_LENGTH);
+                        case 1 -> reason = in.text();
+                        default -> name = in.text();
+                    }
+                }
+                leftOut.add(new WorldAnswer.LeftOut(index, name, reason));
+            }
+        }
+
+        WorldAnswer described() {
+            return new WorldAnswer.Described(
+                    (int) numbers[8], leftOut, numbers[10], numbers[11], numbers[12], dimension, accuracy);
+        }
+
+        PictureAnswer picture(byte[] rgb) {
+            return new PictureAnswer(pixels("width", numbers[10]), pixels("height", numbers[11]), rgb);
+        }
+
+        /** A number of pixels; unlike the size of a world it is a whole one. */
+        private static int pixels(String name, double value) {
+            if (!(value >= 1 && value <= MessageLimits.MAX_PICTURE_PIXELS && value == Math.rint(value))) {
+                throw new IllegalArgumentException(name + " of a picture must be a whole number from 1 to "
+                        + MessageLimits.MAX_PICTURE_PIXELS + " (got: " + value + ")");
+            }
+            return (int) value;
+        }
+
+        WorldAnswer located() {
+            return new WorldAnswer.Located(center, rotation, numbers[17]);
+        }
+
+        WorldAnswer changed() {
+            return new WorldAnswer.Changed(flag, obstacle);
+        }
+
+        WorldAnswer went(boolean isBlocked) {
+            double fraction = isBlocked ? numbers[21] : 1;
+            double turnFraction = isBlocked ? numbers[22] : 1;
+            return new WorldAnswer.Went(flag, fraction, turnFraction, obstacle, contact, normal);
+        }
     }
 
     private void names(List<String> names) throws IOException {

@@ -3,6 +3,7 @@ package robosim.geometry.protocol.json;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.List;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.batch.BatchAnswer;
@@ -13,16 +14,29 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureAnswer;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
+import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Writes requests with packed numbers, and their answers, as JSON. */
 final class JsonBatchOutput {
     private final JsonGenerator out;
+    private final ObjectWriter objects;
 
-    JsonBatchOutput(JsonGenerator out) {
+    /** Writes an object. */
+    @FunctionalInterface
+    interface ObjectWriter {
+        void write(GeometryObject object) throws IOException;
+    }
+
+    JsonBatchOutput(JsonGenerator out, ObjectWriter objects) {
         this.out = out;
+        this.objects = objects;
     }
 
     void requests(List<BatchRequest> requests) throws IOException {
@@ -37,6 +51,11 @@ final class JsonBatchOutput {
                 out.writeStringField("kind", "poses");
                 out.writeStringField("objectName", poses.objectName());
                 packed("poses", poses.poses());
+            } else if (request instanceof PictureRequest picture) {
+                out.writeStringField("kind", "picture");
+                picture(picture);
+            } else if (request instanceof WorldRequest about) {
+                new JsonWorldOutput(out, objects).request(about);
             } else {
                 FreeEdgesRequest edges = (FreeEdgesRequest) request;
                 out.writeStringField("kind", "edges");
@@ -48,16 +67,76 @@ final class JsonBatchOutput {
         out.writeEndArray();
     }
 
-    private void sense(SenseRequest sense) throws IOException {
-        if (!sense.mount().equals(Mount.CENTER)) {
+    private void mount(Mount mount) throws IOException {
+        if (!mount.equals(Mount.CENTER)) {
             out.writeObjectFieldStart("mount");
-            Point place = sense.mount().place();
-            numbers("place", Numbers.of(place.x(), place.y(), place.z()));
-            if (!sense.mount().rotation().equals(Mount.CENTER.rotation())) {
-                numbers("rotation", sense.mount().rotation());
+            point("place", mount.place());
+            if (!mount.rotation().equals(Mount.CENTER.rotation())) {
+                numbers("rotation", mount.rotation());
             }
             out.writeEndObject();
         }
+    }
+
+    private void picture(PictureRequest picture) throws IOException {
+        if (picture.isCarried()) {
+            out.writeStringField("objectName", picture.objectName());
+        }
+        mount(picture.mount());
+        out.writeObjectFieldStart("pattern");
+        pattern(picture.camera());
+        out.writeEndObject();
+        if (picture.samples() != 1) {
+            out.writeNumberField("samples", picture.samples());
+        }
+        if (picture.mirrors() != PictureRequest.USUAL_MIRRORS) {
+            out.writeNumberField("mirrors", picture.mirrors());
+        }
+        if (picture.seesCarrier()) {
+            out.writeBooleanField("seesCarrier", true);
+        }
+        if (picture.light() != null) {
+            light(picture.light());
+        }
+    }
+
+    private void light(SceneLight light) throws IOException {
+        JsonMaterialOutput colors = new JsonMaterialOutput(out);
+        out.writeObjectFieldStart("light");
+        colors.color("zenith", light.zenith());
+        colors.color("horizon", light.horizon());
+        colors.color("ground", light.ground());
+        out.writeNumberField("strength", light.strength());
+        out.writeArrayFieldStart("sources");
+        for (SceneLight.Source source : light.sources()) {
+            out.writeStartObject();
+            if (source instanceof SceneLight.Sun sun) {
+                out.writeStringField("kind", "sun");
+                point("direction", sun.direction());
+            } else if (source instanceof SceneLight.Lamp lamp) {
+                out.writeStringField("kind", "lamp");
+                point("place", lamp.place());
+            } else {
+                SceneLight.Spot spot = (SceneLight.Spot) source;
+                out.writeStringField("kind", "spot");
+                point("place", spot.place());
+                point("direction", spot.direction());
+                out.writeNumberField("angle", spot.angle());
+            }
+            colors.color("color", source.color());
+            out.writeNumberField("strength", source.strength());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeEndObject();
+    }
+
+    private void point(String field, Point point) throws IOException {
+        numbers(field, Numbers.of(point.x(), point.y(), point.z()));
+    }
+
+    private void sense(SenseRequest sense) throws IOException {
+        mount(sense.mount());
         out.writeObjectFieldStart("pattern");
         pattern(sense.pattern());
         out.writeEndObject();
@@ -134,9 +213,15 @@ final class JsonBatchOutput {
                     out.writeBinaryField("objects", PackedNumbers.bytes(sense.objects()));
                     out.writeBinaryField("labels", PackedNumbers.bytes(sense.labels()));
                 }
+            } else if (answers.get(k) instanceof PictureAnswer picture) {
+                out.writeNumberField("width", picture.width());
+                out.writeNumberField("height", picture.height());
+                out.writeBinaryField("rgb", picture.rgb());
             } else if (answers.get(k) instanceof FreeAnswer free) {
                 out.writeNumberField("count", free.count());
                 out.writeBinaryField("free", free.free());
+            } else if (answers.get(k) instanceof WorldAnswer about) {
+                new JsonWorldOutput(out, objects).answer(about);
             } else {
                 boolean known =
                         problem < problems.size() && problems.get(problem).index() == k;

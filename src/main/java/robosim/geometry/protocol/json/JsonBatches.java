@@ -3,7 +3,13 @@ package robosim.geometry.protocol.json;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.material.Color;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.MessageLimits;
@@ -13,21 +19,39 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
+import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Reads requests with packed numbers from JSON. */
 final class JsonBatches {
     private static final Fields BATCH = Fields.of("type requests", "");
-    private static final Fields REQUEST =
-            Fields.of("kind objectName", "mount pattern min max width seesCarrier normals poses edges objects motion");
+    private static final Fields REQUEST = Fields.of(
+            "kind",
+            "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors light"
+                    + " center heading object overlapping x y z rx ry");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
-            new String[] {"sense", "pattern", "mount min max width seesCarrier normals objects motion"},
-            new String[] {"poses", "poses", ""},
-            new String[] {"edges", "edges", ""});
+            new String[] {"sense", "objectName pattern", "mount min max width seesCarrier normals objects motion"},
+            new String[] {"poses", "objectName poses", ""},
+            new String[] {"edges", "objectName edges", ""},
+            new String[] {"picture", "pattern", "objectName mount samples mirrors seesCarrier light"},
+            new String[] {"world", "", ""},
+            new String[] {"pose", "objectName", ""},
+            new String[] {"place", "objectName center", "heading"},
+            new String[] {"add", "object", "overlapping"},
+            new String[] {"remove", "objectName", ""},
+            new String[] {"move", "objectName", "x y z rx ry"});
     private static final Fields MOTION = Fields.of("duration", "x y z ry");
-    private static final Fields MOUNT = Fields.of("place", "rotation");
+    private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
+    private static final Fields SOURCE = Fields.of("kind strength", "color direction place angle");
+    private static final JsonKinds SOURCES = new JsonKinds(
+            SOURCE, new String[] {"sun", "direction", "color"}, new String[] {"lamp", "place", "color"}, new String[] {
+                "spot", "place direction angle", "color"
+            });
+    private static final Fields MOUNT = Fields.of("place", "rotation heading");
     private static final Fields PATTERN =
             Fields.of("kind", "first step count elevations width height fieldOfView directions");
     private static final JsonKinds PATTERNS = new JsonKinds(
@@ -37,10 +61,16 @@ final class JsonBatches {
             new String[] {"pinhole", "width height fieldOfView", ""},
             new String[] {"directions", "directions", ""});
 
+    private static final int OVERLAPPING = 19;
+
     private final JsonInput in;
+    private final JsonMaterials colors;
+    private final JsonObjects objects;
 
     JsonBatches(JsonInput in) {
         this.in = in;
+        colors = new JsonMaterials(in);
+        objects = new JsonObjects(in);
     }
 
     BatchRequestBundle batch() throws IOException {
@@ -74,15 +104,84 @@ final class JsonBatches {
         private boolean objects;
         private ScanMotion motion = ScanMotion.NONE;
         private Numbers places = Numbers.NONE;
+        private Point center = new Point();
+        private double heading;
+        private @Nullable GeometryObject object;
+        private boolean overlapping;
+        private final double[] move = new double[5];
+        private int samples = 1;
+        private int mirrors = PictureRequest.USUAL_MIRRORS;
+        private @Nullable SceneLight light;
+
+        private BeamPattern.Pinhole camera() {
+            if (pattern instanceof BeamPattern.Pinhole camera) {
+                return camera;
+            }
+            throw new IllegalArgumentException("pattern of a picture must be of kind \"pinhole\" (got: another)");
+        }
 
         private BatchRequest make() {
             return switch (kind) {
                 case 0 ->
                     new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
                 case 1 -> new FreePosesRequest(name, places);
-                default -> new FreeEdgesRequest(name, places);
+                case 2 -> new FreeEdgesRequest(name, places);
+                case 3 -> new PictureRequest(name, mount, camera(), samples, mirrors, seesCarrier, light);
+                case 4 -> new WorldRequest.Describe();
+                case 5 -> new WorldRequest.Locate(name);
+                case 6 -> new WorldRequest.Place(name, center, heading);
+                case 7 -> new WorldRequest.Add(Checks.present("object", object), overlapping);
+                case 8 -> new WorldRequest.Remove(name);
+                default -> new WorldRequest.Go(name, move[0], move[1], move[2], move[3], move[4]);
             };
         }
+    }
+
+    private SceneLight light() throws IOException {
+        Color[] sky = {Color.BLACK, Color.BLACK, Color.BLACK};
+        double[] strength = new double[1];
+        List<SceneLight.Source> sources = new ArrayList<>();
+        var members = in.object(LIGHT);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0, 1, 2 -> sky[field] = colors.color();
+                case 3 -> strength[0] = in.number();
+                default -> {
+                    in.list();
+                    while (in.more(sources.size(), SceneLight.MOST_SOURCES)) {
+                        sources.add(source());
+                    }
+                }
+            }
+        }
+        return in.make(() -> new SceneLight(sky[0], sky[1], sky[2], strength[0], sources));
+    }
+
+    private SceneLight.Source source() throws IOException {
+        int kind = 0;
+        double[] numbers = new double[SOURCE.count()];
+        Color[] color = {Color.WHITE};
+        double[][] points = {new double[3], new double[3]};
+        var members = in.object(SOURCE);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0 -> kind = SOURCES.read(in);
+                case 2 -> color[0] = colors.color();
+                case 3, 4 -> points[field - 3] = in.numbers(3);
+                default -> numbers[field] = in.number();
+            }
+        }
+        SOURCES.check(in, kind, members::has);
+        int made = kind;
+        return in.make(() -> {
+            Point direction = new Point(points[0][0], points[0][1], points[0][2]);
+            Point place = new Point(points[1][0], points[1][1], points[1][2]);
+            return switch (made) {
+                case 0 -> new SceneLight.Sun(direction, color[0], numbers[1]);
+                case 1 -> new SceneLight.Lamp(place, color[0], numbers[1]);
+                default -> new SceneLight.Spot(place, direction, numbers[5], color[0], numbers[1]);
+            };
+        });
     }
 
     private BatchRequest request() throws IOException {
@@ -102,7 +201,15 @@ final class JsonBatches {
                 case 9 -> draft.places = packed(FreePosesRequest.STRIDE, MessageLimits.MAX_POSES);
                 case 10 -> draft.places = packed(FreeEdgesRequest.STRIDE, MessageLimits.MAX_POSES);
                 case 11 -> draft.objects = in.flag();
-                default -> draft.motion = motion();
+                case 12 -> draft.motion = motion();
+                case 13 -> draft.samples = (int) in.whole(1, PictureRequest.MOST_SAMPLES);
+                case 14 -> draft.mirrors = (int) in.whole(0, PictureRequest.MOST_MIRRORS);
+                case 15 -> draft.light = light();
+                case 16 -> draft.center = objects.point();
+                case 17 -> draft.heading = JsonObjects.heading(in);
+                case 18 -> draft.object = objects.one();
+                case OVERLAPPING -> draft.overlapping = in.flag();
+                default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }
         }
         REQUESTS.check(in, draft.kind, members::has);
@@ -127,11 +234,17 @@ final class JsonBatches {
         Numbers[] rotation = {Mount.CENTER.rotation()};
         var members = in.object(MOUNT);
         for (int field = members.next(); field >= 0; field = members.next()) {
-            if (field == 0) {
-                place = in.numbers(3);
-            } else {
-                rotation[0] = new Numbers(in.numbers(9));
+            switch (field) {
+                case 0 -> place = in.numbers(3);
+                case 1 -> rotation[0] = new Numbers(in.numbers(9));
+                default -> {
+                    Pose facing = Pose.of(new Point(), Degrees.toDegrees(JsonObjects.heading(in)));
+                    rotation[0] = new Numbers(facing.rotation());
+                }
             }
+        }
+        if (members.has(1) && members.has(2)) {
+            throw in.refused("heading and rotation must not both be given (got: both)");
         }
         double[] at = place;
         return in.make(() -> new Mount(new Point(at[0], at[1], at[2]), rotation[0]));

@@ -6,17 +6,22 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** A connection in JSON lines: a hello first, then requests and pings. */
 public final class JsonCodec {
+    private static final Bundle WHAT_BECAME_OF_IT = new BatchRequestBundle(List.of(new WorldRequest.Describe()));
+
     private final LineInput lines;
 
     /** The output, which is also the lock for writing a message. */
@@ -25,6 +30,10 @@ public final class JsonCodec {
     private final OutputStream buffered;
     private final Gate gate;
     private boolean admitted;
+
+    /** What the last line asks besides; null if nothing. */
+    private @Nullable Bundle followUp;
+
     private int messageBytes;
 
     private JsonCodec(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
@@ -54,6 +63,12 @@ public final class JsonCodec {
      * @throws ProtocolException if the bytes are not a message, the peer is not admitted, or the stream fails
      */
     public @Nullable Bundle read() throws ProtocolException {
+        Bundle next = followUp;
+        if (next != null) {
+            followUp = null;
+            messageBytes = 0;
+            return next;
+        }
         try {
             Bundle request = null;
             while (request == null) {
@@ -104,18 +119,24 @@ public final class JsonCodec {
         }
     }
 
-    private static Object decode(byte[] bytes, int at, int length) throws IOException {
+    private Object decode(byte[] bytes, int at, int length) throws IOException {
         String type = JsonInput.typeOf(JsonInput.of(bytes, at, length));
         try (JsonInput in = JsonInput.of(bytes, at, length)) {
             return message(type, in);
         }
     }
 
-    private static Object message(String type, JsonInput in) throws IOException {
+    private Object message(String type, JsonInput in) throws IOException {
         if (type.equals("hello")) {
             throw new ProtocolException("a hello must come once, as the first message (got: another)");
         }
-        return type.equals("ping") ? new JsonMessages(in).ping() : JsonLines.request(type, in);
+        JsonMessages messages = new JsonMessages(in);
+        if (type.equals("init")) {
+            Bundle init = messages.init();
+            followUp = messages.wantsAnswer() ? WHAT_BECAME_OF_IT : null;
+            return init;
+        }
+        return type.equals("ping") ? messages.ping() : JsonLines.request(type, in);
     }
 
     private void hello() throws IOException {

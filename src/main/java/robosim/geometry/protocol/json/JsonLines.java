@@ -9,9 +9,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
@@ -29,21 +27,21 @@ public final class JsonLines {
     public static final int VERSION = 1;
 
     /** This module's name and version, as given in its hello. */
-    public static final String MODULE = "robosim-geometry 1.0.0-SNAPSHOT";
+    public static final String MODULE = "robosim-geometry 1.0.0-rc.1";
 
     private JsonLines() {}
 
     /**
-     * Writes an {@code init}, {@code moves}, {@code sonars} or {@code batch} line.
+     * Writes an {@code init}, {@code moves}, {@code sonars}, {@code batch} or {@code step} line.
      *
-     * @throws IllegalArgumentException if it is a {@link DistanceBundle} or {@link BatchAnswerBundle}, which is not a request
+     * @throws IllegalArgumentException if it {@linkplain Bundle#isAnswer is an answer}
      */
     public static String write(Bundle request) {
         Checks.present("request", request);
         return text(output -> output.write(request));
     }
 
-    /** Writes a {@code moves} line with the refusals, a {@code distances} or an {@code answers} line. */
+    /** Writes a {@code moves} line with the refusals, a {@code distances}, an {@code answers} or a {@code bodies} line. */
     public static String write(Reply reply) {
         Checks.present("reply", reply);
         return text(output -> output.write(reply));
@@ -78,9 +76,11 @@ public final class JsonLines {
                     case "moves" -> new JsonMessages(in).made();
                     case "distances" -> new JsonMessages(in).distances();
                     case "answers" -> new JsonAnswers(in).answers();
+                    case "bodies" -> new JsonSteps(in).answer();
                     default ->
-                        throw new ProtocolException("an answer's type must be moves, distances or answers (got: "
-                                + Text.quoted(type) + ")");
+                        throw new ProtocolException(
+                                "an answer's type must be moves, distances, answers or bodies (got: "
+                                        + Text.quoted(type) + ")");
                 };
             }
         });
@@ -97,14 +97,14 @@ public final class JsonLines {
     }
 
     /**
-     * Whether a line is an answer rather than a request: {@code distances}, {@code answers}, or {@code moves} with refusals.
+     * Whether a line is an answer rather than a request: {@code distances}, {@code answers}, {@code bodies}, or {@code moves} with refusals.
      *
      * @throws ProtocolException if the line is not an object with a {@code type}
      */
     public static boolean isReply(String line) throws ProtocolException {
         String type = typeOf(line);
         if (!type.equals("moves")) {
-            return type.equals("distances") || type.equals("answers");
+            return type.equals("distances") || type.equals("answers") || type.equals("bodies");
         }
         byte[] bytes = bytes(line);
         return guarded(() -> {
@@ -117,13 +117,22 @@ public final class JsonLines {
     static Bundle request(String type, JsonInput in) throws IOException {
         JsonMessages messages = new JsonMessages(in);
         return switch (type) {
-            case "init" -> messages.init();
+            case "init" -> {
+                Bundle init = messages.init();
+                if (messages.wantsAnswer()) {
+                    throw new ProtocolException("at /answer: must be left out here, where the question what became of"
+                            + " an init is a line of its own, {\"type\":\"batch\",\"requests\":[{\"kind\":\"world\"}]}"
+                            + " (got: true)");
+                }
+                yield init;
+            }
             case "moves" -> messages.moves();
             case "sonars" -> messages.sonars();
             case "batch" -> new JsonBatches(in).batch();
+            case "step" -> new JsonSteps(in).step();
             default ->
                 throw new ProtocolException(
-                        "a request's type must be init, moves, sonars or batch (got: " + Text.quoted(type) + ")");
+                        "a request's type must be init, moves, sonars, batch or step (got: " + Text.quoted(type) + ")");
         };
     }
 

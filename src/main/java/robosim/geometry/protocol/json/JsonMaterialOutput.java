@@ -62,7 +62,7 @@ final class JsonMaterialOutput {
         }
     }
 
-    private void color(String field, Color color) throws IOException {
+    void color(String field, Color color) throws IOException {
         if (color.isPacked()) {
             out.writeStringField(field, color.toString());
         } else {

@@ -66,7 +66,7 @@ final class JsonMaterials {
     }
 
     /** A text {@code #rrggbb}, or a list of three numbers. */
-    private Color color() throws IOException {
+    Color color() throws IOException {
         if (in.isText()) {
             String text = in.text();
             return in.make(() -> Color.parse(text));

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -21,8 +22,8 @@ import robosim.geometry.protocol.WorldSettings;
 
 /** Reads messages of known type from JSON. */
 final class JsonMessages {
-    private static final Fields INIT = Fields.of("type objects", "settings");
-    private static final Fields SETTINGS = Fields.of("width height length dimension accuracy", "");
+    private static final Fields INIT = Fields.of("type objects", "settings answer");
+    private static final Fields SETTINGS = Fields.of("", "width height length dimension accuracy");
     private static final Fields MOVES = Fields.of("type moves", "");
     private static final Fields MOVE = Fields.of("objectName x y z rx ry", "");
     private static final Fields SONARS = Fields.of("type requests", "");
@@ -38,6 +39,7 @@ final class JsonMessages {
     private static final long MAX_ID = (1L << 53) - 1;
 
     private final JsonInput in;
+    private boolean wantsAnswer;
 
     JsonMessages(JsonInput in) {
         this.in = in;
@@ -102,26 +104,37 @@ final class JsonMessages {
             switch (field) {
                 case 0 -> in.text();
                 case 1 -> objects = new JsonObjects(in).list();
-                default -> settings = settings();
+                case 2 -> settings = settings();
+                default -> wantsAnswer = in.flag();
             }
         }
         in.end();
         return new InitBundle(objects, settings);
     }
 
+    /** Whether the init that was read asks what becomes of it. */
+    boolean wantsAnswer() {
+        return wantsAnswer;
+    }
+
     private WorldSettings settings() throws IOException {
-        double[] sizes = new double[3];
-        Dimension[] dimension = {Dimension.PLANAR};
-        Accuracy[] accuracy = {Accuracy.EXACT};
+        WorldSettings none = WorldSettings.NONE;
+        double[] sizes = {none.width(), none.height(), none.length()};
+        Dimension dimension = none.dimension();
+        Accuracy accuracy = none.accuracy();
         JsonMembers members = in.object(SETTINGS);
-        for (int field = members.next(); field >= 0; field = members.next()) {
+        for (int next = members.next(); next >= 0; next = members.next()) {
+            int field = next;
             switch (field) {
-                case 3 -> dimension[0] = in.constant(Dimension.class);
-                case 4 -> accuracy[0] = in.constant(Accuracy.class);
-                default -> sizes[field] = in.number();
+                case 3 -> dimension = in.constant(Dimension.class);
+                case 4 -> accuracy = in.constant(Accuracy.class);
+                default -> {
+                    double size = in.number();
+                    sizes[field] = in.make(() -> Checks.worldSize(SETTINGS.name(field), size));
+                }
             }
         }
-        return in.make(() -> new WorldSettings(sizes[0], sizes[1], sizes[2], dimension[0], accuracy[0]));
+        return new WorldSettings(sizes[0], sizes[1], sizes[2], dimension, accuracy);
     }
 
     MoveBundle moves() throws IOException {
@@ -223,7 +236,7 @@ final class JsonMessages {
         return new Reply(new MoveBundle(moves), problems);
     }
 
-    private Problem problem() throws IOException {
+    Problem problem() throws IOException {
         int index = 0;
         String reason = "";
         JsonMembers members = in.object(REFUSED);

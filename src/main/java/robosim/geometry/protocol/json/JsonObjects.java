@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.BoxObject;
@@ -25,10 +27,11 @@ final class JsonObjects {
     private static final Fields FIELDS = Fields.of(
             "kind",
             "name moveable center rotation headingDegrees width height length radius vertices faces solid"
-                    + " boundingVolume members segment cell columns rows occupied material texturePoints textureCorners");
+                    + " boundingVolume members segment cell columns rows occupied material texturePoints textureCorners"
+                    + " heading");
 
     private static final List<String> COMMON =
-            List.of("kind", "name", "moveable", "center", "rotation", "headingDegrees", "material");
+            List.of("kind", "name", "moveable", "center", "rotation", "headingDegrees", "heading", "material");
 
     private static final List<Form> FORMS = List.of(
             Form.of(GeometryObject.Kind.BOX, "box", "center width height length", ""),
@@ -57,6 +60,13 @@ final class JsonObjects {
     JsonObjects(JsonInput in) {
         this.in = in;
         this.materials = new JsonMaterials(in);
+    }
+
+    /** The current value as an object beside others of the same message. */
+    GeometryObject one() throws IOException {
+        GeometryObject made = object();
+        add(weight);
+        return made;
     }
 
     /** The current value as a list of objects. */
@@ -123,7 +133,8 @@ final class JsonObjects {
             case 19 -> draft.occupied = in.base64(1, MessageLimits.MAX_ARRAY_LENGTH);
             case 20 -> draft.material = materials.material();
             case 21 -> draft.texturePoints = texturePoints();
-            default -> draft.textureCorners = textureCorners();
+            case 22 -> draft.textureCorners = textureCorners();
+            default -> draft.turn = heading(in);
         }
     }
 
@@ -136,6 +147,10 @@ final class JsonObjects {
                         + name + "\"");
             }
         }
+        if (draft.turn != null && draft.rotation != null) {
+            throw in.refused(
+                    "heading and rotation must not both be given; a heading is for what stands upright (got: both)");
+        }
         if (draft.heading != null && draft.rotation == null) {
             throw in.refused("headingDegrees must come with the rotation that it belongs to (got: no rotation)");
         }
@@ -144,7 +159,16 @@ final class JsonObjects {
         }
     }
 
-    private Point point() throws IOException {
+    /** The current value as a heading, of radians. */
+    static double heading(JsonInput in) throws IOException {
+        double heading = in.number();
+        return in.make(() -> {
+            Checks.radians("heading", heading);
+            return heading;
+        });
+    }
+
+    Point point() throws IOException {
         double[] numbers = in.numbers(3);
         return in.make(() -> new Point(numbers[0], numbers[1], numbers[2]));
     }
@@ -231,6 +255,7 @@ final class JsonObjects {
         private Form form = FORMS.get(0);
         private long weight = 1;
         private @Nullable String name;
+        private @Nullable Double turn;
         private boolean moveable;
         private Point center = new Point();
         private double @Nullable [] rotation;
@@ -288,7 +313,7 @@ final class JsonObjects {
 
         private Pose pose() {
             if (rotation == null) {
-                return Pose.of(center, 0);
+                return Pose.of(center, turn == null ? 0 : Degrees.toDegrees(turn));
             }
             return heading == null
                     ? Pose.of(center, 0).oriented(rotation)

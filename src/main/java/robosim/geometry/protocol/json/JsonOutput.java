@@ -30,6 +30,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 
 /** Writes messages as JSON; every double in the shortest digits that identify it. */
@@ -59,12 +60,16 @@ final class JsonOutput {
             out.writeEndObject();
         } else if (request instanceof BatchRequestBundle batch) {
             begin("batch");
-            new JsonBatchOutput(out).requests(batch.requests());
+            new JsonBatchOutput(out, this::object).requests(batch.requests());
+            out.writeEndObject();
+        } else if (request instanceof StepBundle step) {
+            begin("step");
+            new JsonStepOutput(out).step(step);
             out.writeEndObject();
         } else {
-            throw new IllegalArgumentException(
-                    "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle or a"
-                            + " BatchRequestBundle (got: " + request.getClass().getSimpleName() + ")");
+            throw new IllegalArgumentException("a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a"
+                    + " BatchRequestBundle or a StepBundle (got: "
+                    + request.getClass().getSimpleName() + ")");
         }
     }
 
@@ -73,22 +78,30 @@ final class JsonOutput {
         if (reply.bundle() instanceof MoveBundle made) {
             begin("moves");
             moves(made.moves());
-            out.writeArrayFieldStart("refused");
-            for (Problem problem : reply.problems()) {
-                out.writeStartObject();
-                out.writeNumberField("index", problem.index());
-                out.writeStringField("reason", problem.reason());
-                out.writeEndObject();
-            }
-            out.writeEndArray();
+            refused(reply.problems());
+        } else if (reply.bundle() instanceof StepBundle.Answer step) {
+            begin("bodies");
+            new JsonStepOutput(out).answer(step);
+            refused(reply.problems());
         } else if (reply.bundle() instanceof BatchAnswerBundle batch) {
             begin("answers");
-            new JsonBatchOutput(out).answers(batch.answers(), reply.problems());
+            new JsonBatchOutput(out, this::object).answers(batch.answers(), reply.problems());
         } else {
             begin("distances");
             distances(((DistanceBundle) reply.bundle()).distances(), reply.problems());
         }
         out.writeEndObject();
+    }
+
+    private void refused(List<Problem> problems) throws IOException {
+        out.writeArrayFieldStart("refused");
+        for (Problem problem : problems) {
+            out.writeStartObject();
+            out.writeNumberField("index", problem.index());
+            out.writeStringField("reason", problem.reason());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
     }
 
     /** Writes the answer to a peer's hello. */
@@ -129,12 +142,22 @@ final class JsonOutput {
             return;
         }
         out.writeObjectFieldStart("settings");
-        out.writeNumberField("width", settings.width());
-        out.writeNumberField("height", settings.height());
-        out.writeNumberField("length", settings.length());
-        out.writeStringField("dimension", settings.dimension().name());
-        out.writeStringField("accuracy", settings.accuracy().name());
+        size("width", settings.width());
+        size("height", settings.height());
+        size("length", settings.length());
+        if (settings.dimension() != null) {
+            out.writeStringField("dimension", settings.dimension().name());
+        }
+        if (settings.accuracy() != null) {
+            out.writeStringField("accuracy", settings.accuracy().name());
+        }
         out.writeEndObject();
+    }
+
+    private void size(String field, double size) throws IOException {
+        if (size > 0) {
+            out.writeNumberField(field, size);
+        }
     }
 
     private void moves(List<MoveRequest> moves) throws IOException {

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -34,7 +35,7 @@ public final class JsonRecord {
         byte[] bytes = JsonLines.bytes(line);
         return JsonLines.guarded(() -> {
             try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
-                return new JsonRecord("", JsonPlain.read(in));
+                return new JsonRecord("", plain(in));
             }
         });
     }
@@ -113,7 +114,7 @@ public final class JsonRecord {
     }
 
     /** A nested record. */
-    @SuppressWarnings("unchecked") // JsonPlain makes no other maps
+    @SuppressWarnings("unchecked") // no other maps are made here
     public JsonRecord record(String field) throws ProtocolException {
         return new JsonRecord(
                 place + "/" + field, (Map<String, @Nullable Object>) value(field, Map.class, "an object, {...}"));
@@ -174,5 +175,46 @@ public final class JsonRecord {
             }
         }
         out.writeEndObject();
+    }
+
+    /** Reads a whole line, an object whose fields are not known beforehand: texts, numbers, flags, nulls and such objects. */
+    private static Map<String, @Nullable Object> plain(JsonInput in) throws IOException {
+        in.begin();
+        Map<String, @Nullable Object> fields = fields(in);
+        in.end();
+        return fields;
+    }
+
+    private static Map<String, @Nullable Object> fields(JsonInput in) throws IOException {
+        if (!in.isObject()) {
+            throw in.refused("must be an object, {...} (got: " + in.kind() + ")");
+        }
+        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
+        for (String name = in.nextField(); name != null; name = in.nextField()) {
+            if (fields.containsKey(name)) {
+                throw in.refused("a field must occur only once (got: " + in.told(name) + " twice)");
+            }
+            fields.put(name, value(in));
+        }
+        return fields;
+    }
+
+    private static @Nullable Object value(JsonInput in) throws IOException {
+        if (in.isObject()) {
+            return fields(in);
+        }
+        if (in.isText()) {
+            return in.text();
+        }
+        if (in.isNumber()) {
+            return in.number();
+        }
+        if (in.isFlag()) {
+            return in.flag();
+        }
+        if (in.isNull()) {
+            return null;
+        }
+        throw in.refused("must be an object, a string, a number, true, false or null (got: " + in.kind() + ")");
     }
 }

@@ -54,6 +54,13 @@ public final class SdfNoise extends DefaultHandler {
         return found.noise();
     }
 
+    /** The noise that elements describe, by their names; what is left over is refused. */
+    static Noise of(Map<String, String> elements) {
+        SdfNoise found = new SdfNoise();
+        found.values.putAll(elements);
+        return found.noise();
+    }
+
     @Override
     public void startElement(String uri, String local, String name, Attributes attributes) {
         depth++;

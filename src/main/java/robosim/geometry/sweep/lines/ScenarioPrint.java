@@ -11,6 +11,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 
 /** A digest of a conversation: its options, its world, its requests and answers. */
@@ -56,10 +57,16 @@ public final class ScenarioPrint {
                 print.add(sonar.objectName()).add(sonar.xOffset()).add(sonar.zOffset());
                 add(sonar.beam());
             }
+        } else if (bundle instanceof StepBundle || bundle instanceof StepBundle.Answer) {
+            print.add(bundle.toString()); // of records, whose doubles are all digits
         } else if (bundle instanceof DistanceBundle distances) {
             print.add(distances.distances().size());
             distances.distances().forEach(print::add);
         }
+    }
+
+    private static String name(@Nullable Enum<?> constant) {
+        return constant == null ? "" : constant.name();
     }
 
     private void addWorld(InitBundle init) {
@@ -67,7 +74,7 @@ public final class ScenarioPrint {
         print.add(settings == null ? 0 : 1);
         if (settings != null) {
             print.add(settings.width()).add(settings.height()).add(settings.length());
-            print.add(settings.dimension().name()).add(settings.accuracy().name());
+            print.add(name(settings.dimension())).add(name(settings.accuracy()));
         }
         print.add(init.objects().size());
         init.objects().forEach(print::add);

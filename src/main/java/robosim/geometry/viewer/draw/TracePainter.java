@@ -129,9 +129,34 @@ final class TracePainter {
                     frame.y(bounds.middleZ()),
                     radius,
                     Style.line(Palette.REFUSED, 2, each.strength()));
+            way(each);
             canvas.close();
         }
         canvas.close();
+    }
+
+    /** Paints where a refused move would have led, the way there, and where it would have touched first. */
+    private void way(Scene.Blocked blocked) {
+        GeometryObject aim = blocked.aim();
+        if (aim != null) {
+            canvas.open("attempt", Text.name(aim));
+            Style ghost = Style.filled(Palette.REFUSED, 0.06 * blocked.strength())
+                    .outlined(Palette.REFUSED, 1.2, 0.8 * blocked.strength())
+                    .dashed(4);
+            ThingPainter.draw(aim, ghost, frame, canvas);
+            Style line =
+                    Style.line(Palette.REFUSED, 1.2, 0.8 * blocked.strength()).dashed(4);
+            Point from = blocked.mover().center();
+            canvas.line(frame.x(from), frame.y(from), frame.x(aim.center()), frame.y(aim.center()), line);
+            canvas.close();
+        }
+        Point contact = blocked.contact();
+        if (contact != null) {
+            canvas.open("contact", "");
+            Style dot = Style.filled(Palette.REFUSED, blocked.strength()).outlined(Palette.FLOOR, 1, 1);
+            canvas.circle(frame.x(contact), frame.y(contact), 3.5, dot);
+            canvas.close();
+        }
     }
 
     /** Paints the highlighted objects. */

@@ -65,9 +65,18 @@ public record Frame(
      * @param mover   the object, where it stayed
      * @param heading direction of the refused move, degrees about the vertical from the world's X
      * @param result  what blocked it; null if unknown
+     * @param aim     where the move would have led; null if unknown
      */
     public record Bump(
-            GeometryObject mover, double heading, @Nullable MoveResult result) {
+            GeometryObject mover,
+            double heading,
+            @Nullable MoveResult result,
+            @Nullable Pose aim) {
+        /** A refused move of which only the direction is known. */
+        public Bump(GeometryObject mover, double heading, @Nullable MoveResult result) {
+            this(mover, heading, result, null);
+        }
+
         /** What was in the way, in words. */
         String obstacle() {
             if (result == null) {

@@ -51,6 +51,26 @@ public final class Pictures {
         return things;
     }
 
+    /** The world of a conversation at one moment, as a world file has it. */
+    public static World world(Frame.Setting setting, List<Scene.Thing> movers) {
+        List<Scene.Thing> things = new ArrayList<>(setting.statics());
+        things.addAll(movers);
+        List<WorldObject> objects = new ArrayList<>();
+        for (Scene.Thing each : things) {
+            Integer colour = each.colour();
+            String color = colour == null ? null : String.format(Locale.ROOT, "#%06x", colour);
+            objects.add(new WorldObject(each.object(), color, List.of()));
+        }
+        return new World(
+                setting.width(),
+                setting.height(),
+                setting.length(),
+                null,
+                setting.dimension(),
+                setting.accuracy(),
+                objects);
+    }
+
     private static @Nullable Integer colour(WorldObject object) {
         String color = object.color();
         return color == null ? null : Integer.valueOf(color.substring(1), 16);
@@ -81,8 +101,12 @@ public final class Pictures {
      * distances and what blocked their last moves. The same conversation gives the same picture.
      */
     public static Scene lastMoments(Scenario scenario) {
+        return lastMoments(scenario, Colours.NONE);
+    }
+
+    private static Scene lastMoments(Scenario scenario, Colours colours) {
         StateHistory film = new StateHistory();
-        Replayer stage = new Replayer(scenario.header().options());
+        Replayer stage = new Replayer(scenario.header().options(), colours);
         for (Step step : scenario.steps()) {
             film.append(stage.play(step));
         }
@@ -95,10 +119,15 @@ public final class Pictures {
      * or {@code .png}.
      *
      * @param goals goals of robots, which the picture includes
+     * @param world lends colours and a unit; null for none
      * @throws IOException if the file cannot be written
      */
-    public static void lastMoments(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
-        Scene scene = lastMoments(scenario);
+    public static void lastMoments(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
+            throws IOException {
+        Scene scene = lastMoments(scenario, world == null ? Colours.NONE : Colours.of(world));
+        if (world != null) {
+            scene = scene.described(scene.subtitle(), unit(world));
+        }
         Scene.View view = scene.view();
         for (GeometryObject goal : goals) {
             view = view.with(goal);

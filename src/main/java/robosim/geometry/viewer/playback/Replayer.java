@@ -26,7 +26,12 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -68,13 +73,10 @@ public final class Replayer {
                 return open(step, init);
             }
             if (step.request() instanceof BatchRequestBundle batch) {
-                return frame(
-                        step,
-                        null,
-                        Map.of(),
-                        List.of(),
-                        Map.of(),
-                        "a batch of " + NumberText.count(batch.size(), "item"));
+                return batch(step, batch);
+            }
+            if (step.request() instanceof StepBundle stepped) {
+                return step(step, stepped);
             }
             return step.request() instanceof MoveBundle moves
                     ? move(step, moves.moves())
@@ -106,6 +108,27 @@ public final class Replayer {
         return frame(step, setting, Map.of(), List.of(), Map.of(), words);
     }
 
+    /** Carries out what a batch changes; what it only asks is not shown. */
+    private Frame batch(Step step, BatchRequestBundle batch) {
+        Frame.Setting setting = null;
+        Map<String, Pose> placed = new LinkedHashMap<>();
+        if (batch.requests().stream().anyMatch(WorldRequest.class::isInstance)) {
+            session.reply(batch);
+            Geometry world = session.world();
+            for (BatchRequest request : batch.requests()) {
+                boolean isOther = request instanceof WorldRequest.Add || request instanceof WorldRequest.Remove;
+                setting = isOther && world != null ? Frame.Setting.of(world, colours) : setting;
+                boolean isElsewhere = request instanceof WorldRequest.Place || request instanceof WorldRequest.Go;
+                GeometryObject mover = isElsewhere ? mover(request.objectName()) : null;
+                if (mover != null) {
+                    placed.put(request.objectName(), mover.pose());
+                }
+            }
+        }
+        String words = "a batch of " + NumberText.count(batch.size(), "item");
+        return frame(step, setting, placed, List.of(), Map.of(), words);
+    }
+
     private Frame move(Step step, List<MoveRequest> asked) {
         Reply expected = step.expected();
         List<MoveRequest> made = expected == null ? null : ((MoveBundle) expected.bundle()).moves();
@@ -131,7 +154,7 @@ public final class Replayer {
                 placed.put(request.objectName(), present(request.objectName()).pose());
             } else {
                 MoveResult result = tried != null && !tried.allowed() ? tried : null;
-                bumps.add(new Frame.Bump(mover, direction(mover.pose(), request), result));
+                bumps.add(new Frame.Bump(mover, direction(mover.pose(), request), result, went));
             }
         }
         return frame(step, null, placed, bumps, Map.of(), moved(asked.size(), bumps));
@@ -171,6 +194,64 @@ public final class Replayer {
         if (world != null && world.removeObject(String.valueOf(object.name()))) {
             world.addObjectUnchecked(object);
         }
+    }
+
+    /** Lets time pass, and then puts every body where the record says that it came to. */
+    private Frame step(Step step, StepBundle asked) {
+        Reply reply = session.reply(asked);
+        Reply shown = step.expected() == null ? reply : step.expected();
+        if (shown == null || !(shown.bundle() instanceof StepBundle.Answer answer)) {
+            return frame(step, null, Map.of(), List.of(), Map.of(), "a step without an answer");
+        }
+        Map<String, Pose> placed = new LinkedHashMap<>();
+        for (BodyAnswer body : answer.bodies()) {
+            GeometryObject mover = mover(body.objectName());
+            if (mover == null) {
+                continue;
+            }
+            Pose there = pose(body);
+            if (reply == null || !reply.bundle().equals(answer)) {
+                put(mover.at(there));
+            }
+            placed.put(body.objectName(), present(body.objectName()).pose());
+        }
+        List<Frame.Bump> bumps = new ArrayList<>();
+        for (ContactAnswer contact : answer.contacts()) {
+            GeometryObject mover = mover(contact.objectName());
+            if (mover != null && contact.phase() == ContactAnswer.Phase.BEGIN) {
+                bumps.add(new Frame.Bump(
+                        mover, degrees(-contact.normal().x(), -contact.normal().z()), met(contact)));
+            }
+        }
+        return frame(step, null, placed, bumps, Map.of(), stepped(asked, answer));
+    }
+
+    /** What a body met, if that has a name. */
+    private @Nullable MoveResult met(ContactAnswer contact) {
+        Geometry world = session.world();
+        String other = contact.other();
+        return world == null || other == null || !world.hasObject(other)
+                ? null
+                : new MoveResult(false, 0, 0, world.getObject(other), contact.point(), contact.normal());
+    }
+
+    private static Pose pose(BodyAnswer body) {
+        return body.rotation().size() == 0
+                ? Pose.of(body.center(), Degrees.toDegrees(body.heading()))
+                : Pose.of(body.center(), 0).oriented(body.rotation().values());
+    }
+
+    private static String stepped(StepBundle asked, StepBundle.Answer answer) {
+        int count = answer.bodies().size();
+        String words = NumberText.digits(asked.seconds(), 9) + " s, " + count + (count == 1 ? " body" : " bodies");
+        if (answer.contacts().isEmpty()) {
+            return words;
+        }
+        ContactAnswer first = answer.contacts().get(0);
+        String other = first.other() == null ? "what has no name" : Text.quoted(first.other());
+        return words + ", " + NumberText.count(answer.contacts().size(), "contact") + ": "
+                + Text.quoted(first.objectName()) + " and " + other
+                + (answer.contacts().size() > 1 ? ", ..." : "");
     }
 
     private static String moved(int asked, List<Frame.Bump> bumps) {

@@ -20,6 +20,10 @@ import robosim.geometry.viewer.scene.Scene;
 public final class Sandbox {
     private final Geometry geometry;
     private final Frame.Setting setting;
+    private final WorldSonars sonars;
+
+    /** What the sonars measure with the robots at their present places; null until it is asked for. */
+    private @Nullable List<Scene.Ping> pings;
 
     /** Moveable objects outside the world's bounds, by name; none is part of the world until it is put into it. */
     private final Map<String, GeometryObject> outside = new LinkedHashMap<>();
@@ -52,18 +56,24 @@ public final class Sandbox {
         MOVE
     }
 
-    private Sandbox(Geometry geometry, Frame.Setting setting) {
+    private Sandbox(Geometry geometry, Frame.Setting setting, WorldSonars sonars) {
         this.geometry = geometry;
         this.setting = setting;
+        this.sonars = sonars;
     }
 
     /** A separate world with the given moveable objects at their places. */
     public static Sandbox of(Frame.Setting setting, List<Scene.Thing> movers) {
+        return of(setting, movers, WorldSonars.NONE);
+    }
+
+    /** A separate world, whose robots have sonars. */
+    public static Sandbox of(Frame.Setting setting, List<Scene.Thing> movers, WorldSonars sonars) {
         Geometry geometry = empty(setting);
         for (Scene.Thing thing : setting.statics()) {
             geometry.addObjectUnchecked(thing.object());
         }
-        Sandbox sandbox = new Sandbox(geometry, setting);
+        Sandbox sandbox = new Sandbox(geometry, setting, sonars);
         for (Scene.Thing thing : movers) {
             GeometryObject object = thing.object();
             if (!geometry.addObjectUnchecked(object)) {
@@ -80,6 +90,7 @@ public final class Sandbox {
 
     /** Pushes a robot to a point at its own height; if that is refused it stays. */
     public void push(String name, double x, double z, Push push) {
+        pings = null;
         GeometryObject beyond = outside.get(name);
         if (beyond != null) {
             enter(name, beyond.movedTo(new Point(x, beyond.center().y(), z)));
@@ -99,6 +110,7 @@ public final class Sandbox {
 
     /** Turns a robot in place; if that is refused it stays. */
     public void turn(String name, double degrees) {
+        pings = null;
         GeometryObject beyond = outside.get(name);
         if (beyond != null) {
             enter(name, beyond.turned(0, degrees));
@@ -147,6 +159,30 @@ public final class Sandbox {
     @Nullable
     public Refused refused() {
         return refused;
+    }
+
+    /** The moveable objects, and what their sonars measure where they are. */
+    public Scene life() {
+        List<Scene.Ping> measured = pings();
+        double farthest = measured.stream()
+                .mapToDouble(Scene.Ping::distance)
+                .filter(Double::isFinite)
+                .max()
+                .orElse(0);
+        return Scene.of("", setting.border(), movers())
+                .with(List.of(), measured, List.of())
+                .marked(List.of(), farthest);
+    }
+
+    private List<Scene.Ping> pings() {
+        List<Scene.Ping> measured = pings;
+        if (measured == null) {
+            measured = sonars.measure(geometry).values().stream()
+                    .flatMap(List::stream)
+                    .toList();
+            pings = measured;
+        }
+        return measured;
     }
 
     /** The moveable objects outside the world's bounds. */

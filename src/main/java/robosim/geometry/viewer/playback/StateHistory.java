@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
@@ -16,6 +17,9 @@ import robosim.geometry.viewer.scene.Scene;
  * the beginning. May be used by one thread at a time.
  */
 public final class StateHistory {
+    /** Number of frames whose trails a scene has. */
+    private static final int TRAIL = 400;
+
     /** Number of frames for which a refused move counts as recent. */
     static final int FRESH = 8;
 
@@ -166,6 +170,11 @@ public final class StateHistory {
         return happened(chapter, number, look, Scene.of("", view, things)).described(moment(number), "");
     }
 
+    /** The scene after a frame, with the trails of the steps just before it; empty before the first world. */
+    public Scene scene(int number) {
+        return at(number, new Look(TRAIL, FRESH));
+    }
+
     /** The moving part of the scene after a frame; empty before the first world. */
     public Scene life(int number, Look look) {
         Chapter chapter = chapter(number);
@@ -219,7 +228,7 @@ public final class StateHistory {
             }
             int age = number - numbered.number;
             if (age < FRESH && bump.result() != null) {
-                blocked.add(new Scene.Blocked(bump.mover(), bump.result().obstacle(), 1 - (double) age / FRESH));
+                blocked.add(blocked(bump, bump.result(), 1 - (double) age / FRESH));
             }
         }
         return scene.with(trails, pings, refusals).blocked(blocked);
@@ -245,6 +254,16 @@ public final class StateHistory {
             }
         }
         return story.toString();
+    }
+
+    private static Scene.Blocked blocked(Frame.Bump bump, MoveResult result, double strength) {
+        Pose aim = bump.aim();
+        return new Scene.Blocked(
+                bump.mover(),
+                result.obstacle(),
+                strength,
+                aim == null ? null : bump.mover().at(aim),
+                result.contact());
     }
 
     private record NumberedBump(int number, Frame.Bump bump) {}

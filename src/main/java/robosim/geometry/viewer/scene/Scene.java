@@ -201,13 +201,25 @@ public record Scene(
      * @param mover    the object, where it stayed
      * @param obstacle what blocked it; null for the world's bounds
      * @param strength strength of the mark, from 0 to 1; stronger for more recent moves
+     * @param aim      the object where the move would have led; null if it is not shown
+     * @param contact  where the two would have touched first; null if unknown
      */
-    public record Blocked(GeometryObject mover, @Nullable GeometryObject obstacle, double strength) {
+    public record Blocked(
+            GeometryObject mover,
+            @Nullable GeometryObject obstacle,
+            double strength,
+            @Nullable GeometryObject aim,
+            @Nullable Point contact) {
         /** Refuses an invalid strength. */
         public Blocked {
             if (!(strength >= 0 && strength <= 1)) {
                 throw new IllegalArgumentException("strength must be 0 to 1 (got: " + strength + ")");
             }
+        }
+
+        /** What blocked a move whose way is not shown. */
+        public Blocked(GeometryObject mover, @Nullable GeometryObject obstacle, double strength) {
+            this(mover, obstacle, strength, null, null);
         }
     }
 

@@ -3,6 +3,7 @@ package robosim.geometry.viewer.space;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 
@@ -31,6 +32,7 @@ public final class Gallery {
     private int world = Integer.MIN_VALUE;
     private int active;
     private @Nullable String robot;
+    private boolean following;
 
     // Where the robot's own camera looks, in degrees from straight ahead, and how much it sees.
     private double yaw;
@@ -101,6 +103,16 @@ public final class Gallery {
         active = 0;
     }
 
+    /** Whether the camera that goes anywhere goes along with a robot. */
+    public boolean isFollowing() {
+        return following;
+    }
+
+    /** Lets the camera that goes anywhere go along with the robot whose view is wanted, or stay where it is. */
+    public void follow(boolean follow) {
+        following = follow;
+    }
+
     /** The areas of all pictures, in the order of the shots. */
     public List<Cell> cells() {
         String own = robot == null ? "no robot" : "what " + robot + " sees";
@@ -149,6 +161,10 @@ public final class Gallery {
             side.look(moment.bounds());
         }
         robot = robot(moment, selected);
+        GeometryObject followed = !following || robot == null ? null : moment.mover(robot);
+        if (followed != null) {
+            overview.center(followed.center());
+        }
         List<Shot> shots = new ArrayList<>();
         List<Cell> cells = cells();
         for (int k = 0; k < cells.size(); k++) {

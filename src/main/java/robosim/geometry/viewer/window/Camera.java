@@ -81,6 +81,13 @@ public final class Camera {
         centerZ = clamp(centerZ - dy / scale, whole.minZ(), whole.maxZ());
     }
 
+    /** Moves the centre of the view to a place, which may be anywhere within the world. */
+    void center(double x, double z) {
+        fitting = false;
+        centerX = clamp(x, whole.minX(), whole.maxX());
+        centerZ = clamp(z, whole.minZ(), whole.maxZ());
+    }
+
     private static double clamp(double value, double least, double most) {
         return Math.max(least, Math.min(most, value));
     }

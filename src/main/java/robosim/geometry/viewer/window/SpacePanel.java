@@ -25,6 +25,7 @@ import robosim.geometry.viewer.draw.Card;
 import robosim.geometry.viewer.draw.ImageCanvas;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.space.Gallery;
 import robosim.geometry.viewer.space.Moment;
@@ -112,6 +113,7 @@ public final class SpacePanel extends JComponent {
         private double x;
         private double y;
         private boolean moved;
+        private @Nullable FloorHand hand;
 
         @Override
         public void mousePressed(MouseEvent event) {
@@ -121,6 +123,11 @@ public final class SpacePanel extends JComponent {
             y = beginY;
             moved = false;
             gallery.press(x, y);
+            Picture picture = picture(x, y);
+            hand = null;
+            if (picture != null && SwingUtilities.isLeftMouseButton(event) && !event.isControlDown()) {
+                hand = FloorHand.on(seen(x, y), picture.view().pose().center());
+            }
         }
 
         @Override
@@ -129,13 +136,31 @@ public final class SpacePanel extends JComponent {
             if (!moved) {
                 return;
             }
-            gallery.drag(event.getX() - x, event.getY() - y, hand(event));
+            if (hand != null) {
+                push(hand, event);
+            } else {
+                gallery.drag(event.getX() - x, event.getY() - y, camera(event));
+                order();
+            }
             x = event.getX();
             y = event.getY();
-            order();
         }
 
-        private Gallery.Hand hand(MouseEvent event) {
+        /** Pushes what was taken hold of to below the pointer, as on the plan. */
+        private void push(FloorHand held, MouseEvent event) {
+            Picture picture = picture(beginX, beginY);
+            Gallery.Cell cell = gallery.cells().get(Math.max(0, gallery.at(beginX, beginY)));
+            double[] place = picture == null
+                    ? null
+                    : held.place(picture.view(), event.getX() - cell.x(), event.getY() - cell.y());
+            if (place != null) {
+                Sandbox.Push push = event.isShiftDown() ? Sandbox.Push.MOVE : Sandbox.Push.PLACE;
+                viewing.push(held.robot, place[0], place[1], push);
+                changed.run();
+            }
+        }
+
+        private Gallery.Hand camera(MouseEvent event) {
             if (event.isControlDown()) {
                 return Gallery.Hand.LOOK;
             }
@@ -146,6 +171,10 @@ public final class SpacePanel extends JComponent {
 
         @Override
         public void mouseReleased(MouseEvent event) {
+            if (hand != null && moved) {
+                viewing.release();
+                changed.run();
+            }
             if (moved || !SwingUtilities.isLeftMouseButton(event)) {
                 return;
             }
@@ -170,13 +199,18 @@ public final class SpacePanel extends JComponent {
 
     /** What is seen at a point of the panel; null where there is no picture. */
     private Picture.@Nullable Seen seen(double x, double y) {
-        int number = gallery.at(x, y);
-        Picture picture = number < 0 ? null : studio.picture(number);
+        Picture picture = picture(x, y);
         if (picture == null) {
             return null;
         }
-        Gallery.Cell cell = gallery.cells().get(number);
+        Gallery.Cell cell = gallery.cells().get(gallery.at(x, y));
         return picture.at(x - cell.x(), y - cell.y());
+    }
+
+    /** The picture at a point of the panel; null where there is none. */
+    private @Nullable Picture picture(double x, double y) {
+        int number = gallery.at(x, y);
+        return number < 0 ? null : studio.picture(number);
     }
 
     @Override

@@ -1,13 +1,12 @@
 package robosim.geometry.viewer.window;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
+import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.draw.Card;
 import robosim.geometry.viewer.playback.Feed;
 import robosim.geometry.viewer.playback.Frame;
@@ -15,6 +14,7 @@ import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.Player;
 import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.viewer.playback.WorldSonars;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.viewer.space.Moment;
@@ -40,8 +40,6 @@ final class ViewerModel {
     /** The maximum size of the view, in sizes of the world, to include objects outside the world. */
     private static final double FAR = 3;
 
-    private static final int[] TRAILS = {400, Integer.MAX_VALUE, 0};
-
     final StateHistory film = new StateHistory();
     final Player player;
     final Camera camera = new Camera();
@@ -53,17 +51,22 @@ final class ViewerModel {
     /** The last text about the end of the feed. */
     private String told = "";
 
-    private int trails;
     private Frame.@Nullable Setting shown;
     private Scene.View border = new Scene.View(-0.5, -0.5, 0.5, 0.5, false);
     private int world = -1;
     private @Nullable Sandbox sandbox;
 
-    /** The selected object; if it has a name it is tracked as it moves. */
-    private @Nullable GeometryObject picked;
+    private final Selection selection = new Selection();
+    private final Layers layers = new Layers();
 
-    /** The world in which it was selected. */
-    private int pickedIn;
+    /** The world file that is shown; null for a conversation. */
+    private @Nullable World file;
+
+    /** Whether the plan follows the selected robot. */
+    private boolean isFollowing;
+
+    /** What was saved last, as a sentence; empty if nothing since the last step. */
+    private String saved = "";
 
     private @Nullable Grip grip;
 
@@ -80,7 +83,8 @@ final class ViewerModel {
         ViewerModel viewing = new ViewerModel(title, Pictures.unit(world), null, false);
         Frame.Setting setting = Frame.Setting.of(world);
         viewing.film.append(Frame.of(setting, "as in the file"));
-        viewing.sandbox = Sandbox.of(setting, setting.movers());
+        viewing.file = world;
+        viewing.sandbox = Sandbox.of(setting, setting.movers(), WorldSonars.of(world));
         viewing.player.pause();
         viewing.tick(0);
         return viewing;
@@ -127,10 +131,29 @@ final class ViewerModel {
             shown = setting;
             world = now;
         }
+        follow();
         String end = end();
         boolean changed = before != player.position() || size != film.size() || !end.equals(told);
         told = end;
+        if (before != player.position()) {
+            saved = "";
+        }
         return changed;
+    }
+
+    /** Keeps the robot that the plan follows in its middle. */
+    private void follow() {
+        GeometryObject robot = isFollowing ? picked() : null;
+        if (robot != null && grip == null) {
+            camera.center(robot.center().x(), robot.center().z());
+        }
+    }
+
+    /** Lets the plan follow the selected robot, or no longer, and returns which. */
+    boolean toggleFollowing() {
+        isFollowing = !isFollowing;
+        follow();
+        return isFollowing;
     }
 
     /**
@@ -173,27 +196,15 @@ final class ViewerModel {
     Scene life() {
         Scene scene;
         if (sandbox != null && shown != null) {
-            scene = Scene.of("", shown.border(), sandbox.movers());
+            scene = sandbox.life();
         } else {
-            int trail = TRAILS[trails];
+            int trail = layers.trail();
             int robots = shown == null ? 1 : Math.max(1, shown.movers().size());
             StateHistory.Look look = new StateHistory.Look(trail, trail, Math.max(LEAST_MARKS, MARKS / robots));
             scene = film.life(player.position(), look);
         }
-        return scene.blocked(blocked(scene)).marked(marks(), scene.farthest()).described("", unit);
-    }
-
-    private List<Scene.Blocked> blocked(Scene scene) {
-        Sandbox.Refused refused = sandbox == null ? null : sandbox.refused();
-        if (refused == null) {
-            return scene.blocked();
-        }
-        List<Scene.Blocked> blocked = new ArrayList<>();
-        if (refused.obstacles().isEmpty()) {
-            blocked.add(new Scene.Blocked(refused.ghost(), null, 1));
-        }
-        refused.obstacles().forEach(each -> blocked.add(new Scene.Blocked(refused.ghost(), each, 1)));
-        return blocked;
+        scene = scene.blocked(Layers.blocked(scene, sandbox)).marked(marks(), scene.farthest());
+        return layers.of(scene).described("", unit);
     }
 
     private List<Scene.Mark> marks() {
@@ -219,16 +230,7 @@ final class ViewerModel {
     /** The selected object at its present place; null if nothing is selected or it no longer exists. */
     @Nullable
     GeometryObject picked() {
-        GeometryObject before = picked;
-        if (before == null || !before.isMoveable()) {
-            return before != null && pickedIn == world ? before : null;
-        }
-        for (Scene.Thing thing : movers()) {
-            if (Objects.equals(thing.object().name(), before.name())) {
-                return thing.object();
-            }
-        }
-        return null;
+        return selection.present(movers(), world);
     }
 
     /** The card of the selected object; null if nothing is selected. */
@@ -240,49 +242,23 @@ final class ViewerModel {
 
     /** A status line about what is shown. */
     String status() {
-        if (sandbox != null) {
-            Sandbox.Refused refused = sandbox.refused();
-            String words = refused == null
-                    ? "drag what moves" + outside(sandbox.outside())
-                    : Text.name(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
-            return feed == null
-                    ? words
-                    : "a local copy of step " + (player.position() + 1) + ", Esc goes back: " + words;
-        }
-        String end = end();
-        if (film.size() == 0) {
-            return (feed != null && feed.isEnded() ? "nothing was recorded" : "waiting for a world") + end;
-        }
-        List<String> notes = film.frame(player.position()).notes();
-        String note = notes.isEmpty() ? "" : " (" + String.join("; ", notes) + ")";
-        return film.moment(player.position()) + note + end;
+        return saved.isEmpty() ? state() : saved;
     }
 
-    private static String outside(List<GeometryObject> robots) {
-        if (robots.isEmpty()) {
-            return "";
-        }
-        String first = Text.name(robots.get(0));
-        return robots.size() == 1
-                ? "; " + first + " is not in the world, it stands beyond its border: drag it in"
-                : "; " + first + " and " + (robots.size() - 1)
-                        + " more are not in the world, they stand beyond its border: drag them in";
+    private String state() {
+        Sandbox own = sandbox;
+        return own != null
+                ? StatusText.ofCopy(own, feed == null ? -1 : player.position())
+                : StatusText.ofStep(film, player.position(), feed, end());
     }
 
     /** The speed as text for people. */
     String pace() {
-        if (live) {
-            return player.isFollowing() ? "live" : "paused";
-        }
-        return NumberText.digits(player.speed(), 3) + " steps/s";
+        return StatusText.pace(player, live);
     }
 
     private String end() {
-        String problem = feed == null ? "" : feed.problem();
-        if (!problem.isEmpty()) {
-            return "; " + problem;
-        }
-        return live && feed != null && feed.isEnded() ? "; the session is over" : "";
+        return StatusText.end(feed, live);
     }
 
     /** Handles the mouse wheel at a pixel; up zooms in. */
@@ -292,6 +268,7 @@ final class ViewerModel {
 
     /** Handles a button press at a pixel: selects the object there. */
     void press(double x, double y) {
+        saved = "";
         MapFrame frame = camera.frame();
         double worldX = frame.worldX(x);
         double worldZ = frame.worldZ(y);
@@ -309,8 +286,7 @@ final class ViewerModel {
 
     /** Selects an object, or nothing. */
     void select(@Nullable GeometryObject object) {
-        picked = object;
-        pickedIn = world;
+        selection.select(object, world);
     }
 
     /** Handles a mouse drag: pushes a robot or moves the view. */
@@ -327,29 +303,30 @@ final class ViewerModel {
             camera.pan(x - held.x, y - held.y);
         } else {
             MapFrame frame = camera.frame();
-            Sandbox own = own();
-            if (own != null) {
-                own.push(held.robot, frame.worldX(x) + held.offsetX, frame.worldZ(y) + held.offsetZ, push);
-            }
+            push(held.robot, frame.worldX(x) + held.offsetX, frame.worldZ(y) + held.offsetZ, push);
         }
         held.x = x;
         held.y = y;
+    }
+
+    /** Pushes a robot to a place; if that is refused it stays, and the refusal is shown. */
+    void push(String robot, double x, double z, Sandbox.Push push) {
+        Sandbox own = own();
+        if (own != null) {
+            own.push(robot, x, z, push);
+        }
     }
 
     /** Handles the release of the button; if nothing was hit or dragged, clears the selection. */
     void release() {
         Grip held = grip;
         grip = null;
-        if (held == null) {
-            return;
-        }
         if (sandbox != null) {
             sandbox.release();
         }
         MapFrame frame = camera.frame();
-        boolean missed = !held.moved && pickedAt(frame.worldX(held.x), frame.worldZ(held.y)) == null;
-        if (missed) {
-            picked = null;
+        if (held != null && !held.moved && pickedAt(frame.worldX(held.x), frame.worldZ(held.y)) == null) {
+            selection.select(null, world);
         }
     }
 
@@ -381,7 +358,7 @@ final class ViewerModel {
         if (sandbox != null && feed != null) {
             sandbox = null;
         } else {
-            picked = null;
+            selection.select(null, world);
         }
     }
 
@@ -392,8 +369,25 @@ final class ViewerModel {
         }
     }
 
-    /** Switches to the next trail length: longer, all, none, and so on. */
-    void nextTrails() {
-        trails = (trails + 1) % TRAILS.length;
+    /** What is drawn over the objects. */
+    Layers layers() {
+        return layers;
+    }
+
+    /** Saves the world with its robots at their present places. */
+    void save(Saving saving) {
+        Frame.Setting setting = shown;
+        if (setting != null) {
+            tell(() -> saving.world(file, setting, movers(), title + "-moved"));
+        }
+    }
+
+    /** Saves something, and lets the status line name the file or say why there is none. */
+    void tell(Callable<Path> saving) {
+        try {
+            saved = "saved " + saving.call().toAbsolutePath();
+        } catch (Exception e) {
+            saved = "not saved: " + e.getMessage();
+        }
     }
 }

@@ -4,11 +4,14 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.Graphics;
 import java.awt.GridLayout;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.io.Serial;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
@@ -50,6 +53,8 @@ final class ViewerPane extends JPanel {
     private final JLabel speed = new JLabel(" ");
     private final transient List<JButton> buttons = new ArrayList<>();
     private final JButton play;
+    private final transient KeyHelp help = new KeyHelp();
+    private final transient Saving saving;
     private Theme theme;
     private Parts parts = Parts.PLAN;
 
@@ -77,7 +82,13 @@ final class ViewerPane extends JPanel {
 
     /** A pane whose pictures in three dimensions are made elsewhere. */
     ViewerPane(ViewerModel viewing, Theme theme, Executor worker) {
+        this(viewing, theme, worker, Path.of(""));
+    }
+
+    /** A pane that saves to a folder. */
+    ViewerPane(ViewerModel viewing, Theme theme, Executor worker, Path folder) {
         super(new BorderLayout());
+        this.saving = new Saving(folder);
         this.viewing = viewing;
         this.theme = theme;
         this.map = new MapPanel(viewing, theme, this::refresh);
@@ -127,6 +138,7 @@ final class ViewerPane extends JPanel {
         foot.add(button("view", ControlIcon.Shape.CUBE, "Plan, both, or three dimensions (V)", this::nextParts));
         foot.add(button("cameras", ControlIcon.Shape.CAMERAS, "More cameras (C)", this::nextCameras));
         foot.add(button("own", ControlIcon.Shape.EYE, "What a robot sees (R)", this::toggleOwn));
+        foot.add(button("follow", ControlIcon.Shape.FOLLOW, "Go along with a robot (G)", this::toggleFollowing));
         below.add(foot);
         add(below, BorderLayout.SOUTH);
     }
@@ -193,6 +205,15 @@ final class ViewerPane extends JPanel {
         space.gallery.show(isOwn ? Gallery.Arrangement.ONE : Gallery.Arrangement.OWN);
     }
 
+    /** Lets the plan and the camera go along with the selected robot, or no longer. */
+    private void toggleFollowing() {
+        boolean isFollowing = viewing.toggleFollowing();
+        if (isFollowing && space.gallery.arrangement() == Gallery.Arrangement.OWN) {
+            space.gallery.show(Gallery.Arrangement.ONE);
+        }
+        space.gallery.follow(isFollowing);
+    }
+
     private void togglePlay() {
         viewing.leaveCopy();
         viewing.player.toggle();
@@ -213,35 +234,68 @@ final class ViewerPane extends JPanel {
     }
 
     private void keys() {
+        typed('h', "these keys", help::toggle);
+        key("F1", "these keys", help::toggle);
         if (viewing.hasSteps()) {
-            key("SPACE", this::togglePlay);
-            key("LEFT", () -> step(-1));
-            key("RIGHT", () -> step(1));
-            key("shift LEFT", () -> step(-FAR));
-            key("shift RIGHT", () -> step(FAR));
-            key("HOME", () -> seek(Integer.MIN_VALUE));
-            key("END", () -> seek(Integer.MAX_VALUE));
-            key("UP", () -> faster(1));
-            key("DOWN", () -> faster(-1));
-            typed('t', viewing::nextTrails);
+            key("SPACE", "play or pause", this::togglePlay);
+            key("LEFT", "a step back; with Shift ten", () -> step(-1));
+            key("RIGHT", "a step on; with Shift ten", () -> step(1));
+            key("shift LEFT", "", () -> step(-FAR));
+            key("shift RIGHT", "", () -> step(FAR));
+            key("HOME", "the first step", () -> seek(Integer.MIN_VALUE));
+            key("END", "the last step", () -> seek(Integer.MAX_VALUE));
+            key("UP", "faster", () -> faster(1));
+            key("DOWN", "slower", () -> faster(-1));
+            typed('t', "longer trails, all, none", viewing.layers()::nextTrails);
         }
-        typed('+', () -> zoom(1));
-        typed('=', () -> zoom(1));
-        typed('-', () -> zoom(-1));
-        typed('f', this::fit);
-        typed('v', this::nextParts);
-        typed('c', this::nextCameras);
-        typed('r', this::toggleOwn);
-        typed('i', () -> space.gallery.fly(1, 0, 0));
-        typed('k', () -> space.gallery.fly(-1, 0, 0));
-        typed('l', () -> space.gallery.fly(0, 0, 1));
-        typed('j', () -> space.gallery.fly(0, 0, -1));
-        typed('o', () -> space.gallery.fly(0, 1, 0));
-        typed('u', () -> space.gallery.fly(0, -1, 0));
-        typed('d', () -> paintAs(theme == Theme.LIGHT ? Theme.DARK : Theme.LIGHT));
-        typed('q', () -> viewing.turnPicked(TURN));
-        typed('e', () -> viewing.turnPicked(-TURN));
-        key("ESCAPE", viewing::escape);
+        typed('s', "sonars, or not", () -> viewing.layers().toggle(Layers.Layer.SONARS));
+        typed('x', "refused moves, or not", () -> viewing.layers().toggle(Layers.Layer.REFUSALS));
+        typed('g', "go with the selected robot", this::toggleFollowing);
+        typed('q', "turn the selected robot left", () -> viewing.turnPicked(TURN));
+        typed('e', "turn the selected robot right", () -> viewing.turnPicked(-TURN));
+        typed('+', "zoom in", () -> zoom(1));
+        typed('=', "", () -> zoom(1));
+        typed('-', "zoom out", () -> zoom(-1));
+        typed('f', "fit everything", this::fit);
+        typed('v', "plan, both, three dimensions", this::nextParts);
+        typed('c', "more cameras", this::nextCameras);
+        typed('r', "a robot's own view", this::toggleOwn);
+        typed('i', "fly forward, back", () -> space.gallery.fly(1, 0, 0));
+        typed('k', "fly forward, back", () -> space.gallery.fly(-1, 0, 0));
+        typed('j', "fly left, right", () -> space.gallery.fly(0, 0, -1));
+        typed('l', "fly left, right", () -> space.gallery.fly(0, 0, 1));
+        typed('o', "fly up, down", () -> space.gallery.fly(0, 1, 0));
+        typed('u', "fly up, down", () -> space.gallery.fly(0, -1, 0));
+        typed('d', "dark or light", () -> paintAs(theme == Theme.LIGHT ? Theme.DARK : Theme.LIGHT));
+        typed('p', "save a picture of this window", this::picture);
+        key("control S", "save the world as it stands", () -> viewing.save(saving));
+        key("ESCAPE", "leave the copy, clear the selection", this::escape);
+    }
+
+    private void escape() {
+        if (help.isShown()) {
+            help.hide();
+        } else {
+            viewing.escape();
+        }
+    }
+
+    /** Saves what the window shows, without the help. */
+    private void picture() {
+        help.hide();
+        BufferedImage image = new BufferedImage(getWidth(), getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics page = image.createGraphics();
+        paint(page);
+        page.dispose();
+        viewing.tell(() -> saving.picture(image, viewing.title()));
+    }
+
+    @Override
+    protected void paintChildren(Graphics graphics) {
+        super.paintChildren(graphics);
+        if (help.isShown()) {
+            help.paint(graphics, getWidth(), getHeight(), theme);
+        }
     }
 
     private void fit() {
@@ -260,13 +314,17 @@ final class ViewerPane extends JPanel {
         viewing.wheel(map.getWidth() / 2.0, map.getHeight() / 2.0, -steps);
     }
 
-    private void key(String stroke, Runnable action) {
+    /** Binds a key that is pressed; what has no words is not in the help. */
+    private void key(String stroke, String words, Runnable action) {
         bind(KeyStroke.getKeyStroke(stroke), action);
+        help.add(stroke, words);
     }
 
-    private void typed(char letter, Runnable action) {
-        bind(KeyStroke.getKeyStroke(letter), action);
-        bind(KeyStroke.getKeyStroke(Character.toUpperCase(letter)), action);
+    /** Binds a character, which different keyboards have on different keys. */
+    private void typed(char character, String words, Runnable action) {
+        bind(KeyStroke.getKeyStroke(character), action);
+        bind(KeyStroke.getKeyStroke(Character.toUpperCase(character)), action);
+        help.add(String.valueOf(character), words);
     }
 
     private void bind(KeyStroke stroke, Runnable action) {

@@ -17,7 +17,28 @@ public final class SdfNames {
             Map.entry("world", Set.of("model", "include", "frame")),
             Map.entry("model", Set.of("model", "include", "link", "frame", "joint", "pose", "static")),
             Map.entry("include", Set.of("uri", "name", "pose", "static", "placement_frame")),
-            Map.entry("link", Set.of("pose", "collision", "visual")),
+            Map.entry("link", Set.of("pose", "collision", "visual", "sensor")),
+            Map.entry("sensor", Set.of("pose", "update_rate", "lidar", "ray", "camera")),
+            Map.entry("lidar", Set.of("scan", "range", "noise")),
+            Map.entry("ray", Set.of("scan", "range", "noise")),
+            Map.entry("scan", Set.of("horizontal", "vertical")),
+            Map.entry("horizontal", Set.of("samples", "resolution", "min_angle", "max_angle")),
+            Map.entry("vertical", Set.of("samples", "resolution", "min_angle", "max_angle")),
+            Map.entry("range", Set.of("min", "max", "resolution")),
+            Map.entry("camera", Set.of("pose", "horizontal_fov", "image", "clip", "noise")),
+            Map.entry("image", Set.of("width", "height")),
+            Map.entry("clip", Set.of("near", "far")),
+            Map.entry(
+                    "noise",
+                    Set.of(
+                            "type",
+                            "mean",
+                            "stddev",
+                            "bias_mean",
+                            "bias_stddev",
+                            "precision",
+                            "dynamic_bias_stddev",
+                            "dynamic_bias_correlation_time")),
             Map.entry("visual", Set.of("material")),
             Map.entry("material", Set.of("diffuse", "emissive", "shininess", "specular")),
             Map.entry("collision", Set.of("pose", "geometry")),
@@ -93,6 +114,16 @@ public final class SdfNames {
             Map.entry(
                     "collision",
                     Set.of("auto_inertia_params", "density", "frame", "laser_retro", "max_contacts", "surface")),
+            Map.entry("sensor", ALL),
+            Map.entry("lidar", ALL),
+            Map.entry("ray", ALL),
+            Map.entry("scan", ALL),
+            Map.entry("horizontal", ALL),
+            Map.entry("vertical", ALL),
+            Map.entry("range", ALL),
+            Map.entry("camera", ALL),
+            Map.entry("clip", ALL),
+            Map.entry("noise", ALL),
             Map.entry("visual", ALL),
             Map.entry("material", ALL),
             Map.entry("mesh", Set.of("convex_decomposition")),
@@ -110,7 +141,8 @@ public final class SdfNames {
     /** Whether an element may have any number of these children; of all others it has at most one. */
     static boolean isRepeated(String child) {
         return switch (child) {
-            case "world", "model", "include", "link", "frame", "joint", "collision", "visual", "point" -> true;
+            case "world", "model", "include", "link", "frame", "joint", "collision", "visual", "point", "sensor" ->
+                true;
             case "material", "diffuse", "emissive", "shininess", "specular" -> true; // harmless: the first one counts
             default -> false;
         };

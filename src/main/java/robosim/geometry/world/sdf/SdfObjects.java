@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Pose;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
@@ -29,6 +30,7 @@ public final class SdfObjects {
     private final Map<String, Integer> namesakes = new HashMap<>();
     private final Map<String, Integer> counts = new TreeMap<>();
     private final List<String> remarks = new ArrayList<>();
+    private final List<SdfSensor> sensors = new ArrayList<>();
     private int collisions;
 
     /** A moveable model: the shapes found in it so far, in its own frame. */
@@ -38,7 +40,13 @@ public final class SdfObjects {
         /** The placement of its first member. */
         @Nullable
         Placement first;
+
+        /** The sensors in it. */
+        final List<Carried> sensors = new ArrayList<>();
     }
+
+    /** A sensor, and where it is in its body and in the world. */
+    private record Carried(String path, SdfElement element, Placement inBody, Placement inWorld) {}
 
     public SdfObjects(SdfTree tree, SdfShapes shapes) {
         this.tree = tree;
@@ -47,6 +55,11 @@ public final class SdfObjects {
 
     public List<GeometryObject> objects() {
         return objects;
+    }
+
+    /** The sensors of all links that are read. */
+    public List<SdfSensor> sensors() {
+        return sensors;
     }
 
     public Map<String, Integer> counts() {
@@ -74,6 +87,9 @@ public final class SdfObjects {
         gather(model, place, Placement.NONE, body);
         Placement first = body.first;
         if (body.members.isEmpty() || first == null) {
+            for (Carried each : body.sensors) {
+                sensors.add(SdfSensor.of(each.path, each.element, null, each.inWorld.pose()));
+            }
             return;
         }
         SdfElement element = model.element;
@@ -82,10 +98,14 @@ public final class SdfObjects {
             // A single shape that turns about the model's own vertical is the object itself; else a group keeps the
             // frame.
             GeometryObject only = body.members.get(0);
-            GeometryObject whole = body.members.size() == 1 && first.isOnTheSpot()
-                    ? only.at(place.then(first).pose())
-                    : new ObjectGroup(body.members).at(place.pose());
+            boolean isAlone = body.members.size() == 1 && first.isOnTheSpot();
+            GeometryObject whole =
+                    isAlone ? only.at(place.then(first).pose()) : new ObjectGroup(body.members).at(place.pose());
             objects.add(whole.moveable(name));
+            for (Carried each : body.sensors) {
+                Placement mount = isAlone ? first.inverse().then(each.inBody) : each.inBody;
+                sensors.add(SdfSensor.of(each.path, each.element, name, mount.pose()));
+            }
         });
     }
 
@@ -126,6 +146,13 @@ public final class SdfObjects {
                     }
                 });
             }
+            for (SdfElement sensor : sensors(link)) {
+                leaveOutMistakes(sensor, () -> {
+                    Placement local = local(scope, link, sensor);
+                    body.sensors.add(
+                            new Carried(path(scope, link, sensor), sensor, inBody.then(local), inWorld.then(local)));
+                });
+            }
         }
         for (SdfNode nested : scope.models) {
             Placement local = scope.placement(nested);
@@ -156,6 +183,12 @@ public final class SdfObjects {
                     }
                 });
             }
+            for (SdfElement sensor : sensors(link)) {
+                leaveOutMistakes(sensor, () -> {
+                    Pose pose = inWorld.then(local(scope, link, sensor)).pose();
+                    sensors.add(SdfSensor.of(path(scope, link, sensor), sensor, null, pose));
+                });
+            }
         }
         boolean alone = found.size() == 1 && scope.models.isEmpty();
         for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
@@ -175,6 +208,12 @@ public final class SdfObjects {
             throw new IllegalStateException("a model must have a scope");
         }
         return model.inner;
+    }
+
+    private static List<SdfElement> sensors(SdfNode link) {
+        return link.element.children.stream()
+                .filter(each -> each.name.equals("sensor"))
+                .toList();
     }
 
     private List<SdfElement> collisions(SdfNode link) {

@@ -203,6 +203,26 @@ public final class SdfParser extends DefaultHandler {
                     "emissive",
                     "shininess",
                     "specular" -> true;
+            // of sensors and their noise
+            case "update_rate",
+                    "samples",
+                    "resolution",
+                    "min_angle",
+                    "max_angle",
+                    "min",
+                    "max",
+                    "near",
+                    "far",
+                    "horizontal_fov",
+                    "width",
+                    "type",
+                    "mean",
+                    "stddev",
+                    "bias_mean",
+                    "bias_stddev",
+                    "precision",
+                    "dynamic_bias_stddev",
+                    "dynamic_bias_correlation_time" -> true;
             default -> false;
         };
     }

@@ -4,10 +4,36 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /** Opens regular files only: reading a pipe may block forever, and a device may never end. */
 public final class RegularFile {
+    /** Who is told of the files that this thread opens. A world is read by one thread, through many readers. */
+    private static final ThreadLocal<@Nullable Consumer<Path>> LISTENER = new ThreadLocal<>();
+
     private RegularFile() {}
+
+    /** A reader of files. */
+    @FunctionalInterface
+    public interface Reading<T, E extends Exception> {
+        T read() throws E;
+    }
+
+    /** Reads something, and tells a listener of each file that is opened for it. */
+    public static <T, E extends Exception> T told(Consumer<Path> listener, Reading<T, E> reading) throws E {
+        Consumer<Path> before = LISTENER.get();
+        LISTENER.set(listener);
+        try {
+            return reading.read();
+        } finally {
+            if (before == null) {
+                LISTENER.remove();
+            } else {
+                LISTENER.set(before);
+            }
+        }
+    }
 
     /** Opens a file after following all links. */
     public static InputStream open(Path file) throws IOException {
@@ -21,6 +47,11 @@ public final class RegularFile {
                             : "the file must be a regular one; save the output of a pipe or device to one (got: a pipe,"
                                     + " a socket or a device)");
         }
-        return Files.newInputStream(file);
+        InputStream in = Files.newInputStream(file);
+        Consumer<Path> listener = LISTENER.get();
+        if (listener != null) {
+            listener.accept(file);
+        }
+        return in;
     }
 }

@@ -14,6 +14,7 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 
 /** The hierarchy and its cursors against a list of the same boxes. */
 class HierarchyTest {
@@ -48,7 +49,7 @@ class HierarchyTest {
     @EnumSource
     void findsWhatAListFinds(Scene scene) {
         for (double scale : new double[] {1, 0x1p-100, 0x1p90}) {
-            for (int round = 0; round < 30; round++) {
+            for (int round = 0; round < Effort.cases(30); round++) {
                 for (int k = 0; k < 30; k++) {
                     change(scene, random.nextInt(round < 25 ? MOST : 20), scale);
                 }
@@ -66,9 +67,9 @@ class HierarchyTest {
             }
             assertSound();
         }
-        assertThat(built).as("times it was built anew").isGreaterThan(5);
-        assertThat(met).isGreaterThan(1000);
-        assertThat(passedBy).isGreaterThan(1000);
+        assertThat(built).as("times it was built anew").isGreaterThan(Effort.cases(5));
+        assertThat(met).isGreaterThan(Effort.cases(1000));
+        assertThat(passedBy).isGreaterThan(Effort.cases(1000));
     }
 
     /** Adds, removes or moves an object: not at all, a little, or far. */

@@ -54,7 +54,7 @@ class OrientedRectangleTest {
         QuadCursor cursor = scene(64, offset);
         int hits = 0;
         int leftOut = 0;
-        for (int k = 0; k < 400; k++) {
+        for (int k = 0; k < Effort.cases(400); k++) {
             double[] corner =
                     corner(random.nextInt(COUNT), random.nextBoolean() ? 1 : -1, random.nextBoolean() ? 1 : -1);
             double ox = offset + random.nextInt(-64, 64);
@@ -83,8 +83,8 @@ class OrientedRectangleTest {
             }
             leftOut += COUNT - ids.cardinality();
         }
-        assertThat(hits).isGreaterThan(1000);
-        assertThat(leftOut).isGreaterThan(20_000);
+        assertThat(hits).isGreaterThan(Effort.cases(1000));
+        assertThat(leftOut).isGreaterThan(Effort.cases(20_000));
     }
 
     @ParameterizedTest
@@ -94,7 +94,7 @@ class OrientedRectangleTest {
         int near = 0;
         int small = 0;
         int leftOut = 0;
-        for (int k = 0; k < 1000; k++) {
+        for (int k = 0; k < Effort.cases(1000); k++) {
             double[] corner = corner(random.nextInt(COUNT), random.nextBoolean() ? 1 : -1, 1);
             double width = random.nextInt(3);
             double[] box = {corner[0], corner[1], corner[0] + width, corner[1] + width};
@@ -119,9 +119,9 @@ class OrientedRectangleTest {
             small += ids != null ? 1 : 0;
             leftOut += COUNT - gathered.cardinality();
         }
-        assertThat(small).isGreaterThan(300);
-        assertThat(near).isGreaterThan(500);
-        assertThat(leftOut).isGreaterThan(100_000);
+        assertThat(small).isGreaterThan(Effort.cases(300));
+        assertThat(near).isGreaterThan(Effort.cases(500));
+        assertThat(leftOut).isGreaterThan(Effort.cases(100_000));
     }
 
     /** From a corner of the world over up to a hundred tiles, wherever in its tile the point lies. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.PlanarSampling;
@@ -24,7 +25,7 @@ class PlanarContactTest {
     void normalsAreOfUnitLengthAndTurnRoundWithTheOrder() {
         PlanarRows rows = new PlanarRows(61);
         int apart = 0;
-        int count = 2100;
+        int count = Effort.cases(2100);
         for (int k = 0; k < count; k++) {
             LeafKind kindA = Leaves.KINDS[k % 7];
             LeafKind kindB = Leaves.KINDS[k / 7 % 7];

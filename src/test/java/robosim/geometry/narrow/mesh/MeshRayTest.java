@@ -129,7 +129,7 @@ class MeshRayTest {
                 double found = cast.distance(column, 0, Double.POSITIVE_INFINITY);
                 assertThat(found).as(what).isEqualTo(least);
                 if (nearest >= 0) {
-                    assertThat(cast.triangle()).as(what).isEqualTo(nearest);
+                    assertThat(cast.face(column, 0, cast.piece())).as(what).isEqualTo(nearest);
                     // What is as near as the limit still counts; beyond it nothing has to.
                     assertThat(cast.distance(column, 0, least)).as(what).isEqualTo(least);
                     assertThat(cast.distance(column, 0, least / 2)).as(what).isGreaterThanOrEqualTo(least);

@@ -75,11 +75,11 @@ class MeshSightTest {
                     }
                 }
                 assertThat(cast.distance(column, 0, INFINITE)).as(what).isEqualTo(least);
-                assertThat(cast.triangle()).as(what).isEqualTo(nearest);
+                assertThat(cast.face(column, 0, cast.piece())).as(what).isEqualTo(nearest);
                 if (nearest >= 0) {
                     // What is as near as the limit still counts; beyond it nothing has to.
                     assertThat(cast.distance(column, 0, least)).as(what).isEqualTo(least);
-                    assertThat(cast.triangle()).as(what).isEqualTo(nearest);
+                    assertThat(cast.face(column, 0, cast.piece())).as(what).isEqualTo(nearest);
                     assertThat(cast.distance(column, 0, least / 2)).as(what).isGreaterThanOrEqualTo(least);
                     hits++;
                 }

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleFunction;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.material.Color;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.RayPattern;
 
@@ -131,6 +133,46 @@ class BatchValuesTest {
                 .hasSameHashCodeAs(Integers.of(1, 2))
                 .hasToString("[1, 2]");
         assertThat(new Integers(new int[20])).hasToString("[0, 0, 0, 0, 0, 0, 0, 0, 0, ... 20 numbers]");
+        BeamPattern.Pinhole camera = new BeamPattern.Pinhole(2, 1, 1);
+        refuses("camera", () -> new PictureRequest("", Mount.CENTER, null));
+        refuses("mount", () -> new PictureRequest("", null, camera));
+        refuses("objectName", () -> new PictureRequest(null, Mount.CENTER, camera));
+        refuses(
+                "samples must be from 1 to 16",
+                v -> new PictureRequest("", Mount.CENTER, camera, (int) v, 0, false, null),
+                0,
+                17);
+        refuses(
+                "mirrors must be from 0 to 16",
+                v -> new PictureRequest("", Mount.CENTER, camera, 1, (int) v, false, null),
+                -1,
+                17);
+        Color white = Color.WHITE;
+        refuses("strength ", v -> new SceneLight(white, white, white, v, List.of()), -1, Double.NaN, 1e300);
+        refuses(
+                "sources must be at most 16",
+                () -> new SceneLight(
+                        white,
+                        white,
+                        white,
+                        1,
+                        Collections.nCopies(17, new SceneLight.Sun(new Point(1, 0, 0), white, 1))));
+        refuses("direction ", () -> new SceneLight.Sun(new Point(), white, 1));
+        refuses("color", () -> new SceneLight.Lamp(new Point(), null, 1));
+        refuses("angle ", v -> new SceneLight.Spot(new Point(), new Point(1, 0, 0), v, white, 1), 0, Math.PI);
+        refuses("rgb must have 6 bytes for 2 x 1 pixels", () -> new PictureAnswer(2, 1, new byte[5]));
+        refuses("width and height ", v -> new PictureAnswer((int) v, 1, new byte[0]), 0, -1, 1 << 25);
+        PictureAnswer picture = PictureAnswer.of(2, 1, new int[] {0x010203, 0xfffefd});
+        assertThat(picture).isEqualTo(new PictureAnswer(2, 1, new byte[] {1, 2, 3, -1, -2, -3}));
+        assertThat(picture.pixel(1, 0)).isEqualTo(0xfffefd);
+        picture.rgb()[0] = 7;
+        assertThat(picture.pixel(0, 0)).isEqualTo(0x010203);
+        refuses("column and row ", v -> picture.pixel((int) v, 0), -1, 2);
+        assertThat(picture.fits(new PictureRequest("", Mount.CENTER, camera))).isTrue();
+        assertThat(picture.fits(new PictureRequest("", Mount.CENTER, new BeamPattern.Pinhole(1, 2, 1))))
+                .isFalse();
+        assertThat(new FreeAnswer(2, new byte[1]).fits(new PictureRequest("", Mount.CENTER, camera)))
+                .isFalse();
         refuses("count ", () -> new FreeAnswer(-1, new byte[0]));
         refuses("free ", () -> new FreeAnswer(9, new byte[1]));
         refuses("free ", () -> new FreeAnswer(8, new byte[2]));

@@ -70,8 +70,11 @@ class JsonBatchesTest {
 
     @Test
     void everyRequestComesBackAsItWas() throws ProtocolException {
-        for (Bundle bundle :
-                List.of(BatchSamples.requests(), BatchSamples.frames().get(0), new BatchRequestBundle(List.of()))) {
+        for (Bundle bundle : List.of(
+                BatchSamples.requests(),
+                BatchSamples.frames().get(0),
+                BatchSamples.pictures().get(0),
+                new BatchRequestBundle(List.of()))) {
             String line = JsonLines.write(bundle);
             Bundle read = JsonLines.readRequest(line);
             assertThat(read).isEqualTo(bundle).hasToString(bundle.toString());
@@ -86,6 +89,9 @@ class JsonBatchesTest {
         String line = JsonLines.write(reply);
         assertThat(JsonLines.readReply(line)).isEqualTo(reply);
         assertThat(JsonLines.isReply(line)).isTrue();
+        Reply pictures = new Reply(BatchSamples.pictures().get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(pictures))).isEqualTo(pictures);
+        assertThat(JsonLines.write(pictures)).contains("{\"width\":1,\"height\":1,\"rgb\":\"/4AB\"}");
         Reply frames = new Reply(BatchSamples.frames().get(1));
         assertThat(JsonLines.readReply(JsonLines.write(frames))).isEqualTo(frames);
         assertThat(JsonLines.write(frames))
@@ -158,7 +164,8 @@ class JsonBatchesTest {
                 Arguments.of(batch("{\"kind\":\"sense\",\"objectName\":\"r\"}"), "it must have the field \"pattern\""),
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
                 Arguments.of(
-                        batch("{\"kind\":\"x\",\"objectName\":\"r\"}"), "must be sense, poses or edges (got: \"x\")"),
+                        batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
+                        "must be sense, poses, edges, picture, world, pose, place, add, remove or move (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),
@@ -270,7 +277,8 @@ class JsonBatchesTest {
         String one = "{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":\"" + packed(0, 0, 0, 0) + "\"}";
         String many = "{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":\"" + largest + "\"}";
         assertThatThrownBy(() -> JsonLines.readRequest(batch(many + "," + one)))
-                .hasMessageContaining("requests must have at most 262144 poses and edges together (got: 262145)");
+                .hasMessageContaining(
+                        "requests must have at most 262144 poses, edges and requests of other kinds together (got: 262145)");
         String half = "{\"kind\":\"sense\",\"objectName\":\"r\",\"pattern\":"
                 + "{\"kind\":\"fan\",\"first\":0,\"step\":0,\"count\":524288}}";
         assertThat(((BatchRequestBundle) JsonLines.readRequest(batch(half + "," + half))).size())

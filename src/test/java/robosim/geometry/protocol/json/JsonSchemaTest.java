@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
@@ -32,6 +33,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
 
 /** The published schema and the codec accept the same messages, but for what a schema cannot say. */
@@ -72,7 +74,16 @@ class JsonSchemaTest {
             "seesCarrier must be false",
             "normals must have three numbers for each",
             "free must have",
-            "beams together");
+            "heading and rotation must not both",
+            "obstacle must be left out",
+            "contact and normal must be given",
+            "rgb must have",
+            "pixels together",
+            "rays for pictures",
+            "beams together",
+            "slidingFriction must be at most",
+            "must be left out for a drive",
+            "maxTurn of a car");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -105,7 +116,20 @@ class JsonSchemaTest {
         }
         lines.add(JsonLines.write(BatchSamples.requests()));
         lines.add(JsonLines.write(BatchSamples.frames().get(0)));
+        lines.add(JsonLines.write(BatchSamples.pictures().get(0)));
+        for (Bundle bundle : BatchSamples.world()) {
+            if (!(bundle instanceof BatchAnswerBundle)) {
+                lines.add(JsonLines.write(bundle));
+            }
+        }
+        lines.add("{\"type\":\"init\",\"answer\":true,\"objects\":[{\"kind\":\"box\",\"center\":[0,0,0],\"width\":1,"
+                + "\"height\":1,\"length\":1,\"heading\":0.5}],\"settings\":{\"dimension\":\"SPATIAL\"}}");
+        lines.add(
+                "{\"type\":\"batch\",\"requests\":[{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{\"place\":[0,0,0],"
+                        + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
+                        + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
+        StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         return lines;
     }
 
@@ -113,7 +137,10 @@ class JsonSchemaTest {
         MoveBundle made = new MoveBundle(List.of(new MoveRequest("r", 1, 0, -0.0, 1e-300, 2)));
         return List.of(
                 JsonLines.write(new Reply(BatchSamples.frames().get(1))),
+                JsonLines.write(new Reply(BatchSamples.pictures().get(1))),
+                JsonLines.write(new Reply(BatchSamples.world().get(1))),
                 JsonLines.write(new Reply(made)),
+                JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
                         new DistanceBundle(List.of(0.0, 1.5, Double.POSITIVE_INFINITY, Double.NaN)),
@@ -275,6 +302,11 @@ class JsonSchemaTest {
             "unknown",
             "boundingVolume",
             "refused",
+            "heading",
+            "answer",
+            "object",
+            "obstacle",
+            "done",
             "index",
             "error");
 

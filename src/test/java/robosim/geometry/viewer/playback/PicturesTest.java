@@ -6,16 +6,24 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
+import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.draw.Painter;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.Unit;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 
 class PicturesTest {
     @Test
@@ -23,7 +31,7 @@ class PicturesTest {
         Scenario scenario =
                 Talk.begun().drives(2, true).looks(3.5).drives(9, false).scenario();
         Path file = folder.resolve("last.svg");
-        Pictures.lastMoments(scenario, List.of(), file);
+        Pictures.lastMoments(scenario, List.of(), null, file);
         String svg = Files.readString(file);
         DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
@@ -32,6 +40,24 @@ class PicturesTest {
         assertThat(svg).containsOnlyOnce("class=\"block\"").containsOnlyOnce("class=\"trail\"");
         assertThat(svg).containsOnlyOnce("class=\"ping\"");
         assertThat(svg).isEqualTo(Painter.svg(Pictures.lastMoments(scenario)));
+    }
+
+    /** A conversation has neither; a world's file lends both. */
+    @Test
+    void theLastMomentsHaveTheColoursAndTheUnitOfTheFile(@TempDir Path folder) throws Exception {
+        Scenario scenario = Talk.begun().drives(9, false).scenario();
+        List<WorldObject> coloured = new ArrayList<>();
+        for (Step step : scenario.steps()) {
+            if (step.request() instanceof InitBundle init) {
+                init.objects().forEach(each -> coloured.add(new WorldObject(each, "#12ab56", List.of())));
+            }
+        }
+        World world = new World(99, 9, 99, Unit.CENTIMETRE, Dimension.SPATIAL, Accuracy.EXACT, coloured);
+        Path file = folder.resolve("last.svg");
+        Pictures.lastMoments(scenario, List.of(), world, file);
+        assertThat(Files.readString(file)).contains("#12ab56", " cm<");
+        Pictures.lastMoments(scenario, List.of(), null, file);
+        assertThat(Files.readString(file)).doesNotContain("#12ab56", " cm<");
     }
 
     @Test

@@ -60,6 +60,26 @@ class GalleryTest {
     }
 
     @Test
+    void aCameraThatFollowsKeepsItsDistance() {
+        Gallery gallery = gallery(Arrangement.ONE);
+        Point still = gallery.shots(MOMENT, "cart").get(0).view().pose().center();
+        gallery.follow(true);
+        Point with = gallery.shots(MOMENT, "cart").get(0).view().pose().center();
+        assertThat(with).isNotEqualTo(still);
+        GeometryObject there = CART.movedTo(new Point(-6, 0, 3.5));
+        Point later = gallery.shots(StudioTest.moment(DRUM, there), null)
+                .get(0)
+                .view()
+                .pose()
+                .center();
+        assertThat(later.x() - with.x()).isCloseTo(1, within(1e-9));
+        assertThat(later.z() - with.z()).isCloseTo(0.5, within(1e-9));
+        gallery.follow(false);
+        Point stays = gallery.shots(MOMENT, "cart").get(0).view().pose().center();
+        assertThat(stays).isEqualTo(later);
+    }
+
+    @Test
     void theRobotIsTheSelectedOneOrElseTheFirst() {
         Gallery gallery = gallery(Arrangement.OWN);
         assertThat(gallery.shots(MOMENT, null).get(0).carrier()).isEqualTo("drum");

@@ -1,6 +1,7 @@
 package robosim.geometry.viewer.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -16,6 +17,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.model.Point;
 import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.space.Gallery;
@@ -202,6 +204,76 @@ class SpacePanelTest {
         click(wall[0], wall[1], 2);
         int[] now = red(paint());
         assertThat(Math.abs(now[0] - WIDTH / 2)).isLessThan(15); // two clicks bring it to the middle
+    }
+
+    /** A pixel at which the robot is seen, by its exact ray. */
+    private int[] robot() {
+        for (int y = 0; y < HEIGHT; y += 4) {
+            for (int x = 0; x < WIDTH; x += 4) {
+                click(x, y, 1);
+                if (viewing.picked() != null && viewing.picked().isMoveable()) {
+                    return new int[] {x, y};
+                }
+            }
+        }
+        throw new AssertionError("the robot is seen");
+    }
+
+    @Test
+    void aRobotIsDraggedOnTheFloor() {
+        typed('v');
+        typed('v');
+        int[] wall = red(paint());
+        int[] at = robot();
+        Point before = viewing.picked().center();
+        mouse(MouseEvent.MOUSE_PRESSED, at[0], at[1], 0, 1);
+        mouse(MouseEvent.MOUSE_DRAGGED, at[0] + 2, at[1], 0, 1);
+        assertThat(viewing.picked().center()).isEqualTo(before); // a hand that trembles moves nothing
+        mouse(MouseEvent.MOUSE_DRAGGED, at[0] + 20, at[1] + 25, 0, 1);
+        Point there = viewing.picked().center();
+        assertThat(there).isNotEqualTo(before);
+        assertThat(there.y()).isEqualTo(before.y());
+        assertThat(viewing.status()).startsWith("drag what moves");
+        mouse(MouseEvent.MOUSE_DRAGGED, at[0], at[1], 0, 1);
+        assertThat(viewing.picked().center().x())
+                .isCloseTo(before.x(), within(1e-9)); // the point touched is below the hand
+        assertThat(viewing.picked().center().z()).isCloseTo(before.z(), within(1e-9));
+        mouse(MouseEvent.MOUSE_RELEASED, at[0], at[1], 0, 1);
+        assertThat(red(paint())[0]).isBetween(wall[0] - 3, wall[0] + 3); // no camera was moved
+    }
+
+    @Test
+    void aRobotIsNotDraggedIntoAWall() {
+        typed('v');
+        typed('v');
+        paint();
+        int[] at = robot();
+        Point before = viewing.picked().center();
+        // From the robot towards the wall, until the wall is in the way.
+        mouse(MouseEvent.MOUSE_PRESSED, at[0], at[1], InputEvent.SHIFT_DOWN_MASK, 1);
+        int[] wall = red(paint());
+        for (int k = 1; k <= 40 && !viewing.status().contains("in the way"); k++) {
+            int x = at[0] + (wall[0] - at[0]) * k / 20;
+            mouse(MouseEvent.MOUSE_DRAGGED, x, at[1] + (wall[1] - at[1]) * k / 20, InputEvent.SHIFT_DOWN_MASK, 1);
+        }
+        assertThat(viewing.status()).contains("wall is in the way");
+        Point stays = viewing.picked().center();
+        assertThat(stays.x()).isLessThan(Talk.WALL.bounds().minX());
+        assertThat(stays).isNotEqualTo(before);
+        BufferedImage refused = paint();
+        mouse(MouseEvent.MOUSE_RELEASED, at[0], at[1], InputEvent.SHIFT_DOWN_MASK, 1);
+        assertThat(viewing.status()).doesNotContain("in the way");
+        assertThat(differences(refused, paint())).isGreaterThan(50); // the refusal was drawn
+    }
+
+    @Test
+    void aCameraGoesAlongWithARobot() {
+        typed('v');
+        typed('g');
+        assertThat(space().gallery.isFollowing()).isTrue();
+        assertThat(space().getWidth()).isBetween(340, 350); // beside the plan
+        typed('g');
+        assertThat(space().gallery.isFollowing()).isFalse();
     }
 
     @Test

@@ -144,7 +144,7 @@ class ViewerModelTest {
                 .containsExactly(Scene.Mark.Why.REFUSED, Scene.Mark.Why.PICKED);
         viewing.release();
         assertThat(viewing.life().blocked()).isEmpty();
-        assertThat(viewing.status()).isEqualTo("drag what moves");
+        assertThat(viewing.status()).isEqualTo("drag what moves; H lists the keys");
     }
 
     @Test
@@ -227,8 +227,8 @@ class ViewerModelTest {
         viewing.player.seek(2);
         assertThat(viewing.life().pings()).hasSize(1);
         assertThat(viewing.life().farthest()).isEqualTo(2);
-        viewing.nextTrails();
-        viewing.nextTrails(); // none
+        viewing.layers().nextTrails();
+        viewing.layers().nextTrails(); // none
         assertThat(viewing.life().refusals()).isEmpty();
     }
 
@@ -323,7 +323,7 @@ class ViewerModelTest {
         press(viewing, 12, 0);
         drag(viewing, 6, 0);
         viewing.release();
-        assertThat(viewing.status()).isEqualTo("drag what moves");
+        assertThat(viewing.status()).isEqualTo("drag what moves; H lists the keys");
         assertThat(viewing.life().things().get(1).object().center().x()).isCloseTo(6, within(1e-9));
         press(viewing, 6, 0);
         drag(viewing, 5, 3);

@@ -143,7 +143,7 @@ class ViewerPaneTest {
         BufferedImage dark = shown.paint();
         assertThat(shown.at(dark, -1.5, 1.5)).isEqualTo(Palette.FLOOR.dark());
         assertThat(dark.getRGB(2, HEIGHT - 2) & 0xffffff).isEqualTo(Palette.PAPER.dark());
-        assertThat(shown.status()).isEqualTo("drag what moves");
+        assertThat(shown.status()).isEqualTo("drag what moves; H lists the keys");
     }
 
     @Test
@@ -193,7 +193,7 @@ class ViewerPaneTest {
         assertThat(shown.status()).contains("wall is in the way");
         shown.mouse(MouseEvent.MOUSE_DRAGGED, 6, 0, 0);
         shown.pane.tick(0);
-        assertThat(shown.status()).isEqualTo("drag what moves");
+        assertThat(shown.status()).isEqualTo("drag what moves; H lists the keys");
     }
 
     @Test

@@ -1,0 +1,595 @@
+#!/usr/bin/env python3
+"""A client of the geometry module, in one file and with nothing but Python's standard library (3.8 or newer).
+
+    import robosim
+    from robosim import box, cylinder
+
+    with robosim.connect("localhost:7575") as module:
+        module.init([box([3, 0, 0], 0.2, 2, 4, name="wall"), cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True)])
+        print(module.sonar("robot"))                # 2.9: ahead, along a line
+        print(module.move("robot", x=5).obstacle)   # wall
+        print(module.scan("robot", count=360)[90])  # inf: nothing to the left
+
+against a module that listens, such as `robosim serve 7575`; `robosim.accept(port)` waits for one that connects. Copy this
+file beside your program. Run by itself it carries out the lines above: python3 examples/robosim.py localhost:7575
+
+Lengths are world units, Y is up, forward is an object's own +X, and to its right is its +Z. Every angle is in radians;
+headings, turns `ry` and the beams of a fan are counter-clockwise seen from above, so that a positive one is to the left.
+Only the direction of a sonar is given by two lengths, ahead and to the right: (0, 1) looks right.
+
+Many numbers come as array.array, which numpy.asarray takes without copying. docs/guide-python.md shows more, and
+docs/protocol.md says what goes over the wire.
+"""
+
+import array
+import base64
+import itertools
+import json
+import math
+import socket
+import sys
+import time
+from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+__all__ = [
+    "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
+    "pinhole", "directions", "sense", "poses", "edges", "pose", "place", "add", "remove", "go", "world", "Move", "Sonar",
+    "Moves", "Went", "Change", "Pose", "World", "LeftOut", "Scan", "Error", "NotDone", "ProtocolFault",
+    "RequestError",
+]
+
+Json = Dict[str, Any]
+Vector = Sequence[float]
+
+
+class Error(Exception):
+    """What this library raises."""
+
+
+class NotDone(Error):
+    """The connection failed, or the module ended it and said why."""
+
+
+class ProtocolFault(Error):
+    """The module said what the protocol does not allow."""
+
+
+class RequestError(Error):
+    """One request has no answer, as where no object has its name; the connection goes on."""
+
+
+class LeftOut(NamedTuple):
+    """An object of an init that is not in the world."""
+
+    index: int
+    name: str  # empty for an object without one
+    reason: str
+
+
+class World(NamedTuple):
+    """What became of an init."""
+
+    added: int
+    left_out: List[LeftOut]
+    width: float
+    height: float
+    length: float
+    dimension: str
+    accuracy: str
+
+
+class Pose(NamedTuple):
+    """Where an object is: its centre, nine numbers whose columns are its axes, and its heading."""
+
+    center: List[float]
+    rotation: List[float]
+    heading: float
+
+
+class Change(NamedTuple):
+    """Whether a change was made. It is true where it was: `if module.place(...)`."""
+
+    done: bool
+    obstacle: Optional[str]  # what is in the way, "" for an object without a name; None for the border, or where done
+
+    def __bool__(self) -> bool:
+        return self.done
+
+
+class Went(NamedTuple):
+    """What became of a move. It is true where the move was made: `if module.move(...)`."""
+
+    made: bool
+    fraction: float = 1.0  # the free share of the translation
+    turn_fraction: float = 1.0  # the free share of the turn after it
+    obstacle: Optional[str] = None  # what blocks, "" for an object without a name; None for the border, or where made
+    contact: Optional[List[float]] = None
+    normal: Optional[List[float]] = None  # from what blocks towards the object
+
+    def __bool__(self) -> bool:
+        return self.made
+
+
+class Move(NamedTuple):
+    """A move of one object: along its own axes, then a turn about its own Y, then about its own X."""
+
+    name: str
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    rx: float = 0.0
+    ry: float = 0.0
+
+
+class Moves(NamedTuple):
+    """What became of several moves: those that were made, and why each of the others was not, by its index."""
+
+    made: List[Move]
+    refused: Dict[int, str]
+
+
+class Sonar(NamedTuple):
+    """A sonar at the centre of an object, towards `x` ahead and `z` to its right, of any length but zero."""
+
+    name: str
+    x: float = 1.0
+    z: float = 0.0
+    min: float = 0.0
+    max: float = math.inf
+    width: float = 0.0
+
+
+class Picture(NamedTuple):
+    """A picture in colour."""
+
+    width: int
+    height: int
+    rgb: bytes
+    """Red, green and blue of each pixel, a byte each, row by row from the top."""
+
+
+class Scan:
+    """What a sensor measured: a sequence of distances, one for each beam in order; inf where nothing echoes."""
+
+    def __init__(self, answer: Json) -> None:
+        self.distances: "array.array[float]" = _unpacked("d", answer["distances"])
+        #: X, Y and Z of the surface's normal for each beam; empty unless asked for.
+        self.normals: "array.array[float]" = _unpacked("d", answer.get("normals", ""))
+        #: The names of the objects that are seen, "" for one without a name.
+        self.names: List[str] = answer.get("names", [])
+        #: For each beam the index in `names` of what it met, -1 for nothing; empty unless asked for.
+        self.objects: "array.array[int]" = _unpacked("i", answer.get("objects", ""))
+        #: For each beam the label of the material that it met, 0 for none; empty unless objects were asked for.
+        self.labels: "array.array[int]" = _unpacked("i", answer.get("labels", ""))
+
+    def __len__(self) -> int:
+        return len(self.distances)
+
+    def __getitem__(self, beam: int) -> float:
+        return self.distances[beam]
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self.distances)
+
+    def name(self, beam: int) -> Optional[str]:
+        """The name of what a beam met; None for nothing."""
+        seen = self.objects[beam]
+        return None if seen < 0 else self.names[seen]
+
+
+def _unpacked(code: str, text: str) -> "array.array[Any]":
+    numbers: "array.array[Any]" = array.array(code)
+    numbers.frombytes(base64.b64decode(text))
+    if sys.byteorder == "big":
+        numbers.byteswap()
+    return numbers
+
+
+def _packed(numbers: Iterable[float]) -> str:
+    packed = array.array("d", numbers)
+    if sys.byteorder == "big":
+        packed.byteswap()
+    return base64.b64encode(packed.tobytes()).decode("ascii")
+
+
+# Objects. Each may have a name=, be moveable=True, and have a heading= or a rotation= of nine numbers, row by row, whose
+# columns are its own axes in the world; and a material=, as docs/materials.md has it in JSON: {"color": "#ff8000"}.
+
+def _object(kind: str, fields: Json, rest: Json) -> Json:
+    for field in rest:
+        if field not in ("name", "moveable", "heading", "rotation", "material", "center"):
+            raise TypeError(f"a {kind} has no {field}; it may have a name, moveable, heading, rotation and material")
+    made = {"kind": kind, **fields, **{field: value for field, value in rest.items() if value is not None}}
+    if "center" in made:
+        made["center"] = list(made["center"])
+    return made
+
+
+def box(center: Vector, width: float, height: float, length: float, **rest: Any) -> Json:
+    """A box: its extents along X, Y and Z."""
+    return _object("box", {"center": center, "width": width, "height": height, "length": length}, rest)
+
+
+def cylinder(center: Vector, radius: float, height: float, **rest: Any) -> Json:
+    """A cylinder about its own Y."""
+    return _object("cylinder", {"center": center, "radius": radius, "height": height}, rest)
+
+
+def sphere(center: Vector, radius: float, **rest: Any) -> Json:
+    """A sphere."""
+    return _object("sphere", {"center": center, "radius": radius}, rest)
+
+
+def capsule(center: Vector, radius: float, segment: float, **rest: Any) -> Json:
+    """All points within a radius of a segment along its own Y."""
+    return _object("capsule", {"center": center, "radius": radius, "segment": segment}, rest)
+
+
+def mesh(vertices: Iterable[Vector], faces: Iterable[Sequence[int]], solid: bool = False, **rest: Any) -> Json:
+    """Triangles and quads, as indices of vertices; solid where they are closed and the inside counts too."""
+    fields = {"vertices": [list(v) for v in vertices], "faces": [list(f) for f in faces]}
+    return _object("mesh", {**fields, "solid": True} if solid else fields, rest)
+
+
+def group(members: Iterable[Json], **rest: Any) -> Json:
+    """Several objects as one, in its own frame."""
+    return _object("group", {"members": list(members)}, rest)
+
+
+def grid(center: Vector, cell: float, height: float, rows: Sequence[Sequence[Any]], **rest: Any) -> Json:
+    """A map: the true cells of equally long rows are occupied; the first row lies at the least Z."""
+    columns = len(rows[0])
+    occupied = bytearray((columns * len(rows) + 7) // 8)
+    for k, cell_value in enumerate(itertools.chain.from_iterable(rows)):
+        if cell_value:
+            occupied[k >> 3] |= 1 << (k & 7)
+    return _object("grid", {"center": center, "cell": cell, "height": height, "columns": columns, "rows": len(rows),
+                            "occupied": base64.b64encode(bytes(occupied)).decode("ascii")}, rest)
+
+
+# The beams of a sensor.
+
+def fan(first: float, step: float, count: int) -> Json:
+    """Beam k points first + k * step counter-clockwise from forward."""
+    return {"kind": "fan", "first": first, "step": step, "count": count}
+
+
+def layers(elevations: Iterable[float], first: float, step: float, count: int) -> Json:
+    """A fan for each elevation."""
+    return {"kind": "layers", "elevations": list(elevations), "first": first, "step": step, "count": count}
+
+
+def pinhole(width: int, height: int, field_of_view: float) -> Json:
+    """A camera: a beam through the middle of each pixel, row by row from the top left."""
+    return {"kind": "pinhole", "width": width, "height": height, "fieldOfView": field_of_view}
+
+
+def directions(numbers: Iterable[float]) -> Json:
+    """X, Y and Z of each beam, one after the other."""
+    return {"kind": "directions", "directions": _packed(numbers)}
+
+
+# The requests of a batch; Module.batch sends many of them at once, and the methods of Module one each.
+
+def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 0.0,
+          rotation: Optional[Vector] = None, min: float = 0.0, max: float = math.inf, width: float = 0.0,
+          sees_carrier: bool = False, normals: bool = False, objects: bool = False,
+          motion: Optional[Json] = None) -> Json:
+    """All beams of a sensor on an object: `at` a place of its own frame, facing a heading there or with a rotation."""
+    mount: Json = {"place": list(at)}
+    if rotation is not None:
+        mount["rotation"] = list(rotation)
+    elif heading != 0:
+        mount["heading"] = heading
+    request = {"kind": "sense", "objectName": name, "mount": mount, "pattern": pattern, "min": min,
+               "max": None if math.isinf(max) else max, "width": width, "seesCarrier": sees_carrier,
+               "normals": normals, "objects": objects}
+    return request if motion is None else {**request, "motion": motion}
+
+
+def picture(name: str, width: int, height: int, field_of_view: float, *, at: Vector = (0, 0, 0), heading: float = 0.0,
+            samples: int = 1, mirrors: int = 3, sees_carrier: bool = False, light: Optional[Json] = None) -> Json:
+    """A picture by a camera that an object carries; without a name, by one that stands in the world."""
+    request: Json = {"kind": "picture", "pattern": pinhole(width, height, field_of_view), "samples": samples,
+                     "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": {"place": list(at), "heading": heading}}
+    if name:
+        request["objectName"] = name
+    if light is not None:
+        request["light"] = light
+    return request
+
+
+def poses(name: str, numbers: Iterable[float]) -> Json:
+    """Whether an object would touch nothing at each pose: X, Y, Z and heading, one after the other."""
+    return {"kind": "poses", "objectName": name, "poses": _packed(numbers)}
+
+
+def edges(name: str, numbers: Iterable[float]) -> Json:
+    """Whether it would touch nothing on the way between two poses, eight numbers each."""
+    return {"kind": "edges", "objectName": name, "edges": _packed(numbers)}
+
+
+def pose(name: str) -> Json:
+    """Where an object is."""
+    return {"kind": "pose", "objectName": name}
+
+
+def place(name: str, center: Vector, heading: float = 0.0) -> Json:
+    """Puts an object upright at a place where it touches nothing, without a way to it."""
+    return {"kind": "place", "objectName": name, "center": list(center), "heading": heading}
+
+
+def add(thing: Json, overlapping: bool = False) -> Json:
+    """Adds an object; only where it touches nothing, unless it may overlap."""
+    return {"kind": "add", "object": thing, "overlapping": overlapping}
+
+
+def remove(name: str) -> Json:
+    """Removes an object."""
+    return {"kind": "remove", "objectName": name}
+
+
+def go(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0) -> Json:
+    """A move whose answer says what blocks it."""
+    return {"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rx": rx, "ry": ry}
+
+
+def world() -> Json:
+    """What became of the last init."""
+    return {"kind": "world"}
+
+
+Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, World, RequestError]
+
+
+class Module:
+    """A connection to the geometry module; `connect` and `accept` make one. It belongs to one thread at a time."""
+
+    def __init__(self, sock: socket.socket, secret: Optional[str] = None) -> None:
+        sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # messages are small and wait for their answers
+        self._sock = sock
+        self._lines = sock.makefile("rb")
+        hello: Json = {"type": "hello", "version": 1}
+        if secret is not None:
+            hello["secret"] = secret
+        # At once: who is silent for 300 ms is taken for a Java peer that waits for a stream header.
+        self.send(hello)
+        welcome = self.receive("hello", first=True)
+        #: The module's name and version.
+        self.version: str = welcome["module"]
+        #: What the module takes at most, by the names of docs/protocol.md.
+        self.limits: Dict[str, int] = welcome["limits"]
+
+    def __enter__(self) -> "Module":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends the connection."""
+        self._lines.close()
+        self._sock.close()
+
+    def send(self, message: Json) -> None:
+        """Sends one message as it is; for what has no method here, and for several requests ahead of their answers."""
+        # json writes the shortest digits that mean a double, and reads them back to the same bits.
+        try:
+            self._sock.sendall(json.dumps(message, allow_nan=False, separators=(",", ":")).encode() + b"\n")
+        except (BrokenPipeError, ConnectionError):
+            pass  # the module ended the conversation, and its last line says why
+        except OSError as e:
+            raise NotDone(f"the connection failed: {e}") from None
+
+    def receive(self, kind: str, first: bool = False) -> Json:
+        """The next answer, which must be of a type."""
+        try:
+            line = self._lines.readline()
+            if first and line and not line.startswith(b"{"):
+                line = self._lines.readline()  # we were late: the header for Java peers, on a line of its own
+        except OSError as e:
+            raise NotDone(f"the connection failed: {e}") from None
+        if not line.endswith(b"\n"):
+            raise NotDone("the module ended the conversation; its log tells why")
+        try:
+            answer = json.loads(line)
+            given = answer["type"]
+        except (ValueError, KeyError, TypeError):
+            raise ProtocolFault(f"an answer must be a JSON object with a type (got: {line[:100]!r}); is it the"
+                                " geometry module that listens there?") from None
+        if given == "error":
+            raise NotDone(f"the module refused it: {answer['message']}")
+        if given != kind:
+            raise ProtocolFault(f"the answer must be {kind} (got: {given})")
+        return answer
+
+    def ask(self, message: Json, kind: str) -> Tuple[Json, float]:
+        """Sends a message; the answer as it is, and the seconds that it took."""
+        begin = time.perf_counter()
+        self.send(message)
+        return self.receive(kind), time.perf_counter() - begin
+
+    def ping(self) -> float:
+        """The seconds of a round trip."""
+        return self.ask({"type": "ping"}, "pong")[1]
+
+    def init(self, objects: Iterable[Json], *, width: Optional[float] = None, height: Optional[float] = None,
+             length: Optional[float] = None, dimension: Optional[str] = None,
+             accuracy: Optional[str] = None) -> World:
+        """A new world in place of the one before. What is left out is the module's own: a size that holds all objects,
+        PLANAR and EXACT unless it was started otherwise."""
+        given = {"width": width, "height": height, "length": length, "dimension": dimension, "accuracy": accuracy}
+        settings = {name: value for name, value in given.items() if value is not None}
+        self.send({"type": "init", "objects": list(objects), "settings": settings, "answer": True})
+        return self._one(world(), self.receive("answers"))
+
+    def moves(self, moves: Iterable[Move]) -> Moves:
+        """Several moves in order, each in the world that the earlier ones left."""
+        asked = list(moves)
+        lines = [{"objectName": m.name, "x": m.x, "y": m.y, "z": m.z, "rx": m.rx, "ry": m.ry} for m in asked]
+        answer = self.ask({"type": "moves", "moves": lines}, "moves")[0]
+        refused = {problem["index"]: problem["reason"] for problem in answer["refused"]}
+        made = [move for k, move in enumerate(asked) if k not in refused]
+        if len(made) != len(answer["moves"]):
+            raise ProtocolFault(f"there must be {len(made)} moves that were made (got: {len(answer['moves'])})")
+        return Moves(made, refused)
+
+    def sonars(self, sonars: Iterable[Sonar]) -> List[Union[float, RequestError]]:
+        """Several sonars; inf where nothing echoes, a RequestError in place of a distance that there is not."""
+        lines = [{"objectName": s.name, "xOffset": s.x, "zOffset": s.z,
+                  "beam": {"min": s.min, "max": None if math.isinf(s.max) else s.max, "width": s.width}}
+                 for s in sonars]
+        answer = self.ask({"type": "sonars", "requests": lines}, "distances")[0]["distances"]
+        if len(answer) != len(lines):
+            raise ProtocolFault(f"there must be {len(lines)} distances (got: {len(answer)})")
+        return [math.inf if d is None else RequestError(d["error"]) if isinstance(d, dict) else d for d in answer]
+
+    def sonar(self, name: str, x: float = 1.0, z: float = 0.0, *, min: float = 0.0, max: float = math.inf,
+              width: float = 0.0) -> float:
+        """The distance that one sonar measures, towards `x` ahead and `z` to the right."""
+        distance = self.sonars([Sonar(name, x, z, min, max, width)])[0]
+        if isinstance(distance, RequestError):
+            raise distance
+        return distance
+
+    def batch(self, requests: Iterable[Json]) -> List[Answer]:
+        """Requests of any kinds in one round trip, carried out in order; a RequestError in place of an answer that there
+        is not. The functions of this module, from `sense` to `world`, make requests."""
+        asked = list(requests)
+        answers = self.ask({"type": "batch", "requests": asked}, "answers")[0]["answers"]
+        if len(answers) != len(asked):
+            raise ProtocolFault(f"there must be {len(asked)} answers (got: {len(answers)})")
+        return [_read(request["kind"], answer) for request, answer in zip(asked, answers)]
+
+    def _one(self, request: Json, bundle: Optional[Json] = None) -> Any:
+        if bundle is None:
+            bundle = self.ask({"type": "batch", "requests": [request]}, "answers")[0]
+        answer = _read(request["kind"], bundle["answers"][0])
+        if isinstance(answer, RequestError):
+            raise answer
+        return answer
+
+    def move(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
+             ry: float = 0.0) -> Went:
+        """Moves an object along its own axes, then turns it; all or nothing."""
+        return self._one(go(name, x, y, z, rx, ry))
+
+    def sense(self, name: str, pattern: Json, **options: Any) -> Scan:
+        """All beams of a sensor on an object, with the options of the function `sense`."""
+        return self._one(sense(name, pattern, **options))
+
+    def scan(self, name: str, first: float = 0.0, step: Optional[float] = None, count: int = 360,
+             **options: Any) -> Scan:
+        """A laser scan; without a step, a whole turn counter-clockwise."""
+        return self.sense(name, fan(first, math.tau / count if step is None else step, count), **options)
+
+    def frame(self, name: str, width: int, height: int, field_of_view: float, **options: Any) -> Scan:
+        """A camera's frame, row by row from the top left: distances along the rays, objects and labels."""
+        return self.sense(name, pinhole(width, height, field_of_view), **{"objects": True, **options})
+
+    def picture(self, name: str, width: int, height: int, field_of_view: float, **options: Any) -> Picture:
+        """A picture in colour, by a camera that an object carries; without a name, by one that stands in the world."""
+        return self._one(picture(name, width, height, field_of_view, **options))
+
+    def free_poses(self, name: str, numbers: Iterable[float]) -> List[bool]:
+        """Whether an object would touch nothing at each pose: X, Y, Z and heading, one after the other."""
+        return self._one(poses(name, numbers))
+
+    def free_edges(self, name: str, numbers: Iterable[float]) -> List[bool]:
+        """Whether it would touch nothing on the way between two poses, eight numbers each."""
+        return self._one(edges(name, numbers))
+
+    def pose(self, name: str) -> Pose:
+        """Where an object is."""
+        return self._one(pose(name))
+
+    def place(self, name: str, center: Vector, heading: float = 0.0) -> Change:
+        """Puts an object upright at a place where it touches nothing, without a way to it."""
+        return self._one(place(name, center, heading))
+
+    def add(self, thing: Json, overlapping: bool = False) -> Change:
+        """Adds an object; only where it touches nothing, unless it may overlap."""
+        return self._one(add(thing, overlapping))
+
+    def remove(self, name: str) -> Change:
+        """Removes an object; not done where there is none of that name."""
+        return self._one(remove(name))
+
+    def world(self) -> World:
+        """What became of the last init."""
+        return self._one(world())
+
+
+def _read(kind: str, answer: Json) -> Answer:
+    if "error" in answer:
+        return RequestError(answer["error"])
+    try:
+        if kind == "sense":
+            return Scan(answer)
+        if kind == "picture":
+            return Picture(answer["width"], answer["height"], base64.b64decode(answer["rgb"]))
+        if kind in ("poses", "edges"):
+            bits = base64.b64decode(answer["free"])
+            return [bool(bits[k >> 3] >> (k & 7) & 1) for k in range(answer["count"])]
+        if kind == "pose":
+            return Pose(answer["center"], answer["rotation"], answer["heading"])
+        if kind == "move":
+            return Went(answer["made"], answer.get("fraction", 1.0), answer.get("turnFraction", 1.0),
+                        answer.get("obstacle"), answer.get("contact"), answer.get("normal"))
+        if kind == "world":
+            left = [LeftOut(o["index"], o.get("name", ""), o["reason"]) for o in answer["leftOut"]]
+            return World(answer["added"], left, answer["width"], answer["height"], answer["length"],
+                         answer["dimension"], answer["accuracy"])
+        return Change(answer["done"], answer.get("obstacle"))
+    except (KeyError, TypeError, ValueError, IndexError) as e:
+        raise ProtocolFault(f"an answer to {kind} must have its fields (got: {str(answer)[:100]}): {e!r}") from None
+
+
+def _place(text: str) -> Tuple[str, int]:
+    host, _, port = text.rpartition(":")
+    if not port.isdigit() or not 0 <= int(port) <= 65535:
+        raise NotDone(f"a place must be HOST:PORT or a port (got: {text})")
+    return host or "localhost", int(port)
+
+
+def connect(to: str, secret: Optional[str] = None, timeout: Optional[float] = None) -> Module:
+    """Connects to a module that listens at "HOST:PORT".
+
+    With a timeout, each answer may take so many seconds at most."""
+    try:
+        sock = socket.create_connection(_place(to), timeout)
+    except OSError as e:
+        raise NotDone(f"no module listens at {to}: {e}; start one with `robosim serve {to.rpartition(':')[2]}`") from None
+    return Module(sock, secret)
+
+
+def accept(port: int, secret: Optional[str] = None, timeout: Optional[float] = None) -> Module:
+    """Waits on a port of this machine for a module that connects, as RoboSim's environment does."""
+    try:
+        with socket.create_server(("127.0.0.1", port)) as listening:
+            sock = listening.accept()[0]
+            sock.settimeout(timeout)
+    except OSError as e:
+        raise NotDone(f"no module connected to port {port}: {e}") from None
+    return Module(sock, secret)
+
+
+def _main(arguments: List[str]) -> int:
+    if len(arguments) != 1:
+        print("usage: robosim.py HOST:PORT", file=sys.stderr)
+        return 2
+    try:
+        with connect(arguments[0]) as module:
+            module.init([box([3, 0, 0], 0.2, 2, 4, name="wall"),
+                         cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True)])
+            print(module.sonar("robot"))
+            print(module.move("robot", x=5).obstacle)
+            print(module.scan("robot", count=360)[90])
+        return 0
+    except Error as e:
+        print(f"Not done: {e}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(_main(sys.argv[1:]))

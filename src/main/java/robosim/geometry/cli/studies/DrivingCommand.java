@@ -1,0 +1,316 @@
+package robosim.geometry.cli.studies;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.scenario.ScenarioHeader;
+import robosim.geometry.scenario.ScenarioWriter;
+import robosim.geometry.scenario.drive.DriveRun;
+import robosim.geometry.scenario.drive.WorldBodies;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+
+/** Drives robots through a world. */
+@Command(
+        name = "drive",
+        description =
+                "Drives robots through a world for a time: they slide, push and bounce, and never overlap anything.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.DONE,
+            ExitCodes.FINDINGS + ":a body was stopped because its motion could not be decided",
+            ExitCodes.REFUSED
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry drive worlds/pushing.xml --robot cart --speed 0.5 --turn 10 --seconds 10",
+            "  robosim-geometry drive worlds/rooms.xml --tell pad=0.5,10 --push \\",
+            "      --record out.scenario.jsonl",
+            "  robosim-geometry replay out.scenario.jsonl",
+            "  robosim-geometry view out.scenario.jsonl"
+        })
+public final class DrivingCommand implements Callable<Integer> {
+    private static final int DIGITS = 6;
+    private static final int MOST_STEPS = 10_000_000;
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
+    private Path world = Path.of("");
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
+
+    @Option(
+            names = "--robot",
+            paramLabel = "NAME",
+            description = "a moveable object that drives as --speed and --turn say; may be repeated (default: the first"
+                    + " that has a drive, or the first of all)")
+    private List<String> robots = new ArrayList<>();
+
+    @Option(names = "--speed", paramLabel = "M/S", description = "its speed (default: ${DEFAULT-VALUE})")
+    private double speed = 0.5;
+
+    @Option(
+            names = "--turn",
+            paramLabel = "DEGREES",
+            description = "degrees a second, counter-clockwise; of a car the angle of its front wheels (default: 0)")
+    private double turn;
+
+    @Option(
+            names = "--tell",
+            paramLabel = "NAME=SPEED,TURN",
+            description = "a robot with a speed and a turn of its own; may be repeated")
+    private Map<String, String> told = new LinkedHashMap<>();
+
+    @Option(names = "--seconds", paramLabel = "S", description = "how long (default: ${DEFAULT-VALUE})")
+    private double seconds = 10;
+
+    @Option(names = "--step", paramLabel = "S", description = "length of a step (default: ${DEFAULT-VALUE})")
+    private double step = 0.05;
+
+    @Option(
+            names = "--mass",
+            paramLabel = "NAME=KG",
+            description = "gives a moveable object a mass, so that robots push it; may be repeated")
+    private Map<String, Double> masses = new LinkedHashMap<>();
+
+    @Option(
+            names = "--push",
+            description = "lets robots push every moveable object; those without a body in the file weigh 200 kg/m^3")
+    private boolean push;
+
+    @Option(names = "--planar", description = "drives a world in which heights count as one in which they do not")
+    private boolean planar;
+
+    @Option(
+            names = "--record",
+            paramLabel = "FILE",
+            description = "a new scenario that repeats the drive: for replay, view, export and sweep")
+    private @Nullable Path record;
+
+    private DrivingCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        check();
+        World read = files.world(Inputs.file(spec, "WORLD", world));
+        if (planar) {
+            read = new World(
+                    read.width(),
+                    read.height(),
+                    read.length(),
+                    read.unit(),
+                    Dimension.PLANAR,
+                    read.accuracy(),
+                    read.objects());
+        }
+        List<DriveCommand> commands = commands(read);
+        DriveRun run;
+        Path file = record;
+        if (file == null) {
+            run = drive(read, commands, null);
+        } else {
+            try (OutputStream out = Files.newOutputStream(file);
+                    ScenarioWriter writer = new ScenarioWriter(
+                            out, new ScenarioHeader("drive " + world.getFileName(), SessionOptions.ROBOSIM))) {
+                run = drive(read, commands, writer);
+            }
+        }
+        print(run);
+        return run.stopped().isEmpty() ? 0 : ExitCodes.FINDINGS;
+    }
+
+    private void check() {
+        if (!(seconds > 0 && step > 0 && step <= 3600 && seconds / step <= MOST_STEPS)) {
+            throw refused("--seconds and --step must be above 0, a step at most an hour, and there must be at most "
+                    + MOST_STEPS + " steps (got: " + seconds + " in steps of " + step + ")");
+        }
+        if (record != null && Files.exists(record)) {
+            throw refused("--record must be a new file; existing files are not overwritten (got: " + record + ")");
+        }
+    }
+
+    private DriveRun drive(World read, List<DriveCommand> commands, @Nullable ScenarioWriter writer)
+            throws IOException {
+        DriveRun run;
+        try {
+            run = new DriveRun(read, bodies(read), commands, writer);
+        } catch (IllegalArgumentException e) {
+            throw refused(String.valueOf(e.getMessage()));
+        }
+        long whole = (long) Math.floor(seconds / step * (1 + 1e-12));
+        try (Progress progress = Progress.of(spec.commandLine(), "driving", whole)) {
+            for (long k = 0; k < whole; k++) {
+                run.step(step);
+                progress.at(k + 1);
+            }
+            double rest = seconds - whole * step;
+            if (rest > 1e-9 * step) {
+                run.step(rest);
+            }
+        }
+        return run;
+    }
+
+    private List<DriveCommand> commands(World read) {
+        List<DriveCommand> commands = new ArrayList<>();
+        List<String> names = new ArrayList<>(robots);
+        if (names.isEmpty() && told.isEmpty()) {
+            names.add(first(read));
+        }
+        for (String name : names) {
+            commands.add(command(read, "--robot", name, speed, turn));
+        }
+        told.forEach((name, text) -> {
+            String[] numbers = text.split(",", -1);
+            try {
+                commands.add(command(
+                        read,
+                        "--tell",
+                        name,
+                        Double.parseDouble(numbers[0]),
+                        numbers.length == 1 ? 0 : Double.parseDouble(numbers[1])));
+            } catch (NumberFormatException e) {
+                throw refused("--tell must be NAME=SPEED,TURN, as in cart=0.5,10 (got: " + name + "=" + text + ")");
+            }
+        });
+        return commands;
+    }
+
+    private static String first(World read) {
+        String first = "";
+        for (WorldObject object : read.objects()) {
+            String name = object.object().name();
+            if (name != null && object.object().isMoveable()) {
+                if (object.body() != null && object.body().drive() != null) {
+                    return name;
+                }
+                first = first.isEmpty() ? name : first;
+            }
+        }
+        return first;
+    }
+
+    private DriveCommand command(World read, String option, String name, double forward, double degrees) {
+        known(read, option, name);
+        try {
+            return new DriveCommand(name, forward, Degrees.toRadians(degrees));
+        } catch (IllegalArgumentException e) {
+            throw refused(option + ": " + e.getMessage());
+        }
+    }
+
+    private void known(World read, String option, String name) {
+        List<String> moveable = new ArrayList<>();
+        for (WorldObject object : read.objects()) {
+            if (object.object().isMoveable()) {
+                moveable.add(Text.quoted(String.valueOf(object.object().name())));
+            }
+        }
+        if (!moveable.contains(Text.quoted(name))) {
+            throw refused(option + " must name a moveable object of the world, one of " + moveable + " (got: "
+                    + Text.quoted(name) + ")");
+        }
+    }
+
+    private List<BodyRequest> bodies(World read) {
+        Map<String, BodyRequest> all = new LinkedHashMap<>();
+        if (push) {
+            for (WorldObject object : read.objects()) {
+                String name = object.object().name();
+                if (name != null && object.object().isMoveable() && object.body() == null) {
+                    all.put(name, BodyRequest.of(name));
+                }
+            }
+        }
+        List<BodyRequest> inFile = WorldBodies.of(read);
+        masses.forEach((name, kilograms) -> {
+            known(read, "--mass", name);
+            BodyRequest known = inFile.stream()
+                    .filter(body -> body.objectName().equals(name))
+                    .findFirst()
+                    .orElse(BodyRequest.of(name));
+            try {
+                all.put(name, known.withMass(kilograms));
+            } catch (IllegalArgumentException e) {
+                throw refused("--mass: " + e.getMessage());
+            }
+        });
+        return List.copyOf(all.values());
+    }
+
+    private void print(DriveRun run) {
+        PrintWriter out = spec.commandLine().getOut();
+        run.tracks().forEach((name, track) -> out.println(Text.quoted(name) + " " + words(track)));
+        out.printf(
+                Locale.ROOT,
+                "%s s in %s, %s%n",
+                number(run.time()),
+                NumberText.count(run.steps(), "step"),
+                NumberText.count(run.contacts(), "contact"));
+        if (!run.stopped().isEmpty()) {
+            out.println("stopped, since their motion could not be decided: " + String.join(", ", run.stopped()));
+        }
+        out.flush();
+    }
+
+    private static String words(DriveRun.Track track) {
+        BodyAnswer at = track.last();
+        double vx = at.velocity().x();
+        double vz = at.velocity().z();
+        String others = String.join(
+                ", ",
+                track.others().stream()
+                        .map(other -> other.isEmpty() ? "what has no name" : Text.quoted(other))
+                        .toList());
+        return "at (" + number(at.center().x()) + ", " + number(at.center().z()) + "), heading "
+                + number(Degrees.toDegrees(at.heading())) + ", " + number(Math.sqrt(vx * vx + vz * vz)) + " m/s, after "
+                + number(track.way()) + " m"
+                + (track.met() == 0
+                        ? ""
+                        : "; met " + others + " (" + track.met() + ", first at " + number(track.firstMet()) + " s)");
+    }
+
+    private static String number(double value) {
+        return NumberText.digits(Math.abs(value) < 1e-9 ? 0 : value, DIGITS);
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

@@ -1,0 +1,38 @@
+package robosim.geometry.cli.studies;
+
+import java.util.function.LongConsumer;
+
+/** Says something when the process is ended by a signal, such as Ctrl-C, while this is open. */
+final class Stopped implements AutoCloseable {
+    private final Thread hook;
+    private volatile long done;
+
+    private Stopped(LongConsumer sentence) {
+        hook = new Thread(() -> sentence.accept(done), "stopped");
+    }
+
+    /**
+     * Lets a sentence be said if the process ends before this is closed.
+     *
+     * @param sentence called with how much was done by then
+     */
+    static Stopped tell(LongConsumer sentence) {
+        Stopped stopped = new Stopped(sentence);
+        Runtime.getRuntime().addShutdownHook(stopped.hook);
+        return stopped;
+    }
+
+    /** Notes how much is done. */
+    void at(long count) {
+        done = count;
+    }
+
+    @Override
+    public void close() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException ending) {
+            // The process is ending, and the sentence is being said.
+        }
+    }
+}

@@ -1,0 +1,97 @@
+package robosim.geometry.cli.terminal;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import robosim.geometry.world.ImportOptions;
+import robosim.geometry.world.Skipped;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldException;
+import robosim.geometry.world.WorldImport;
+
+/** The worlds that a command reads: where it looks for their models, and which files they came from. */
+public final class WorldFiles {
+    private static final int MOST_SKIPPED = 10;
+
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // set by picocli before the command is called
+    private CommandSpec spec;
+
+    @Option(
+            names = "--models",
+            paramLabel = "DIR",
+            description =
+                    "a folder of models for SDFormat's model://, in addition to the world file's own; may be repeated")
+    private List<Path> models = new ArrayList<>();
+
+    private final Set<Path> opened = new LinkedHashSet<>();
+
+    /** Made by picocli. */
+    private WorldFiles() {}
+
+    /** Refuses a folder of models that does not exist. */
+    public void check() {
+        Inputs.folders(spec, "--models", models);
+    }
+
+    /** The folders given, which must exist, and those of the environment. */
+    public List<Path> folders() {
+        check();
+        return ModelFolders.with(models);
+    }
+
+    /**
+     * Reads a world of any format.
+     *
+     * @param options the models of which are replaced by {@link #folders()}
+     */
+    public WorldImport read(Path file, ImportOptions options) throws WorldException {
+        return WorldImport.read(file, options.withModels(folders()), opened::add);
+    }
+
+    /** Reads a world of any format; what is left out of the file is reported on the standard error. */
+    public World world(Path file) throws WorldException {
+        WorldImport read = read(file, ImportOptions.DEFAULT);
+        List<Skipped> skipped = read.skipped();
+        PrintWriter err = spec.commandLine().getErr();
+        skipped.stream().limit(MOST_SKIPPED).forEach(err::println);
+        if (skipped.size() > MOST_SKIPPED) {
+            err.println("... and " + (skipped.size() - MOST_SKIPPED) + " more; `convert --all` lists them all");
+        }
+        return read.world();
+    }
+
+    /** Names another file that this command reads. */
+    public void opened(Path file) {
+        opened.add(file);
+    }
+
+    /**
+     * Refuses a file to write that is one of those read: it would be lost.
+     *
+     * @param parameter its name in the help
+     */
+    public Path output(String parameter, Path file) throws IOException {
+        if (Files.exists(file)) {
+            for (Path input : opened) {
+                if (Files.exists(input) && Files.isSameFile(file, input)) {
+                    throw new ParameterException(
+                            spec.commandLine(),
+                            parameter
+                                    + " must not be a file that is read, which it would overwrite; name another (got: "
+                                    + file + ")");
+                }
+            }
+        }
+        return file;
+    }
+}

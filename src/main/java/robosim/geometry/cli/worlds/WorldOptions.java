@@ -1,0 +1,94 @@
+package robosim.geometry.cli.worlds;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldException;
+
+/** Which world a command looks at. */
+public final class WorldOptions {
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "WORLD",
+            description =
+                    "a world in any format that convert reads; for render also a recording (*.scenario.jsonl), or a"
+                            + " folder with the demo's to-module.bin and from-module.bin")
+    private Path world = Path.of("");
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
+
+    private WorldOptions() {}
+
+    Path file() {
+        return world;
+    }
+
+    /** Reads the world. */
+    World read() throws WorldException {
+        Inputs.file(spec, "WORLD", world);
+        return files.world(world);
+    }
+
+    /**
+     * Reads another world.
+     *
+     * @param parameter its name in the help
+     */
+    World other(String parameter, Path file) throws WorldException {
+        return files.world(Inputs.file(spec, parameter, file));
+    }
+
+    /** Refuses a file to write that is one of those that the world was read from. */
+    void keep(String parameter, Path output) throws IOException {
+        files.output(parameter, output);
+    }
+
+    /**
+     * A sensor that the world's file describes.
+     *
+     * @param option that names it, for messages
+     * @param name   in full, or what follows the last {@code ::} of one sensor only
+     */
+    SdfReader.Sensor sensor(String option, String name) throws WorldException {
+        String file = world.toString().toLowerCase(Locale.ROOT);
+        if (!file.endsWith(".sdf") && !file.endsWith(".world")) {
+            throw refused(option + " must be for a WORLD in SDFormat (got: " + world + ")");
+        }
+        List<SdfReader.Sensor> all = SdfReader.sensors(world, files.folders());
+        List<SdfReader.Sensor> found = all.stream()
+                .filter(each -> each.name().equals(name) || each.name().endsWith("::" + name))
+                .toList();
+        for (SdfReader.Sensor each : found) {
+            if (each.name().equals(name)) {
+                return each;
+            }
+        }
+        if (found.size() != 1) {
+            List<String> names = (found.isEmpty() ? all : found)
+                    .stream().map(SdfReader.Sensor::name).toList();
+            throw refused(option + " must name a sensor of WORLD, "
+                    + (names.isEmpty() ? "which has none" : "one of " + String.join(", ", names)) + " (got: " + name
+                    + ")");
+        }
+        return found.get(0);
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

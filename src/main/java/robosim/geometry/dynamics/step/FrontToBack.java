@@ -1,0 +1,296 @@
+package robosim.geometry.dynamics.step;
+
+import java.util.Arrays;
+import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.exact.Degrees;
+
+/**
+ * Carries bodies in the world along the ways that were found for them, one after the other, each by swept motions that are
+ * exact against where all others stand at that moment: so nothing ever overlaps and nothing passes through anything, whatever
+ * was found. Where a body that has yet to move is in the way, it goes first, as far as it was to go by that time; what remains
+ * blocked goes as far as is free and stops.
+ */
+final class FrontToBack {
+    private static final int FIRST = 32;
+
+    /** Most bodies that are let go first, for one that waits. */
+    private static final int MOST_WAITING = 256;
+
+    /** Most times that a leg is halved. */
+    private static final int MOST_HALVES = 4;
+
+    /** Most others that one leg lets go first. */
+    private static final int MOST_RETRIES = 12;
+
+    private final Carrier carrier;
+    private final Bodies bodies;
+    private final double gap;
+
+    // Legs: where a body is at a time, up to which it goes straight from the leg before.
+    private int legs;
+    private int[] body = new int[FIRST];
+    private double[] time = new double[FIRST];
+    private double[] x = new double[FIRST];
+    private double[] z = new double[FIRST];
+    private double[] angle = new double[FIRST];
+    private int[] next = new int[FIRST];
+
+    // By body: its legs, and where it was to be at the time to which it has been carried.
+    private int[] firstLeg = new int[FIRST];
+    private int[] lastLeg = new int[FIRST];
+    private double[] done = new double[FIRST];
+    private double[] atX = new double[FIRST];
+    private double[] atZ = new double[FIRST];
+    private double[] atAngle = new double[FIRST];
+
+    // By body: the same before its last motion, to which it may be taken back.
+    private double[] fromTime = new double[FIRST];
+    private double[] fromX = new double[FIRST];
+    private double[] fromZ = new double[FIRST];
+    private double[] fromAngle = new double[FIRST];
+    private int[] fromLeg = new int[FIRST];
+
+    /** The bodies that were taken back for the one on its way, and to when they are to be brought again. */
+    private final int[] back = new int[16];
+
+    private final double[] backTime = new double[16];
+    private int backCount;
+
+    private boolean[] isOnWay = new boolean[FIRST];
+
+    /** Whether a body could not be carried where it was to go. */
+    boolean[] isBlocked = new boolean[FIRST];
+
+    /** The body of an object of the world, by id; -1 for none. */
+    private int[] bodyOf = new int[FIRST];
+
+    private int waiting;
+
+    FrontToBack(Carrier carrier, Bodies bodies, double gap) {
+        this.carrier = carrier;
+        this.bodies = bodies;
+        this.gap = gap;
+    }
+
+    /** Tells which objects of the world are bodies. */
+    void know() {
+        int limit = carrier.objects.limit();
+        if (bodyOf.length < limit) {
+            bodyOf = new int[2 * limit];
+        }
+        Arrays.fill(bodyOf, -1);
+        for (int b = 0; b < bodies.count; b++) {
+            bodyOf[bodies.id[b]] = b;
+        }
+    }
+
+    /** Begins with all bodies where they stand. */
+    void begin() {
+        legs = 0;
+        if (done.length < bodies.count) {
+            int room = 2 * bodies.count;
+            firstLeg = new int[room];
+            lastLeg = new int[room];
+            done = new double[room];
+            atX = new double[room];
+            atZ = new double[room];
+            atAngle = new double[room];
+            fromTime = new double[room];
+            fromX = new double[room];
+            fromZ = new double[room];
+            fromAngle = new double[room];
+            fromLeg = new int[room];
+            isOnWay = new boolean[room];
+            isBlocked = new boolean[room];
+        }
+        for (int b = 0; b < bodies.count; b++) {
+            firstLeg[b] = -1;
+            done[b] = 0;
+            fromTime[b] = 0;
+            atX[b] = bodies.x[b];
+            atZ[b] = bodies.z[b];
+            atAngle[b] = 0;
+            isBlocked[b] = false;
+        }
+    }
+
+    /** Adds where a body is at the time it has come to; calls are in the order of times. */
+    void leg(int b) {
+        // What stands for now may go later: only the legs of those that never do are left out.
+        boolean isStill = firstLeg[b] < 0 && bodies.x[b] == atX[b] && bodies.z[b] == atZ[b] && bodies.angle[b] == 0;
+        if (bodies.time[b] == 0 || (isStill && bodies.isStill(b))) {
+            return;
+        }
+        if (legs == body.length) {
+            int room = 2 * legs;
+            body = Arrays.copyOf(body, room);
+            time = Arrays.copyOf(time, room);
+            x = Arrays.copyOf(x, room);
+            z = Arrays.copyOf(z, room);
+            angle = Arrays.copyOf(angle, room);
+            next = Arrays.copyOf(next, room);
+        }
+        int leg = legs++;
+        body[leg] = b;
+        time[leg] = bodies.time[b];
+        x[leg] = bodies.x[b];
+        z[leg] = bodies.z[b];
+        angle[leg] = bodies.angle[b];
+        next[leg] = -1;
+        if (firstLeg[b] < 0) {
+            firstLeg[b] = leg;
+        } else {
+            next[lastLeg[b]] = leg;
+        }
+        lastLeg[b] = leg;
+    }
+
+    /** Carries all bodies along all their legs, in the order of times. */
+    void carry() {
+        for (int leg = 0; leg < legs; leg++) {
+            int b = body[leg];
+            if (!isBlocked[b] && done[b] < time[leg]) {
+                waiting = 0;
+                backCount = 0;
+                if (!bring(b, time[leg])) {
+                    settle(b);
+                }
+                while (backCount > 0) {
+                    int other = back[--backCount];
+                    if (!isBlocked[other] && !bring(other, backTime[backCount])) {
+                        settle(other);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Brings a body to where it was to be at a time; false where it is blocked. */
+    private boolean bring(int b, double until) {
+        isOnWay[b] = true;
+        boolean isThere = true;
+        while (isThere && firstLeg[b] >= 0 && done[b] < until && !isBlocked[b]) {
+            int leg = firstLeg[b];
+            if (time[leg] <= until) {
+                isThere = goes(b, time[leg], x[leg], z[leg], angle[leg], 0);
+                if (isThere) {
+                    firstLeg[b] = next[leg];
+                }
+            } else {
+                double share = (until - done[b]) / (time[leg] - done[b]);
+                isThere = goes(
+                        b,
+                        until,
+                        atX[b] + share * (x[leg] - atX[b]),
+                        atZ[b] + share * (z[leg] - atZ[b]),
+                        atAngle[b] + share * (angle[leg] - atAngle[b]),
+                        0);
+            }
+        }
+        isOnWay[b] = false;
+        return isThere && !isBlocked[b];
+    }
+
+    private boolean goes(int b, double until, double toX, double toZ, double toAngle, int halves) {
+        double dx = toX - atX[b];
+        double dz = toZ - atZ[b];
+        double degrees = Degrees.toDegrees(toAngle - atAngle[b]);
+        boolean isMade = makes(b, dx, dz, degrees);
+        for (int retry = 0; !isMade && retry < MOST_RETRIES; retry++) {
+            if (!letGo(b, until, dx, dz, degrees)) {
+                break;
+            }
+            isMade = makes(b, dx, dz, degrees);
+        }
+        if (!isMade && halves < MOST_HALVES) {
+            double mid = 0.5 * (done[b] + until);
+            double midX = 0.5 * (atX[b] + toX);
+            double midZ = 0.5 * (atZ[b] + toZ);
+            double midAngle = 0.5 * (atAngle[b] + toAngle);
+            return done[b] < mid
+                    && mid < until
+                    && goes(b, mid, midX, midZ, midAngle, halves + 1)
+                    && goes(b, until, toX, toZ, toAngle, halves + 1);
+        }
+        if (isMade) {
+            fromTime[b] = done[b];
+            fromX[b] = atX[b];
+            fromZ[b] = atZ[b];
+            fromAngle[b] = atAngle[b];
+            fromLeg[b] = firstLeg[b];
+            done[b] = until;
+            atX[b] = toX;
+            atZ[b] = toZ;
+            atAngle[b] = toAngle;
+        }
+        return isMade;
+    }
+
+    /** Makes a translation and a turn, one after the other in one of both orders; nothing if neither is free. */
+    private boolean makes(int b, double dx, double dz, double degrees) {
+        int id = bodies.id[b];
+        boolean translates = dx != 0 || dz != 0;
+        if (!translates || carrier.translate(id, dx, 0, dz)) {
+            if (degrees == 0 || carrier.turn(id, degrees)) {
+                return true;
+            }
+            if (!translates || !carrier.translate(id, -dx, 0, -dz)) {
+                return false;
+            }
+        }
+        if (degrees == 0 || !translates || !carrier.turn(id, degrees)) {
+            return false;
+        }
+        if (carrier.translate(id, dx, 0, dz)) {
+            return true;
+        }
+        carrier.turn(id, -degrees);
+        return false;
+    }
+
+    /**
+     * Lets whoever is in the way go first, or back to where it came from last if it has been brought there already; false if
+     * there is nobody who could.
+     */
+    private boolean letGo(int b, double until, double dx, double dz, double degrees) {
+        int obstacle = carrier.blocker(bodies.id[b], dx, 0, dz, degrees);
+        int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
+        if (other < 0 || isOnWay[other] || isBlocked[other] || ++waiting > MOST_WAITING) {
+            return false;
+        }
+        if (done[other] >= until) {
+            return backCount < back.length && goesBack(other);
+        }
+        if (firstLeg[other] < 0) {
+            return false;
+        }
+        double was = done[other];
+        return bring(other, until) || done[other] > was;
+    }
+
+    /** Takes a body back to where it was before its last motion; it is brought forward again when the other has gone. */
+    private boolean goesBack(int b) {
+        if (!(fromTime[b] < done[b])
+                || !makes(b, fromX[b] - atX[b], fromZ[b] - atZ[b], Degrees.toDegrees(fromAngle[b] - atAngle[b]))) {
+            return false;
+        }
+        backTime[backCount] = done[b];
+        back[backCount++] = b;
+        done[b] = fromTime[b];
+        atX[b] = fromX[b];
+        atZ[b] = fromZ[b];
+        atAngle[b] = fromAngle[b];
+        firstLeg[b] = fromLeg[b];
+        return true;
+    }
+
+    /** Lets a body go as far as it may, where it ends. */
+    private void settle(int b) {
+        int leg = firstLeg[b];
+        if (leg >= 0) {
+            carrier.toContact(
+                    bodies.id[b], x[leg] - atX[b], 0, z[leg] - atZ[b], Degrees.toDegrees(angle[leg] - atAngle[b]), gap);
+        }
+        isBlocked[b] = true;
+    }
+}

@@ -1,0 +1,241 @@
+package robosim.geometry.dynamics.step;
+
+import java.util.Arrays;
+import java.util.List;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+/**
+ * Takes objects apart into convex pieces as seen from above. Only a tipped cylinder has a shape that is not kept: a polygon
+ * around its rims stands for it, at most 0.5 % larger.
+ */
+final class Outlines {
+    /** Corners of the polygon around the rim of a tipped cylinder. */
+    private static final int RIM = 32;
+
+    private final Pieces pieces;
+    private int body;
+    private int object;
+
+    // The centre that corners are told from, and the body's axes.
+    private double centerX;
+    private double centerZ;
+    private double cos;
+    private double sin;
+
+    /** The points of which the next piece is the hull. */
+    private double[] points = new double[2 * 64];
+
+    private int count;
+
+    Outlines(Pieces pieces) {
+        this.pieces = pieces;
+    }
+
+    /** Adds what stands still, in the world's axes. */
+    void addStill(int id, GeometryObject placed) {
+        add(-1, id, placed, 0, 0, 1, 0);
+    }
+
+    /** Adds the pieces of a body, told from its centre in axes that are turned by its heading. */
+    void add(int ofBody, int id, GeometryObject placed, double x, double z, double cosine, double sine) {
+        body = ofBody;
+        object = id;
+        centerX = x;
+        centerZ = z;
+        cos = cosine;
+        sin = sine;
+        add(placed);
+    }
+
+    private void add(GeometryObject placed) {
+        double[] r = placed.rotation();
+        Point c = placed.center();
+        switch (placed.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) placed;
+                addBox(c, r, box.width() / 2, box.height() / 2, box.length() / 2);
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) placed;
+                if (placed.pose().isUpright()) {
+                    addDisc(c, cylinder.radius());
+                } else {
+                    addTipped(c, r, cylinder.radius(), cylinder.height() / 2);
+                }
+            }
+            case SPHERE -> addDisc(c, ((SphereObject) placed).radius());
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) placed;
+                double half = capsule.segment() / 2;
+                count = 0;
+                point(c.x() + r[1] * half, c.z() + r[7] * half);
+                point(c.x() - r[1] * half, c.z() - r[7] * half);
+                addHull(capsule.radius());
+            }
+            case MESH -> addFaces((MeshObject) placed);
+            case GROUP -> {
+                List<GeometryObject> parts = ((ObjectGroup) placed).parts();
+                for (GeometryObject part : parts) {
+                    add(part.at(part.pose().within(placed.pose())));
+                }
+            }
+            case GRID -> addCells((GridObject) placed);
+        }
+    }
+
+    private void addDisc(Point c, double radius) {
+        count = 0;
+        point(c.x(), c.z());
+        addHull(radius);
+    }
+
+    private void addBox(Point c, double[] r, double width, double height, double length) {
+        count = 0;
+        for (int corner = 0; corner < 8; corner++) {
+            double a = (corner & 1) == 0 ? width : -width;
+            double b = (corner & 2) == 0 ? length : -length;
+            double up = (corner & 4) == 0 ? height : -height;
+            if (up > 0 || r[1] != 0 || r[7] != 0 || height == 0) {
+                point(c.x() + (r[0] * a + r[2] * b) + r[1] * up, c.z() + (r[6] * a + r[8] * b) + r[7] * up);
+            }
+        }
+        addHull(0);
+    }
+
+    private void addTipped(Point c, double[] r, double radius, double half) {
+        count = 0;
+        double around = radius / StrictMath.cos(StrictMath.PI / RIM);
+        for (int k = 0; k < RIM; k++) {
+            double a = around * StrictMath.cos(2 * StrictMath.PI * k / RIM);
+            double b = around * StrictMath.sin(2 * StrictMath.PI * k / RIM);
+            double x = r[0] * a + r[2] * b;
+            double z = r[6] * a + r[8] * b;
+            point(c.x() + x + r[1] * half, c.z() + z + r[7] * half);
+            point(c.x() + x - r[1] * half, c.z() + z - r[7] * half);
+        }
+        addHull(0);
+    }
+
+    private void addFaces(MeshObject mesh) {
+        double[] r = mesh.rotation();
+        Point c = mesh.center();
+        List<Point> vertices = mesh.vertices();
+        for (int[] face : mesh.faces()) {
+            for (int half = 0; half + 2 < face.length; half++) {
+                count = 0;
+                for (int corner : new int[] {face[0], face[half + 1], face[half + 2]}) {
+                    Point v = vertices.get(corner);
+                    point(
+                            c.x() + r[0] * v.x() + r[1] * v.y() + r[2] * v.z(),
+                            c.z() + r[6] * v.x() + r[7] * v.y() + r[8] * v.z());
+                }
+                addHull(0);
+            }
+        }
+    }
+
+    /** The runs of occupied cells along a row, without those that are shut in, which nothing gets to. */
+    private void addCells(GridObject grid) {
+        for (int row = 0; row < grid.rows(); row++) {
+            int from = -1;
+            for (int column = 0; column <= grid.columns(); column++) {
+                boolean isOpen =
+                        column < grid.columns() && grid.isOccupied(column, row) && !isShutIn(grid, column, row);
+                if (isOpen && from < 0) {
+                    from = column;
+                } else if (!isOpen && from >= 0) {
+                    addRun(grid.box(from, row), grid.box(column - 1, row));
+                    from = -1;
+                }
+            }
+        }
+    }
+
+    private static boolean isShutIn(GridObject grid, int column, int row) {
+        return column > 0
+                && row > 0
+                && column + 1 < grid.columns()
+                && row + 1 < grid.rows()
+                && grid.isOccupied(column - 1, row)
+                && grid.isOccupied(column + 1, row)
+                && grid.isOccupied(column, row - 1)
+                && grid.isOccupied(column, row + 1);
+    }
+
+    private void addRun(BoxObject first, BoxObject last) {
+        double[] r = first.rotation();
+        double width = first.width() / 2;
+        double length = first.length() / 2;
+        count = 0;
+        for (int side = -1; side <= 1; side += 2) {
+            Point a = first.center();
+            Point b = last.center();
+            point(a.x() - r[0] * width + r[2] * length * side, a.z() - r[6] * width + r[8] * length * side);
+            point(b.x() + r[0] * width + r[2] * length * side, b.z() + r[6] * width + r[8] * length * side);
+        }
+        addHull(0);
+    }
+
+    private void point(double x, double z) {
+        if (2 * count == points.length) {
+            points = Arrays.copyOf(points, 4 * count);
+        }
+        double fromX = x - centerX;
+        double fromZ = z - centerZ;
+        points[2 * count] = fromX * cos - fromZ * sin;
+        points[2 * count + 1] = fromX * sin + fromZ * cos;
+        count++;
+    }
+
+    /** The convex hull of the points, by wrapping them up (Jarvis 1973). */
+    private void addHull(double radius) {
+        pieces.begin(body, object, radius);
+        int start = 0;
+        for (int k = 1; k < count; k++) {
+            if (points[2 * k] < points[2 * start]
+                    || (points[2 * k] == points[2 * start] && points[2 * k + 1] < points[2 * start + 1])) {
+                start = k;
+            }
+        }
+        int at = start;
+        for (int corner = 0; corner < count; corner++) {
+            pieces.corner(points[2 * at], points[2 * at + 1]);
+            int next = -1;
+            for (int k = 0; k < count; k++) {
+                next = isOutside(at, next, k) ? k : next;
+            }
+            if (next < 0 || isSame(next, start)) {
+                return;
+            }
+            at = next;
+        }
+    }
+
+    private boolean isSame(int a, int b) {
+        return points[2 * a] == points[2 * b] && points[2 * a + 1] == points[2 * b + 1];
+    }
+
+    /** Whether a point is to the one side of the line from a corner to the next one so far, or on it and further away. */
+    private boolean isOutside(int at, int next, int k) {
+        if (isSame(k, at)) {
+            return false;
+        }
+        if (next < 0) {
+            return true;
+        }
+        double ax = points[2 * next] - points[2 * at];
+        double az = points[2 * next + 1] - points[2 * at + 1];
+        double bx = points[2 * k] - points[2 * at];
+        double bz = points[2 * k + 1] - points[2 * at + 1];
+        double side = ax * bz - az * bx;
+        return side < 0 || (side == 0 && bx * bx + bz * bz > ax * ax + az * az);
+    }
+}

@@ -1,0 +1,13 @@
+package robosim.geometry.dynamics.step;
+
+/** How the objects of a world bounce and rub, by their ids; -1 is the border. */
+public interface Surfaces {
+    /** The share of the speed of approach that is left. */
+    double restitution(int object);
+
+    /** The coefficient of friction while nothing slides. */
+    double staticFriction(int object);
+
+    /** The coefficient of friction while it slides. */
+    double slidingFriction(int object);
+}

@@ -1,0 +1,99 @@
+package robosim.geometry.engine.broadphase;
+
+import java.util.Arrays;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.narrow.Overlap;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/** Lists the objects of a world that another one touches or overlaps, the first one added first. */
+public final class TouchQuery {
+    private final ObjectRegistry registry;
+    private final Scratch s;
+    private final BoxQuery query;
+
+    /** The leaves of the object that is asked about, and their bounds. */
+    private final LeafColumn candidate = new LeafColumn(1);
+
+    private final double[] box = new double[6];
+    private AccuracyView view;
+    private int[] met = new int[8];
+    private int count;
+
+    public TouchQuery(ObjectRegistry registry, Scratch scratch) {
+        this.registry = registry;
+        s = scratch;
+        view = registry.view;
+        query = new BoxQuery(registry.objects, this::meet);
+    }
+
+    /**
+     * Finds what an object touches or overlaps.
+     *
+     * @param ignored an object that is left out; -1 for none
+     * @return how many there are; {@link #met} has their ids
+     */
+    public int ask(AccuracyView at, GeometryObject object, int ignored) {
+        view = at;
+        at.own.placed(Checks.present("object", object), candidate);
+        candidate.bounds(0, candidate.size(), box);
+        count = 0;
+        query.each(at, box, ignored);
+        sort();
+        return count;
+    }
+
+    /** The k-th object found, in the order in which they were added. */
+    public int met(int k) {
+        return met[k];
+    }
+
+    private boolean meet(LeafTable table, int id) {
+        for (int j = table.first(id); j < table.first(id) + table.count(id); j++) {
+            for (int i = 0; i < candidate.size(); i++) {
+                if (Overlap.test(view.dimension, candidate, i, table.leaves(), j, s)) {
+                    add(id);
+                    return false; // and on to the others
+                }
+            }
+        }
+        return false;
+    }
+
+    private void add(int id) {
+        if (count == met.length) {
+            met = Arrays.copyOf(met, 2 * count);
+        }
+        met[count++] = id;
+    }
+
+    /** Sorts by heaps, so that many take no longer than they must. */
+    private void sort() {
+        for (int root = count / 2 - 1; root >= 0; root--) {
+            sift(root, count);
+        }
+        for (int end = count - 1; end > 0; end--) {
+            int last = met[0];
+            met[0] = met[end];
+            met[end] = last;
+            sift(0, end);
+        }
+    }
+
+    private void sift(int from, int end) {
+        int root = from;
+        for (int child = 2 * root + 1; child < end; child = 2 * root + 1) {
+            if (child + 1 < end && registry.objects.isEarlier(met[child], met[child + 1])) {
+                child++;
+            }
+            if (!registry.objects.isEarlier(met[root], met[child])) {
+                return;
+            }
+            int moved = met[root];
+            met[root] = met[child];
+            met[child] = moved;
+            root = child;
+        }
+    }
+}

@@ -1,0 +1,116 @@
+package robosim.geometry.junit;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import robosim.geometry.net.session.Motion;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+
+/** The bodies of a test's world: what they were given and told, and what they met so far. */
+final class Bodies {
+    private final Map<String, BodyRequest> given = new LinkedHashMap<>();
+    private final Map<String, DriveCommand> told = new LinkedHashMap<>();
+
+    /** What changed since the last step. */
+    private final Map<String, DriveCommand> news = new LinkedHashMap<>();
+
+    private final List<Meeting> meetings = new ArrayList<>();
+    private final Motion motion;
+    private StepBundle.Answer last = new StepBundle.Answer(List.of(), List.of(), List.of());
+
+    /**
+     * Two that met.
+     *
+     * @param step of the clock
+     */
+    record Meeting(long step, ContactAnswer contact) {
+        boolean isOf(String name) {
+            return contact.objectName().equals(name) || name.equals(contact.other());
+        }
+
+        boolean isBetween(String name, String other) {
+            return !name.equals(other) && isOf(name) && isOf(other);
+        }
+
+        /** What the one met; empty for what has no name. */
+        String other(String name) {
+            String other = contact.objectName().equals(name) ? contact.other() : contact.objectName();
+            return other == null ? "" : other;
+        }
+    }
+
+    Bodies(Motion motion) {
+        this.motion = motion;
+    }
+
+    /** The same bodies, with their velocities and commands, in a world that was changed by other means. */
+    Bodies again(Motion other) {
+        Bodies again = new Bodies(other);
+        again.given.putAll(given);
+        again.told.putAll(told);
+        again.news.putAll(news);
+        again.meetings.addAll(meetings);
+        again.last = last;
+        return again;
+    }
+
+    /** The request by which a new session comes to where this one is, with the bodies that are still there. */
+    StepBundle anew(Predicate<String> isThere) {
+        List<BodyRequest> all = new ArrayList<>();
+        for (BodyAnswer body : last.bodies()) {
+            if (isThere.test(body.objectName())) {
+                all.add(of(body.objectName()).withVelocity(body.velocity()));
+            }
+        }
+        told.keySet().removeIf(isThere.negate());
+        return new StepBundle(0, all, List.copyOf(told.values()));
+    }
+
+    void give(BodyRequest body) {
+        given.put(body.objectName(), body);
+    }
+
+    BodyRequest of(String name) {
+        return given.getOrDefault(name, BodyRequest.of(name));
+    }
+
+    void tell(DriveCommand command) {
+        news.put(command.objectName(), command);
+    }
+
+    /** The next step; what robots were told since the last one comes with it. */
+    StepBundle next(double seconds) {
+        told.putAll(news);
+        StepBundle step = new StepBundle(seconds, List.of(), List.copyOf(news.values()));
+        news.clear();
+        return step;
+    }
+
+    /** Carries out a step as a session does. */
+    Reply run(StepBundle step, long clock) {
+        Map<Integer, String> reasons = new TreeMap<>();
+        last = motion.step(step, reasons::put);
+        last.contacts().forEach(contact -> meetings.add(new Meeting(clock, contact)));
+        List<Problem> problems = new ArrayList<>();
+        reasons.forEach((index, reason) -> problems.add(Problem.of(index, reason)));
+        return new Reply(last, problems);
+    }
+
+    /** Whether an object is a body. */
+    boolean has(String name) {
+        return last.bodies().stream().anyMatch(body -> body.objectName().equals(name));
+    }
+
+    List<Meeting> meetings() {
+        return meetings;
+    }
+}

@@ -1,0 +1,210 @@
+package robosim.geometry.net.session;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.AckermannDrive;
+import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.BodyContact;
+import robosim.geometry.dynamics.DifferentialDrive;
+import robosim.geometry.dynamics.Drive;
+import robosim.geometry.dynamics.Dynamics;
+import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.OmnidirectionalDrive;
+import robosim.geometry.dynamics.StepResult;
+import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.VelocityDrive;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Twist;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.Velocity;
+
+/** The bodies of one world, which steps move. Made when the first step is asked for: a world without one pays nothing. */
+public final class Motion {
+    /** Most bodies of a world: the largest swarm tried has 10,000 robots. */
+    public static final int MAX_BODIES = 10_000;
+
+    /** The angle of a car's front wheels if nobody limits it, degrees: about twice that of a real one. */
+    private static final double CAR_STEERING = 60;
+
+    private final Geometry world;
+    private final Dynamics dynamics;
+
+    /** The bodies in the order in which they became such, and what drives each. */
+    private final Set<String> bodies = new LinkedHashSet<>();
+
+    private final Map<String, DriveSettings> drives = new HashMap<>();
+
+    /**
+     * No bodies so far.
+     *
+     * @throws IllegalArgumentException if bodies cannot move in such a world
+     */
+    public Motion(Geometry world) {
+        this.world = world;
+        this.dynamics = new Dynamics(world, Surface.SMOOTH);
+    }
+
+    /**
+     * Carries out a step.
+     *
+     * @param refused takes the number of a body or command, bodies counted first, and why it was refused; the rest is carried
+     *     out
+     */
+    public StepBundle.Answer step(StepBundle step, BiConsumer<Integer, String> refused) {
+        bodies.removeIf(name -> !world.hasObject(name));
+        int index = 0;
+        for (BodyRequest body : step.bodies()) {
+            attempt(index++, body.objectName(), refused, () -> add(body));
+        }
+        for (DriveCommand command : step.commands()) {
+            attempt(index++, command.objectName(), refused, () -> command(command));
+        }
+        if (step.seconds() == 0 || bodies.isEmpty()) {
+            return new StepBundle.Answer(places(), List.of(), List.of());
+        }
+        StepResult result = dynamics.step(step.seconds());
+        List<ContactAnswer> contacts =
+                new ArrayList<>(result.contacts().size() + result.ended().size());
+        result.contacts().forEach(contact -> contacts.add(answer(contact)));
+        result.ended().forEach(contact -> contacts.add(answer(contact)));
+        return new StepBundle.Answer(places(), contacts, result.stopped());
+    }
+
+    private static ContactAnswer answer(BodyContact contact) {
+        ContactAnswer.Phase phase = switch (contact.phase()) {
+            case BEGIN -> ContactAnswer.Phase.BEGIN;
+            case LAST -> ContactAnswer.Phase.LAST;
+            case END -> ContactAnswer.Phase.END;
+        };
+        return new ContactAnswer(
+                contact.body(), contact.other(), contact.point(), contact.normal(), contact.impulse(), phase);
+    }
+
+    private void attempt(int index, String name, BiConsumer<Integer, String> refused, Runnable what) {
+        if (!world.hasObject(name)) {
+            refused.accept(index, "no object " + Text.quoted(name));
+            return;
+        }
+        try {
+            what.run();
+        } catch (IllegalArgumentException e) {
+            refused.accept(index, Text.line(String.valueOf(e.getMessage())));
+        }
+    }
+
+    private void add(BodyRequest asked) {
+        GeometryObject object = world.getObject(asked.objectName());
+        SurfaceSettings given = asked.surface();
+        Surface surface = new Surface(given.restitution(), given.staticFriction(), given.slidingFriction());
+        if (!object.isMoveable()
+                && asked.equals(BodyRequest.of(asked.objectName()).withSurface(given))) {
+            dynamics.surface(asked.objectName(), surface);
+            return;
+        }
+        if (!object.isMoveable()) {
+            throw new IllegalArgumentException("a static object must have a surface alone (got: " + asked + ")");
+        }
+        checkCount(asked.objectName());
+        Body body = BodyDefaults.of(object, asked.mass(), asked.inertia())
+                .withSurface(surface)
+                .withDamping(asked.damping(), asked.turnDamping())
+                .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()))
+                .withFloorFriction(asked.floorFriction());
+        dynamics.add(asked.objectName(), body);
+        bodies.add(asked.objectName());
+        DriveSettings drive = asked.drive();
+        if (drive != null) {
+            drives.put(asked.objectName(), drive);
+            command(new DriveCommand(asked.objectName(), 0, 0, 0));
+        }
+        Velocity velocity = asked.velocity();
+        if (velocity != null) {
+            dynamics.setVelocity(
+                    asked.objectName(),
+                    new Twist(velocity.x(), velocity.y(), velocity.z(), Degrees.toDegrees(velocity.ry())));
+        }
+    }
+
+    private void checkCount(String name) {
+        if (bodies.size() >= MAX_BODIES && !bodies.contains(name)) {
+            throw new IllegalArgumentException("a world must have at most " + MAX_BODIES + " bodies (got: one more)");
+        }
+    }
+
+    private void command(DriveCommand command) {
+        String name = command.objectName();
+        if (!bodies.contains(name)) {
+            if (!world.getObject(name).isMoveable()) {
+                throw new IllegalArgumentException(
+                        "objectName must be that of a moveable object (got: " + Text.quoted(name) + ")");
+            }
+            add(BodyRequest.of(name));
+        }
+        DriveSettings drive = drives.computeIfAbsent(name, unseen -> DriveSettings.DEFAULT);
+        dynamics.drive(name, drive(world.getObject(name), drive, command));
+    }
+
+    private static Drive drive(GeometryObject object, DriveSettings drive, DriveCommand command) {
+        double turn = Degrees.toDegrees(command.turn());
+        Bounds box = object.turned(0, -object.heading()).bounds();
+        return switch (drive.kind()) {
+            case DIFFERENTIAL ->
+                new DifferentialDrive(
+                                drive.base() == 0 ? box.length() : drive.base(),
+                                drive.maxSpeed(),
+                                drive.maxAcceleration())
+                        .driving(command.forward(), turn);
+            case OMNIDIRECTIONAL ->
+                new OmnidirectionalDrive(
+                                drive.maxSpeed(),
+                                drive.maxAcceleration(),
+                                degrees(drive.maxTurn()),
+                                degrees(drive.maxTurnAcceleration()))
+                        .driving(command.forward(), command.right(), turn);
+            case ACKERMANN ->
+                new AckermannDrive(
+                                drive.base() == 0 ? box.width() : drive.base(),
+                                drive.maxTurn() == Double.POSITIVE_INFINITY ? CAR_STEERING : degrees(drive.maxTurn()),
+                                drive.maxSpeed(),
+                                drive.maxAcceleration())
+                        .driving(command.forward(), turn);
+            case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
+            case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
+        };
+    }
+
+    private static double degrees(double radians) {
+        return radians == Double.POSITIVE_INFINITY ? radians : Degrees.toDegrees(radians);
+    }
+
+    private List<BodyAnswer> places() {
+        List<BodyAnswer> places = new ArrayList<>(bodies.size());
+        for (String name : bodies) {
+            GeometryObject object = world.getObject(name);
+            Twist velocity = dynamics.velocity(name);
+            places.add(new BodyAnswer(
+                    name,
+                    object.center(),
+                    Degrees.toRadians(object.heading()),
+                    object.pose().isUpright() ? Numbers.NONE : new Numbers(object.rotation()),
+                    new Velocity(velocity.x(), velocity.y(), velocity.z(), Degrees.toRadians(velocity.ry()))));
+        }
+        return places;
+    }
+}

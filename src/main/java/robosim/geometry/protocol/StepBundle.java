@@ -1,0 +1,67 @@
+package robosim.geometry.protocol;
+
+import java.io.Serial;
+import java.util.List;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+
+/**
+ * A request to let time pass: bodies move as they are driven, slide, push and bounce, and never overlap. Answered by an
+ * {@link Answer}.
+ *
+ * @param seconds  how long, from 0 to an hour; 0 moves nothing, and gives bodies and commands, or asks where they are
+ * @param bodies   given to objects before the step; what was given before stays
+ * @param commands what robots are told to do from the beginning of the step on; what they were told before stays
+ */
+public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCommand> commands) implements Bundle {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** The longest step, seconds. */
+    public static final double MAX_SECONDS = 3600;
+
+    /** Refuses null, and seconds that are out of range. */
+    public StepBundle {
+        if (!(seconds >= 0 && seconds <= MAX_SECONDS)) { // written so that NaN fails it
+            throw new IllegalArgumentException(
+                    "seconds must be a number from 0 to " + (int) MAX_SECONDS + " (got: " + seconds + ")");
+        }
+        seconds += 0.0;
+        bodies = Checks.copy("bodies", bodies, BodyRequest.class);
+        commands = Checks.copy("commands", commands, DriveCommand.class);
+    }
+
+    /** How many bodies and commands there are. */
+    public int size() {
+        return bodies.size() + commands.size();
+    }
+
+    /**
+     * The answer.
+     *
+     * @param bodies   all bodies of the world, in the order in which they became bodies
+     * @param contacts who collided or touches, one for each two objects: those that collided in the order of their
+     *                 times, those that only touch, and then those that part
+     * @param stopped  bodies that were stopped because their motion could not be decided or carried out without an overlap
+     */
+    public record Answer(List<BodyAnswer> bodies, List<ContactAnswer> contacts, List<String> stopped)
+            implements Bundle {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null. */
+        public Answer {
+            bodies = Checks.copy("bodies", bodies, BodyAnswer.class);
+            contacts = Checks.copy("contacts", contacts, ContactAnswer.class);
+            stopped = Checks.copy("stopped", stopped, String.class);
+        }
+
+        @Override
+        public boolean isAnswer() {
+            return true;
+        }
+    }
+}

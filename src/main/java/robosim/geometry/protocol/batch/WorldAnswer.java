@@ -1,0 +1,176 @@
+package robosim.geometry.protocol.batch;
+
+import java.io.Serial;
+import java.io.Serializable;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+
+/** The answer to a {@link WorldRequest}. */
+public sealed interface WorldAnswer extends BatchAnswer {
+    /** The most characters of all reasons of one {@link Described}; what is beyond is left out. */
+    int MOST_CHARACTERS = 1 << 20;
+
+    /**
+     * An object of an init that is not in the world.
+     *
+     * @param index  in the list of the init, from 0
+     * @param name   of the object; empty for one without a name
+     * @param reason as text for people
+     */
+    record LeftOut(int index, String name, String reason) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null and a negative index. */
+        public LeftOut {
+            Checks.count(index);
+            Checks.present("name", name);
+            Checks.present("reason", reason);
+        }
+    }
+
+    /**
+     * What became of an init.
+     *
+     * @param added     how many objects were added; 0 if the world could not be made
+     * @param leftOut   the others, in the order of the init
+     * @param width     extent of the world along X, world units
+     * @param height    extent along Y
+     * @param length    extent along Z
+     * @param dimension whether heights count
+     * @param accuracy  what stands for an object
+     */
+    record Described(
+            int added,
+            List<LeftOut> leftOut,
+            double width,
+            double height,
+            double length,
+            Dimension dimension,
+            Accuracy accuracy)
+            implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, and sizes that no world has. */
+        public Described {
+            Checks.count(added);
+            leftOut = Checks.copy("leftOut", leftOut, LeftOut.class);
+            Checks.worldSize("width", width);
+            Checks.worldSize("height", height);
+            Checks.worldSize("length", length);
+            Checks.present("dimension", dimension);
+            Checks.present("accuracy", accuracy);
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.Describe;
+        }
+    }
+
+    /**
+     * Where an object is.
+     *
+     * @param rotation nine numbers, row by row, whose columns are the object's axes in the world
+     * @param heading  <b>radians</b> about the vertical from the world's X to forward, counter-clockwise seen from above,
+     *                 above -pi and up to pi
+     */
+    record Located(Point center, Numbers rotation, double heading) implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, numbers that are not a rotation, and a heading that is NaN. */
+        public Located {
+            Checks.present("center", center);
+            Pose.ORIGIN.oriented(Checks.present("rotation", rotation).values());
+            if (!(Math.abs(heading) <= Math.PI)) {
+                throw new IllegalArgumentException("heading must be from -pi to pi (got: " + heading + ")");
+            }
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.Locate;
+        }
+    }
+
+    /**
+     * Whether a change was made.
+     *
+     * @param done     whether it was; else nothing has changed
+     * @param obstacle the name of the object that is in the way, of several the one added first, empty for one without a
+     *                 name; null if none is: it was done, the world's border is in the way, or there is no object of that
+     *                 name to remove
+     */
+    record Changed(boolean done, @Nullable String obstacle) implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses an obstacle of what was done. */
+        public Changed {
+            if (done && obstacle != null) {
+                throw new IllegalArgumentException(
+                        "obstacle must be left out of what was done (got: \"" + obstacle + "\")");
+            }
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.Place
+                    || request instanceof WorldRequest.Add
+                    || request instanceof WorldRequest.Remove;
+        }
+    }
+
+    /**
+     * What became of a move.
+     *
+     * @param made         whether it was made; a refused one leaves the object where it was
+     * @param fraction     the share of the translation that is free, from 0 to 1
+     * @param turnFraction the share of the turns after it that is free, from 0 to 1
+     * @param obstacle     the name of the object that blocks, empty for one without a name; null if none does: it was
+     *                     made, or the world's border blocks
+     * @param contact      where the object touches what blocks it; null if it was made
+     * @param normal       unit normal there, from what blocks towards the object; null if it was made
+     */
+    record Went(
+            boolean made,
+            double fraction,
+            double turnFraction,
+            @Nullable String obstacle,
+            @Nullable Point contact,
+            @Nullable Point normal)
+            implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** A move that was made. */
+        public static final Went MADE = new Went(true, 1, 1, null, null, null);
+
+        /** Refuses fractions outside 0 to 1, and what does not fit together. */
+        public Went {
+            fraction = Checks.share("fraction", fraction);
+            turnFraction = Checks.share("turnFraction", turnFraction);
+            if (made && (fraction < 1 || turnFraction < 1)) {
+                throw new IllegalArgumentException("fraction and turnFraction must be 1 if the move was made (got: "
+                        + fraction + " and " + turnFraction + ")");
+            }
+            if (made == (contact != null) || made == (normal != null) || (made && obstacle != null)) {
+                throw new IllegalArgumentException(
+                        "contact and normal must be given if the move was not made, and with obstacle left out if it was"
+                                + " (got: made " + made + ", " + obstacle + ", " + contact + ", " + normal + ")");
+            }
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.Go;
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package robosim.geometry.protocol.motion;
+
+import java.io.Serial;
+import java.io.Serializable;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+
+/**
+ * Gives a moveable object a body, or another one; or a static object a surface, which is all that one has. A body that an
+ * object had keeps its velocity unless another is given.
+ *
+ * @param objectName  an object of the world
+ * @param mass        kg; 0 for what its shape weighs at 200 kg/m<sup>3</sup>, about the density of a small robot
+ * @param inertia     moment of inertia about the vertical through the centre, kg m<sup>2</sup>; 0 for that of a solid of
+ *                    its shape, or of the box around it
+ * @param surface     how it bounces and rubs
+ * @param damping     by how much the speed falls, as a share of it each second
+ * @param turnDamping the same of the speed of turning
+ * @param maxSpeed    m/s; infinite for no limit
+ * @param maxTurn     <b>radians</b> a second; infinite for no limit
+ * @param floorFriction sliding friction on the floor of a planar world, which slows what nothing drives; 0 for what rolls
+ * @param drive       what drives it; null for what it had, at first nothing: it is pushed, and rolls out
+ * @param velocity    its velocity; null for what it had, at first none
+ */
+public record BodyRequest(
+        String objectName,
+        double mass,
+        double inertia,
+        SurfaceSettings surface,
+        double damping,
+        double turnDamping,
+        double maxSpeed,
+        double maxTurn,
+        double floorFriction,
+        @Nullable DriveSettings drive,
+        @Nullable Velocity velocity)
+        implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** The friction of a body on the floor if nobody says so, about that of a crate of wood. */
+    public static final double FLOOR_FRICTION = 0.5;
+
+    /** Refuses null, and numbers that are out of range. */
+    public BodyRequest {
+        Checks.present("objectName", objectName);
+        mass = Amounts.orDefault("mass", mass);
+        inertia = Amounts.orDefault("inertia", inertia);
+        Checks.present("surface", surface);
+        damping = Amounts.atLeastZero("damping", damping);
+        turnDamping = Amounts.atLeastZero("turnDamping", turnDamping);
+        maxSpeed = Amounts.limit("maxSpeed", maxSpeed);
+        maxTurn = Amounts.limit("maxTurn", maxTurn);
+        floorFriction = Amounts.atLeastZero("floorFriction", floorFriction);
+    }
+
+    /** A smooth body of the default mass and friction on the floor, which nothing drives, dampens or limits. */
+    public static BodyRequest of(String objectName) {
+        double none = Double.POSITIVE_INFINITY;
+        return new BodyRequest(objectName, 0, 0, SurfaceSettings.SMOOTH, 0, 0, none, none, FLOOR_FRICTION, null, null);
+    }
+
+    /** This body with another mass, kg. */
+    public BodyRequest withMass(double other) {
+        return new BodyRequest(
+                objectName,
+                other,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity);
+    }
+
+    /** This body with another surface. */
+    public BodyRequest withSurface(SurfaceSettings other) {
+        return new BodyRequest(
+                objectName,
+                mass,
+                inertia,
+                other,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity);
+    }
+
+    /** This body with other dampings, shares of the speeds each second. */
+    public BodyRequest withDamping(double ofSpeed, double ofTurn) {
+        return new BodyRequest(
+                objectName, mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction, drive, velocity);
+    }
+
+    /** This body with another friction on the floor. */
+    public BodyRequest withFloorFriction(double other) {
+        return new BodyRequest(
+                objectName, mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, other, drive, velocity);
+    }
+
+    /** This body with another drive. */
+    public BodyRequest withDrive(DriveSettings other) {
+        return new BodyRequest(
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                other,
+                velocity);
+    }
+
+    /** This body with a velocity. */
+    public BodyRequest withVelocity(Velocity other) {
+        return new BodyRequest(
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                other);
+    }
+}

@@ -1,0 +1,47 @@
+package robosim.geometry.protocol.motion;
+
+import java.io.Serial;
+import java.io.Serializable;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Point;
+
+/**
+ * A body and what it touches, has collided with in a step, or has parted from.
+ *
+ * @param objectName a body
+ * @param other      what it met: another body or another object; null for an object without a name and for the border of the
+ *                   world
+ * @param point      where they met
+ * @param normal     unit normal at the contact, towards {@code objectName}
+ * @param impulse    what {@code objectName} was given along the normal, newton seconds; 0 where they only touch or part
+ * @param phase      whether the contact has begun in this step, has lasted from the one before, or has ended
+ */
+public record ContactAnswer(
+        String objectName, @Nullable String other, Point point, Point normal, double impulse, Phase phase)
+        implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** How a contact stands to the step before. */
+    public enum Phase {
+        /** There was none in the step before. */
+        BEGIN,
+        /** There was one already. */
+        LAST,
+        /** There was one in the step before, and is none any more. */
+        END
+    }
+
+    /** Refuses null where it has no meaning, and an impulse that is not a number of at least 0. */
+    public ContactAnswer {
+        Checks.present("objectName", objectName);
+        Checks.present("point", point);
+        Checks.present("normal", normal);
+        Checks.present("phase", phase);
+        if (!(impulse >= 0 && impulse <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("impulse must be a finite number of at least 0 (got: " + impulse + ")");
+        }
+        impulse += 0.0;
+    }
+}

@@ -1,0 +1,79 @@
+package robosim.geometry.protocol.motion;
+
+import java.io.Serial;
+import java.io.Serializable;
+import robosim.geometry.exact.Checks;
+
+/**
+ * What drives a body, without a command.
+ *
+ * @param kind                which drive it is
+ * @param base                metres between the wheels of a differential drive, or between the axles of a car; 0 for as far as
+ *                            its shape is wide or long, and for other kinds
+ * @param maxSpeed            m/s; infinite for no limit
+ * @param maxAcceleration     m/s<sup>2</sup>; infinite for no limit
+ * @param maxTurn             <b>radians</b> a second, of a car the radians that its front wheels turn to each side, below pi/2;
+ *                            infinite for no limit, which is pi/3 for a car. A differential drive has none but that of its rims
+ * @param maxTurnAcceleration radians a second, each second; infinite for no limit. Of an omnidirectional drive alone
+ */
+public record DriveSettings(
+        Kind kind, double base, double maxSpeed, double maxAcceleration, double maxTurn, double maxTurnAcceleration)
+        implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** A differential drive as wide as its body, without limits. */
+    public static final DriveSettings DEFAULT = of(Kind.DIFFERENTIAL);
+
+    /** The drives. */
+    public enum Kind {
+        /** Two wheels beside each other: a speed and a turn. */
+        DIFFERENTIAL,
+        /** Speeds forward and to the right, and a turn. */
+        OMNIDIRECTIONAL,
+        /** A car: a speed, and an angle of the front wheels. */
+        ACKERMANN,
+        /** Has the velocity that it is given at once. */
+        VELOCITY,
+        /** Newtons forward and to the right, and newton metres. */
+        FORCE
+    }
+
+    /** Refuses null, numbers that are out of range, and numbers that its kind has not. */
+    public DriveSettings {
+        Checks.present("kind", kind);
+        base = Amounts.orDefault("base", base);
+        maxSpeed = Amounts.limit("maxSpeed", maxSpeed);
+        maxAcceleration = Amounts.limit("maxAcceleration", maxAcceleration);
+        maxTurn = Amounts.limit("maxTurn", maxTurn);
+        maxTurnAcceleration = Amounts.limit("maxTurnAcceleration", maxTurnAcceleration);
+        boolean isCar = kind == Kind.ACKERMANN;
+        boolean isWheeled = isCar || kind == Kind.DIFFERENTIAL;
+        boolean isFree = kind == Kind.VELOCITY || kind == Kind.FORCE;
+        refuse(!isWheeled && base != 0, kind, "base", base);
+        refuse(isFree && maxSpeed < Double.POSITIVE_INFINITY, kind, "maxSpeed", maxSpeed);
+        refuse(isFree && maxAcceleration < Double.POSITIVE_INFINITY, kind, "maxAcceleration", maxAcceleration);
+        refuse((isFree || kind == Kind.DIFFERENTIAL) && maxTurn < Double.POSITIVE_INFINITY, kind, "maxTurn", maxTurn);
+        refuse(
+                kind != Kind.OMNIDIRECTIONAL && maxTurnAcceleration < Double.POSITIVE_INFINITY,
+                kind,
+                "maxTurnAcceleration",
+                maxTurnAcceleration);
+        if (isCar && maxTurn < Double.POSITIVE_INFINITY && maxTurn >= Math.PI / 2) {
+            throw new IllegalArgumentException("maxTurn of a car must be below pi/2 (got: " + maxTurn + ")");
+        }
+    }
+
+    private static void refuse(boolean wrong, Kind kind, String argument, double value) {
+        if (wrong) {
+            throw new IllegalArgumentException(
+                    argument + " must be left out for a drive of kind " + kind + " (got: " + value + ")");
+        }
+    }
+
+    /** A drive without limits. */
+    public static DriveSettings of(Kind kind) {
+        double none = Double.POSITIVE_INFINITY;
+        return new DriveSettings(kind, 0, none, none, none, none);
+    }
+}

@@ -1,0 +1,152 @@
+package robosim.geometry.world.body;
+
+import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.dynamics.AckermannDrive;
+import robosim.geometry.dynamics.DifferentialDrive;
+import robosim.geometry.dynamics.Drive;
+import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.OmnidirectionalDrive;
+import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.VelocityDrive;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Twist;
+import robosim.geometry.world.shared.Decimal;
+import robosim.geometry.world.shared.Numbers;
+
+/** Bodies and drives as attributes of a world file's elements; what is left out has its default. */
+public final class BodyXml {
+    private static final double NONE = Double.POSITIVE_INFINITY;
+
+    /** The angle of a car's front wheels if a file does not say it, degrees. */
+    private static final double STEERING = 60;
+
+    /** The value of an attribute; null if it was left out. */
+    @FunctionalInterface
+    public interface Attributes {
+        @Nullable
+        String get(String name);
+    }
+
+    private BodyXml() {}
+
+    /** Reads a {@code <body>} without its drive. */
+    public static ObjectBody body(Attributes from, @Nullable Drive drive) {
+        double sliding = number(from, "slidingFriction", number(from, "friction", 0));
+        return new ObjectBody(
+                number(from, "mass", 0),
+                number(from, "inertia", 0),
+                new Surface(number(from, "restitution", 0), number(from, "friction", 0), sliding),
+                number(from, "floorFriction", ObjectBody.FLOOR_FRICTION),
+                number(from, "damping", 0),
+                number(from, "turnDamping", 0),
+                number(from, "maxSpeed", NONE),
+                number(from, "maxTurn", NONE),
+                drive);
+    }
+
+    /**
+     * Reads a {@code <drive>}.
+     *
+     * @param shape of the object, whose width or length stands for a base that is left out
+     */
+    public static Drive drive(Attributes from, GeometryObject shape) {
+        String kind = String.valueOf(from.get("kind")).strip();
+        Bounds box = shape.turned(0, -shape.heading()).bounds();
+        double speed = number(from, "maxSpeed", NONE);
+        double acceleration = number(from, "maxAcceleration", NONE);
+        double turn = number(from, "maxTurn", NONE);
+        return switch (kind) {
+            case "differential" -> {
+                refuse(from, kind, "maxTurn", "maxTurnAcceleration");
+                yield new DifferentialDrive(number(from, "base", box.length()), speed, acceleration);
+            }
+            case "omnidirectional" -> {
+                refuse(from, kind, "base");
+                yield new OmnidirectionalDrive(speed, acceleration, turn, number(from, "maxTurnAcceleration", NONE));
+            }
+            case "ackermann" -> {
+                refuse(from, kind, "maxTurnAcceleration");
+                yield new AckermannDrive(
+                        number(from, "base", box.width()), turn == NONE ? STEERING : turn, speed, acceleration);
+            }
+            case "velocity", "force" -> {
+                refuse(from, kind, "base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration");
+                yield kind.equals("force") ? new ForceDrive(0, 0, 0) : new VelocityDrive(new Twist(0, 0, 0, 0));
+            }
+            default ->
+                throw new IllegalArgumentException(
+                        "kind must be differential, omnidirectional, ackermann, velocity or force (got: " + kind + ")");
+        };
+    }
+
+    private static void refuse(Attributes from, String kind, String... names) {
+        for (String name : names) {
+            if (from.get(name) != null) {
+                throw new IllegalArgumentException(
+                        name + " must be left out for a drive of kind " + kind + " (got: " + from.get(name) + ")");
+            }
+        }
+    }
+
+    private static double number(Attributes from, String name, double otherwise) {
+        String text = from.get(name);
+        if (text == null) {
+            return otherwise;
+        }
+        try {
+            return Numbers.parse(text.strip());
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(name + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Writes a body without its drive. */
+    public static void write(ObjectBody body, BiConsumer<String, String> to) {
+        unless(0, "mass", body.mass(), to);
+        unless(0, "inertia", body.inertia(), to);
+        unless(0, "restitution", body.surface().restitution(), to);
+        unless(0, "friction", body.surface().staticFriction(), to);
+        unless(
+                body.surface().staticFriction(),
+                "slidingFriction",
+                body.surface().slidingFriction(),
+                to);
+        unless(ObjectBody.FLOOR_FRICTION, "floorFriction", body.floorFriction(), to);
+        unless(0, "damping", body.damping(), to);
+        unless(0, "turnDamping", body.turnDamping(), to);
+        unless(NONE, "maxSpeed", body.maxSpeed(), to);
+        unless(NONE, "maxTurn", body.maxTurn(), to);
+    }
+
+    /** Writes a drive, without its command. */
+    public static void write(Drive drive, BiConsumer<String, String> to) {
+        if (drive instanceof DifferentialDrive wheels) {
+            to.accept("kind", "differential");
+            to.accept("base", Decimal.of(wheels.track()));
+            unless(NONE, "maxSpeed", wheels.maxSpeed(), to);
+            unless(NONE, "maxAcceleration", wheels.maxAcceleration(), to);
+        } else if (drive instanceof OmnidirectionalDrive any) {
+            to.accept("kind", "omnidirectional");
+            unless(NONE, "maxSpeed", any.maxSpeed(), to);
+            unless(NONE, "maxAcceleration", any.maxAcceleration(), to);
+            unless(NONE, "maxTurn", any.maxTurn(), to);
+            unless(NONE, "maxTurnAcceleration", any.maxTurnAcceleration(), to);
+        } else if (drive instanceof AckermannDrive car) {
+            to.accept("kind", "ackermann");
+            to.accept("base", Decimal.of(car.wheelbase()));
+            unless(STEERING, "maxTurn", car.maxSteering(), to);
+            unless(NONE, "maxSpeed", car.maxSpeed(), to);
+            unless(NONE, "maxAcceleration", car.maxAcceleration(), to);
+        } else {
+            to.accept("kind", drive instanceof ForceDrive ? "force" : "velocity");
+        }
+    }
+
+    private static void unless(double left, String name, double value, BiConsumer<String, String> to) {
+        if (value != left) {
+            to.accept(name, Decimal.of(value));
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package robosim.geometry.world.body;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.dynamics.Drive;
+import robosim.geometry.dynamics.Surface;
+import robosim.geometry.exact.Checks;
+
+/**
+ * What a world file says about the body of an object; of a static object its surface alone.
+ *
+ * @param mass          kg; 0 for what its shape weighs at 200 kg/m<sup>3</sup>, about the density of a small robot
+ * @param inertia       kg m<sup>2</sup> about the vertical; 0 for that of a solid of its shape, or of the box around it
+ * @param surface       how it bounces and rubs
+ * @param floorFriction sliding friction on the floor of a planar world; 0 for what rolls
+ * @param damping       by how much the speed falls, as a share of it each second
+ * @param turnDamping   the same of the speed of turning
+ * @param maxSpeed      m/s; infinite for no limit
+ * @param maxTurn       degrees a second; infinite for no limit
+ * @param drive         what drives it, told to stand; null if nothing does
+ */
+public record ObjectBody(
+        double mass,
+        double inertia,
+        Surface surface,
+        double floorFriction,
+        double damping,
+        double turnDamping,
+        double maxSpeed,
+        double maxTurn,
+        @Nullable Drive drive) {
+    /** The friction on the floor if a file does not say it, about that of a crate of wood. */
+    public static final double FLOOR_FRICTION = 0.5;
+
+    /** Smooth, of the default mass, inertia and friction on the floor; nothing drives, dampens or limits it. */
+    public static final ObjectBody DEFAULT = new ObjectBody(
+            0, 0, Surface.SMOOTH, FLOOR_FRICTION, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, null);
+
+    /** Refuses null, and numbers that are out of range. */
+    public ObjectBody {
+        mass = Checks.size("mass", mass);
+        inertia = Checks.size("inertia", inertia);
+        Checks.present("surface", surface);
+        floorFriction = Checks.size("floorFriction", floorFriction);
+        damping = Checks.size("damping", damping);
+        turnDamping = Checks.size("turnDamping", turnDamping);
+        maxSpeed = limit("maxSpeed", maxSpeed);
+        maxTurn = limit("maxTurn", maxTurn);
+    }
+
+    private static double limit(String argument, double value) {
+        if (!(value >= 0)) {
+            throw new IllegalArgumentException(argument + " must be at least 0 (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
+    /** A surface, which is all that a static object has. */
+    public static ObjectBody of(Surface surface) {
+        return DEFAULT.withSurface(surface);
+    }
+
+    /** This body with another surface. */
+    public ObjectBody withSurface(Surface other) {
+        return new ObjectBody(mass, inertia, other, floorFriction, damping, turnDamping, maxSpeed, maxTurn, drive);
+    }
+
+    /** Whether it has nothing but a surface. */
+    public boolean isSurface() {
+        return equals(of(surface));
+    }
+}

@@ -1,0 +1,101 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.scenario.Replay;
+import robosim.geometry.scenario.Scenario;
+
+/** The command that drives robots. */
+class DriveCommandTest {
+    private static final String WORLD = "worlds/pushing.xml";
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        return Commands.run(new PrintWriter(out), new PrintWriter(err), arguments);
+    }
+
+    @Test
+    void aRobotPushesWhatIsInItsWay() {
+        assertThat(run("drive", WORLD, "--robot", "cart", "--speed", "0.8", "--seconds", "12"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern("\"cart\" at \\([0-9.]+, [-0-9.]+\\).* m/s, after .* m; met \"crate 1\"")
+                .contains("\"mule\" at (-4, 2), heading 30, 0 m/s, after 0 m\n")
+                .contains("12 s in 240 steps, ");
+    }
+
+    @Test
+    void aDriveIsRecordedAndReplayedToTheBit(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("out.scenario.jsonl");
+        assertThat(run(
+                        "drive",
+                        WORLD,
+                        "--tell",
+                        "cart=0.8,5",
+                        "--tell",
+                        "mule=1,-20",
+                        "--seconds",
+                        "6.02",
+                        "--record",
+                        file.toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("6.02 s in 121 steps");
+        Scenario scenario = Scenario.read(file);
+        assertThat(scenario.steps()).hasSize(2 + 121);
+        assertThat(Replay.of(scenario)).isEmpty();
+        StepBundle.Answer last = (StepBundle.Answer)
+                java.util.Objects.requireNonNull(scenario.steps().get(122).expected())
+                        .bundle();
+        assertThat(last.bodies()).hasSize(6);
+        assertThat(run("replay", file.toString())).isZero();
+        Path page = folder.resolve("out.html");
+        assertThat(run("export", file.toString(), page.toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(Files.size(page)).isGreaterThan(10_000);
+        assertThat(run("drive", WORLD, "--record", file.toString())).isEqualTo(2);
+        assertThat(err.toString()).contains("--record must be a new file");
+    }
+
+    @Test
+    void everyMoveableObjectMayBePushed() {
+        assertThat(run(
+                        "drive",
+                        "worlds/rooms.xml",
+                        "--robot",
+                        "drum 1",
+                        "--push",
+                        "--mass",
+                        "drum 2=3",
+                        "--seconds",
+                        "2"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString().lines().filter(line -> line.contains(" m/s, after ")))
+                .hasSize(8);
+    }
+
+    @Test
+    void whatCannotBeIsRefused() {
+        assertThat(run("drive", WORLD, "--robot", "wall east")).isEqualTo(2);
+        assertThat(err.toString()).contains("--robot must name a moveable object of the world, one of [\"cart\"");
+        assertThat(run("drive", WORLD, "--tell", "cart=fast")).isEqualTo(2);
+        assertThat(err.toString()).contains("--tell must be NAME=SPEED,TURN, as in cart=0.5,10 (got: cart=fast)");
+        assertThat(run("drive", WORLD, "--mass", "cart=-3")).isEqualTo(2);
+        assertThat(err.toString()).contains("--mass: mass must be");
+        assertThat(run("drive", WORLD, "--seconds", "0")).isEqualTo(2);
+        assertThat(err.toString()).contains("--seconds and --step must be above 0");
+    }
+}

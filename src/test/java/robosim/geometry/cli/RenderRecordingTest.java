@@ -1,0 +1,71 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.image.PngWriter;
+
+/** Pictures of recordings, and what a picture must not replace. */
+class RenderRecordingTest extends CommandRun {
+    /** A picture of each step, of the size of any other, and a robot that moved is elsewhere in it. */
+    @Test
+    void aRecordingIsASeriesOfPictures() throws IOException {
+        String recording = "worlds/scenarios/wandering.scenario.jsonl";
+        Path frames = folder.resolve("frame.png");
+        assertThat(run(
+                        "render",
+                        recording,
+                        "--steps",
+                        "2-10",
+                        "--every",
+                        4,
+                        "--size",
+                        "90x60",
+                        "--samples",
+                        1,
+                        "-o",
+                        frames))
+                .as("%s", err)
+                .isZero();
+        assertThat(out.toString()).contains("frame-0.png to ").contains("frame-2.png");
+        assertThat(folder.resolve("frame-3.png")).doesNotExist();
+        assertThat(Files.readAllBytes(folder.resolve("frame-0.png")))
+                .isNotEqualTo(Files.readAllBytes(folder.resolve("frame-2.png")));
+        Path plan = folder.resolve("plan.svg");
+        assertThat(run("render", recording, "--steps", "17-17", "--world", "worlds/rooms.xml", "-o", plan))
+                .isZero();
+        assertThat(plan).content().contains("step 17 of 17", " m<");
+    }
+
+    @Test
+    void stepsThatARecordingLacks() {
+        String recording = "worlds/scenarios/wandering.scenario.jsonl";
+        Path frames = folder.resolve("frame.png");
+        for (String steps : new String[] {"0-4", "9-3", "1-999", "x"}) {
+            assertThat(run("render", recording, "--steps", steps, "-o", frames)).isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString()).contains("--steps must be").contains("(got: " + steps + ")");
+        }
+        assertThat(run("render", "worlds/maze.xml", "--steps", "1-2", "-o", frames))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("--steps is for a recording");
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    /** The image of a map is input too. */
+    @Test
+    void theImageOfAMapIsNotOverwritten() throws IOException {
+        Path image = folder.resolve("map.png");
+        PngWriter.writeColour(Files.newOutputStream(image), 4, 4, new int[16]);
+        Path map = Files.writeString(
+                folder.resolve("map.yaml"),
+                "image: map.png\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
+        byte[] before = Files.readAllBytes(image);
+        assertThat(run("render", map, "--plan", "-o", image)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("FILE must not be a file that is read");
+        assertThat(image).hasBinaryContent(before);
+    }
+}

@@ -1,0 +1,224 @@
+package robosim.geometry.dynamics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Twist;
+
+/** What a step promises; {@code -Ddynamics.steps=N} for N random steps of nine bodies instead of a few hundred. */
+class StepProofTest {
+    private static Geometry world(double size) {
+        return new Geometry(size, 5, size, Dimension.PLANAR, Accuracy.EXACT);
+    }
+
+    private static GeometryObject disc(String name, double x, double z, double radius) {
+        return new CylinderObject(new Point(x, 0, z), radius, 1).moveable(name);
+    }
+
+    /** Bodies of all sizes and speeds in a closed cell with a wedge: no overlap, nobody out, and a thin wall keeps its sides. */
+    @Test
+    void nothingOverlapsAndNothingPassesThrough() {
+        long asked = Long.getLong("dynamics.steps", 300);
+        SplittableRandom random = new SplittableRandom(21);
+        long met = 0;
+        for (long steps = 0; steps < asked; ) {
+            Geometry world = world(8);
+            // It parts the cell from border to border.
+            assertThat(world.addObjectUnchecked(new BoxObject(new Point(0, 0, 0), 1e-9, 1, 8)))
+                    .isTrue();
+            world.addObject(new BoxObject(new Point(2, 0, -2), 3, 1, 1e-3).turned(0, random.nextDouble(10, 80)));
+            Dynamics dynamics = new Dynamics(world, new Surface(0.5, 0.5, 0.4));
+            List<String> names = new ArrayList<>();
+            List<Double> sides = new ArrayList<>();
+            for (int k = 0; k < 9; k++) {
+                Point c = new Point(random.nextDouble(-3.5, 3.5), 0, random.nextDouble(-3.5, 3.5));
+                double size = random.nextDouble(0.2, 0.9);
+                GeometryObject body = k % 3 == 0
+                        ? disc("b" + k, c.x(), c.z(), size / 2)
+                        : new BoxObject(c, size, 1, size * random.nextDouble(0.1, 1))
+                                .turned(0, random.nextDouble(360))
+                                .moveable("b" + k);
+                if (world.addObject(body)) {
+                    names.add("b" + k);
+                    sides.add(Math.signum(c.x()));
+                    dynamics.add(
+                            "b" + k,
+                            Body.ofMass(body, random.nextDouble(0.1, 10))
+                                    .withSurface(new Surface(random.nextDouble(), 0.5, 0.4)));
+                }
+            }
+            for (int step = 0; step < 30; step++, steps++) {
+                for (int k = 0; k < names.size() && step % 5 == 0; k++) {
+                    double speed = random.nextInt(4) == 0 ? 1e4 : 5;
+                    dynamics.setVelocity(
+                            names.get(k),
+                            new Twist(
+                                    random.nextDouble(-speed, speed),
+                                    0,
+                                    random.nextDouble(-speed, speed),
+                                    random.nextDouble(-400, 400)));
+                }
+                met += dynamics.step(random.nextInt(3) == 0 ? 1e-3 : random.nextDouble(0.2))
+                        .contacts()
+                        .size();
+                List<GeometryObject> all = world.objects();
+                for (int i = 0; i < all.size(); i++) {
+                    for (int j = 0; j < i; j++) {
+                        assertThat(all.get(i).isMoveable() && CollisionDetection.intersects(all.get(i), all.get(j)))
+                                .as("%s and %s", all.get(i), all.get(j))
+                                .isFalse();
+                    }
+                }
+                for (int k = 0; k < names.size(); k++) {
+                    Point c = world.getObject(names.get(k)).center();
+                    assertThat(Math.signum(c.x())).as(names.get(k)).isEqualTo(sides.get(k));
+                }
+            }
+        }
+        assertThat(met).isGreaterThan(asked);
+    }
+
+    /** A disc slides along a smooth wall, pressed against it by each step anew. */
+    @Test
+    void aDiscSlidesAlongAWall() {
+        Geometry world = world(100);
+        world.addObject(new BoxObject(new Point(0, 0, 1), 90, 1, 1).named("wall"));
+        world.addObject(disc("a", -20, 0, 0.5 - 1e-10));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("a", Body.of(2, 1));
+        for (int step = 0; step < 100; step++) {
+            dynamics.setVelocity("a", new Twist(3, 0, 1, 0));
+            StepResult result = dynamics.step(0.05);
+            assertThat(result.contacts()).hasSize(1);
+            assertThat(result.contacts().get(0).other()).isEqualTo("wall");
+            assertThat(result.contacts().get(0).impulse()).isCloseTo(2, within(1e-9));
+            assertThat(result.contacts().get(0).phase())
+                    .isEqualTo(step == 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST);
+        }
+        assertThat(world.getObject("a").center().x()).isCloseTo(-5, within(1e-9));
+        dynamics.setVelocity("a", new Twist(0, 0, -1, 0));
+        StepResult result = dynamics.step(0.05);
+        assertThat(result.contacts()).isEmpty();
+        assertThat(result.ended()).hasSize(1);
+        assertThat(result.ended().get(0).phase()).isEqualTo(BodyContact.Phase.END);
+    }
+
+    /** A rack that is symmetric in z, hit in its middle, stays so to the bit. */
+    @Test
+    void aSymmetricRackBreaksSymmetrically() {
+        Geometry world = world(400);
+        Surface surface = new Surface(0.9, 0.1, 0.1);
+        Dynamics dynamics = new Dynamics(world, surface);
+        List<String> names = new ArrayList<>();
+        for (int row = 0; row < 5; row++) {
+            for (int k = 0; k <= row; k++) {
+                String name = row + "/" + k;
+                world.addObject(disc(name, row * 0.9, (2 * k - row) * 0.5078125, 0.5));
+                names.add(name);
+            }
+        }
+        world.addObject(disc("cue", -5, 0, 0.5));
+        names.add("cue");
+        names.forEach(name -> dynamics.add(name, Body.of(1, 0.125).withSurface(surface)));
+        dynamics.setVelocity("cue", new Twist(10, 0, 0, 0));
+        int met = 0;
+        for (int step = 0; step < 100; step++) {
+            met += dynamics.step(0.02).contacts().size();
+            for (int row = 0; row < 5; row++) {
+                for (int k = 0; k <= row; k++) {
+                    Point one = world.getObject(row + "/" + k).center();
+                    Point other = world.getObject(row + "/" + (row - k)).center();
+                    assertThat(one.x()).as("step %s, %s/%s", step, row, k).isEqualTo(other.x());
+                    assertThat(one.z()).as("step %s, %s/%s", step, row, k).isEqualTo(-other.z() + 0.0);
+                }
+            }
+        }
+        assertThat(met).isGreaterThan(15);
+    }
+
+    /** Sliding over the floor, a body stops after v^2 / (2 mu g), exactly at rest, however long the steps are. */
+    @Test
+    void theFloorStopsABody() {
+        for (double seconds : new double[] {1, 0.05, 1e-3}) {
+            Geometry world = world(100);
+            world.addObject(disc("a", 0, 0, 0.5));
+            Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+            dynamics.add("a", Body.of(2, 0.25).withFloorFriction(0.4));
+            dynamics.setVelocity("a", new Twist(3, 0, 0, 90));
+            for (double time = 0; time < 2; time += seconds) {
+                dynamics.step(seconds);
+            }
+            assertThat(dynamics.velocity("a")).isEqualTo(new Twist(0, 0, 0, 0));
+            double way = 9 / (2 * 0.4 * Body.GRAVITY);
+            assertThat(world.getObject("a").center().x()).isCloseTo(way, within(1e-9));
+        }
+    }
+
+    @Test
+    void aWallHasASurfaceOfItsOwn() {
+        Geometry world = world(100);
+        world.addObject(new BoxObject(new Point(5, 0, 0), 1, 1, 9).named("rubber"));
+        world.addObject(disc("a", 0, 0, 0.5));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("a", Body.of(2, 1).withSurface(new Surface(1, 0, 0)));
+        dynamics.surface("rubber", new Surface(0.25, 0, 0));
+        dynamics.setVelocity("a", new Twist(10, 0, 0, 0));
+        dynamics.step(1);
+        assertThat(dynamics.velocity("a").x()).isCloseTo(-5, within(1e-9));
+    }
+
+    /** A box that turns into a disc passes an impulse on, with its lever arm. */
+    @Test
+    void aTurnPushes() {
+        Geometry world = world(100);
+        world.addObject(new BoxObject(new Point(0, 0, 0), 4, 1, 0.2).moveable("bar"));
+        world.addObject(disc("a", 1.5, -1, 0.25));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("bar", Body.of(1, 1.4));
+        dynamics.add("a", Body.of(0.5, 0.1));
+        dynamics.setVelocity("bar", new Twist(0, 0, 0, 90));
+        for (int step = 0; step < 20; step++) {
+            dynamics.step(0.05);
+        }
+        Twist a = dynamics.velocity("a");
+        assertThat(a.x() * a.x() + a.z() * a.z()).isGreaterThan(0.25);
+        assertThat(dynamics.velocity("bar").ry()).isLessThan(90);
+    }
+
+    /** In steady state a step without drives allocates next to nothing: what the world does where its fast path is unsure. */
+    @Test
+    void aStepAllocatesLittle() {
+        Geometry world = world(14);
+        Dynamics dynamics = new Dynamics(world, new Surface(1, 0, 0));
+        for (int k = 0; k < 25; k++) {
+            GeometryObject body = disc("d" + k, 2.5 * (k % 5) - 5, 2.5 * (k / 5) - 5, 0.7);
+            world.addObject(body);
+            dynamics.add("d" + k, Body.of(1 + k % 3, 1).withSurface(new Surface(1, 0, 0)));
+            dynamics.setVelocity("d" + k, new Twist(k % 7 - 3, 0, k % 4 - 1.5, 0));
+        }
+        for (int step = 0; step < 4000; step++) {
+            dynamics.advance(0.02);
+        }
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long id = Thread.currentThread().getId();
+        long before = threads.getThreadAllocatedBytes(id);
+        for (int step = 0; step < 1000; step++) {
+            dynamics.advance(0.02);
+        }
+        assertThat((threads.getThreadAllocatedBytes(id) - before) / 1000).isLessThan(2048);
+    }
+}

@@ -1,0 +1,202 @@
+package robosim.geometry.net;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.DifferentialDrive;
+import robosim.geometry.dynamics.Dynamics;
+import robosim.geometry.dynamics.StepResult;
+import robosim.geometry.dynamics.Surface;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.Velocity;
+
+/** Steps of a session are those of {@link Dynamics}, to the bit. */
+class StepSessionTest {
+    private static final WorldSettings PLANE = new WorldSettings(40, 5, 40, Dimension.PLANAR, Accuracy.EXACT);
+
+    private static final List<GeometryObject> OBJECTS = List.of(
+            new BoxObject(new Point(6, 0, 0), 1, 2, 8).turned(0, 5).named("wall"),
+            new CylinderObject(new Point(0, 0, 0), 0.5, 1).moveable("cart"),
+            new BoxObject(new Point(2, 0, 0.3), 1, 1, 1).moveable("crate"),
+            new CylinderObject(new Point(-5, 0, 0), 0.5, 1).moveable("ball"));
+
+    private static Session session() {
+        Session session = new Session();
+        session.reply(new InitBundle(OBJECTS, PLANE));
+        return session;
+    }
+
+    private static StepBundle.Answer step(Session session, StepBundle step) {
+        return (StepBundle.Answer) reply(session, step).bundle();
+    }
+
+    private static Reply reply(Session session, StepBundle step) {
+        return Objects.requireNonNull(session.reply(step));
+    }
+
+    @Test
+    void aSessionStepsAsDynamicsDo() {
+        Session session = session();
+        StepBundle.Answer first = step(
+                session,
+                new StepBundle(
+                        0,
+                        List.of(
+                                new BodyRequest(
+                                        "crate",
+                                        5,
+                                        1,
+                                        new SurfaceSettings(0.5, 0.5, 0.25),
+                                        1,
+                                        2,
+                                        3,
+                                        Math.PI,
+                                        0.125,
+                                        null,
+                                        null),
+                                BodyRequest.of("cart").withMass(20).withDrive(DriveSettings.DEFAULT),
+                                BodyRequest.of("wall").withSurface(new SurfaceSettings(0.25, 0, 0))),
+                        List.of()));
+        assertThat(first.bodies()).extracting(BodyAnswer::objectName).containsExactly("crate", "cart");
+
+        Geometry twin = new Geometry(40, 5, 40, Dimension.PLANAR, Accuracy.EXACT);
+        OBJECTS.forEach(twin::addObjectUnchecked);
+        Dynamics dynamics = new Dynamics(twin, Surface.SMOOTH);
+        dynamics.add(
+                "crate",
+                Body.of(5, 1)
+                        .withSurface(new Surface(0.5, 0.5, 0.25))
+                        .withDamping(1, 2)
+                        .withLimits(3, 180)
+                        .withFloorFriction(0.125));
+        dynamics.add("cart", Body.ofMass(OBJECTS.get(1), 20).withFloorFriction(0.5));
+        dynamics.surface("wall", new Surface(0.25, 0, 0));
+        DifferentialDrive drive = new DifferentialDrive(1, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+        dynamics.drive("cart", drive);
+        int met = 0;
+        Set<ContactAnswer.Phase> phases = EnumSet.noneOf(ContactAnswer.Phase.class);
+        for (int k = 0; k < 200; k++) {
+            double turn = 0.3 * Math.sin(k * 0.1);
+            StepBundle.Answer answer =
+                    step(session, new StepBundle(0.05, List.of(), List.of(new DriveCommand("cart", 1.5, turn))));
+            dynamics.drive("cart", drive.driving(1.5, Degrees.toDegrees(turn)));
+            StepResult result = dynamics.step(0.05);
+            for (BodyAnswer body : answer.bodies()) {
+                GeometryObject object = twin.getObject(body.objectName());
+                assertThat(body.center()).isEqualTo(object.center());
+                assertThat(body.heading()).isEqualTo(Degrees.toRadians(object.heading()));
+                assertThat(body.velocity().x())
+                        .isEqualTo(dynamics.velocity(body.objectName()).x());
+                assertThat(Objects.requireNonNull(session.world()).getObject(body.objectName()))
+                        .isEqualTo(object);
+            }
+            assertThat(answer.contacts())
+                    .extracting(ContactAnswer::impulse)
+                    .isEqualTo(Stream.concat(result.contacts().stream(), result.ended().stream())
+                            .map(each -> each.impulse())
+                            .toList());
+            answer.contacts().forEach(each -> phases.add(each.phase()));
+            assertThat(answer.stopped()).isEqualTo(result.stopped());
+            met += answer.contacts().size();
+        }
+        assertThat(met).isGreaterThan(3);
+        assertThat(phases).containsExactlyInAnyOrder(ContactAnswer.Phase.values());
+    }
+
+    @Test
+    void whatCannotBeGivenIsLeftOutAndTheRestIsDone() {
+        Session session = session();
+        Reply reply = reply(
+                session,
+                new StepBundle(
+                        1,
+                        List.of(
+                                BodyRequest.of("nobody"),
+                                BodyRequest.of("ball").withFloorFriction(0).withVelocity(new Velocity(1, 0, 0, 0))),
+                        List.of(new DriveCommand("wall", 1, 0), new DriveCommand("cart", -1, 0))));
+        assertThat(reply.problems()).extracting(problem -> problem.index()).containsExactly(0, 2);
+        assertThat(reply.problems().get(0).reason()).contains("\"nobody\"");
+        assertThat(reply.problems().get(1).reason()).contains("moveable");
+        StepBundle.Answer answer = (StepBundle.Answer) reply.bundle();
+        assertThat(answer.bodies()).extracting(BodyAnswer::objectName).containsExactly("ball", "cart");
+        assertThat(answer.bodies().get(0).center().x()).isEqualTo(-4);
+        assertThat(answer.bodies().get(1).center().x()).isEqualTo(-1);
+    }
+
+    @Test
+    void aMoveBetweenStepsCounts() {
+        Session session = session();
+        step(session, new StepBundle(0, List.of(BodyRequest.of("ball")), List.of()));
+        session.reply(new MoveBundle(List.of(new MoveRequest("ball", 0, 0, 2, 0, 0))));
+        assertThat(step(session, new StepBundle(1, List.of(), List.of()))
+                        .bodies()
+                        .get(0)
+                        .center())
+                .isEqualTo(new Point(-5, 0, 2));
+    }
+
+    @Test
+    void aNewWorldHasNoBodies() {
+        Session session = session();
+        step(session, new StepBundle(0, List.of(BodyRequest.of("ball")), List.of()));
+        session.reply(new InitBundle(OBJECTS, PLANE));
+        assertThat(step(session, new StepBundle(1, List.of(), List.of())).bodies())
+                .isEmpty();
+    }
+
+    @Test
+    void withoutAWorldNothingMoves() {
+        Reply reply = reply(new Session(), new StepBundle(1, List.of(BodyRequest.of("ball")), List.of()));
+        assertThat(((StepBundle.Answer) reply.bundle()).bodies()).isEmpty();
+        assertThat(reply.problems().get(0).reason()).isEqualTo("there is no world yet");
+    }
+
+    @Test
+    void anAnswerIsNoRequest() {
+        StepBundle.Answer answer = new StepBundle.Answer(List.of(), List.of(), List.of());
+        assertThatThrownBy(() -> new Session().reply(answer))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("a StepBundle");
+    }
+
+    @Test
+    void everyShapeHasABodyOfItsOwn() {
+        Session session = session();
+        StepBundle.Answer answer = step(
+                session,
+                new StepBundle(
+                        0.5,
+                        List.of(BodyRequest.of("cart").withDrive(DriveSettings.of(DriveSettings.Kind.FORCE))),
+                        List.of(new DriveCommand("cart", 100, 0))));
+        // 200 kg/m^3 of a cylinder of radius 0.5 m and height 1 m.
+        double mass = 200 * Math.PI * 0.25;
+        assertThat(answer.bodies().get(0).velocity().x())
+                .isCloseTo(100 * 0.5 / mass, org.assertj.core.data.Offset.offset(1e-12));
+    }
+}

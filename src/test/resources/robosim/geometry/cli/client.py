@@ -1,0 +1,178 @@
+"""Every message of examples/robosim.py against a module, whose place is the argument; PythonClientTest runs it."""
+
+import math
+import sys
+
+import robosim
+from robosim import Move, RequestError, Sonar, box, capsule, cylinder, grid, group, mesh, sphere
+
+INF = math.inf
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+SIDES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+
+
+def same(got, expected):
+    if got != expected:
+        raise AssertionError(f"expected {expected!r}, got {got!r}")
+
+
+def near(got, expected):
+    if not abs(got - expected) <= 1e-12 * max(1, abs(expected)):
+        raise AssertionError(f"expected about {expected!r}, got {got!r}")
+
+
+def refused(what, words):
+    try:
+        what()
+    except RequestError as e:
+        same(str(e), words)
+    else:
+        raise AssertionError(f"expected a RequestError: {words}")
+
+
+def shapes(module):
+    """One of each shape, with each way to place it."""
+    turned = [0, 0, 1, 0, 1, 0, -1, 0, 0]
+    everything = [
+        box([3, 0, 0], 0.2, 2, 4, name="wall", material={"color": "#ff8000", "label": 7}),
+        cylinder((0, 0, 0), 0.25, 1, name="robot", moveable=True),
+        sphere([0, 0, 3], 0.5, name="ball"),
+        capsule([-3, 0, 3], 0.3, 1, heading=1),
+        mesh(CORNERS, SIDES, solid=True, center=[-4, 0, 0], name="rock"),
+        mesh(CORNERS, SIDES, center=[-4, 0, -4], rotation=turned),
+        group([box([0, 0, 0], 1, 1, 1), sphere([1, 0, 0], 0.5)], center=[4, 0, -4], heading=math.pi / 2),
+        grid([0, 0, -6], 0.5, 1, [[1, 0, 0], [0, 0, 1]], name="map"),
+        sphere([60, 0, 0], 1, name="far"),
+        sphere([60, 0, 0], 1),
+        box([0, 0, 6], 1, 1, 1, name="wall"),
+    ]
+    told = module.init(everything, width=40, height=10, length=40, dimension="SPATIAL")
+    same(told.added, 8)
+    same(told.left_out, [(8, "far", "it would leave the world"), (9, "", "it would leave the world"),
+                         (10, "wall", "an earlier object has its name")])
+    same(told[2:], (40.0, 10.0, 40.0, "SPATIAL", "EXACT"))
+    same(module.world(), told)
+    near(module.pose("map").center[2], -6)
+    near(module.init(everything[:2], accuracy="OBB").width, 2 * (3.1 + 1))
+    same(module.world().accuracy, "OBB")
+    same(module.world().dimension, "PLANAR")
+    module.init(everything, width=40, height=10, length=40, dimension="SPATIAL")
+
+
+def moves(module):
+    went = module.move("robot", x=1, ry=math.pi / 2)
+    same((went.made, bool(went), went.obstacle), (True, True, None))
+    pose = module.pose("robot")
+    same((pose.center, pose.heading), ([1, 0, 0], math.pi / 2))  # exactly
+    same(pose.rotation, [0, 0, 1, 0, 1, 0, -1, 0, 0])
+    went = module.move("robot", z=4)  # to the right of a robot that looks along -Z: the wall
+    same((went.made, bool(went), went.obstacle, went.turn_fraction), (False, False, "wall", 0))
+    near(went.fraction, 1.65 / 4)
+    near(went.contact[0], 2.9)
+    same(went.normal, [-1, 0, 0])
+    same(module.pose("robot"), pose)
+    same(module.move("robot", y=20).obstacle, None)  # the border
+    same(module.move("robot", y=20).made, False)
+    made = module.moves([Move("robot", x=0.5), Move("robot", z=4), Move("wall", x=1), Move("robot", x=-0.5)])
+    same(made.made, [Move("robot", x=0.5), Move("robot", x=-0.5)])
+    same(made.refused, {1: 'blocked by "wall" after 0.412 of the way', 2: 'no moveable object "wall"'})
+    refused(lambda: module.move("nobody", x=1), 'no moveable object "nobody"')
+
+
+def changes(module):
+    same(module.place("robot", [3, 0, 0]), (False, "wall"))
+    same(module.place("robot", [-3, 0, 3]), (False, ""))
+    same(module.place("robot", [19.9, 0, 0]), (False, None))
+    same(bool(module.place("robot", [0, 0, 0], heading=-math.pi / 2)), True)
+    same(module.pose("robot").heading, -math.pi / 2)
+    same(module.place("robot", [0, 0, 0]), (True, None))
+    ball = sphere([0.1, 0, 0.2], 0.1, name="ball 2", moveable=True)
+    same(module.add(ball), (False, "robot"))
+    same(module.add(ball, overlapping=True), (True, None))
+    same(module.pose("ball 2").center, [0.1, 0, 0.2])
+    same(module.remove("ball 2"), (True, None))
+    same(module.remove("ball 2"), (False, None))
+    refused(lambda: module.pose("ball 2"), 'no object "ball 2"')
+    refused(lambda: module.place("wall", [0, 0, 0]), 'no moveable object "wall"')
+
+
+def sensors(module):
+    near(module.sonar("robot"), 2.9)
+    same(module.sonar("robot", 0, 1), 2.5)  # (0, 1) is to the right, where the ball is
+    same(module.sonar("robot", 0, 1, max=2), INF)
+    same(module.sonar("robot", 0, 1, min=2.7), 2.7)
+    near(module.sonar("robot", 0.1, 1, width=0.5), 2.5)
+    several = module.sonars([Sonar("robot"), Sonar("robot", 0, -1, max=2), Sonar("nobody")])
+    near(several[0], 2.9)
+    same(several[1], INF)
+    same(str(several[2]), 'no moveable object "nobody"')
+    refused(lambda: module.sonar("nobody"), 'no moveable object "nobody"')
+    scan = module.scan("robot", count=4, max=5)
+    same(len(scan), 4)
+    same(scan[3], 2.5)  # a fan turns to the left: its last quarter is to the right
+    same(list(scan), list(scan.distances))
+    same(memoryview(scan.distances).format, "d")
+    left = module.scan("robot", first=math.pi / 2, step=0, count=1, heading=math.pi)
+    same(left[0], 2.5)
+    frame = module.frame("robot", 8, 6, 1.0, normals=True)
+    same((len(frame), len(frame.objects), len(frame.labels), len(frame.normals)), (48, 48, 48, 144))
+    middle = 3 * 8 + 4
+    same((frame.name(middle), frame.labels[middle]), ("wall", 7))
+    same(list(frame.normals[3 * middle:3 * middle + 3]), [-1, 0, 0])
+    up = module.sense("robot", robosim.directions([0, 1, 0, 1, 0, 0]), at=(0, 0.6, 0), objects=True)
+    same((up[0], up.name(0), up.name(1)), (INF, None, "wall"))
+    lidar = module.sense("robot", robosim.layers([-0.1, 0, 0.1], 0, 0.1, 5), motion={"duration": 0.1, "x": 1})
+    same(len(lidar), 15)
+    same(module.free_poses("robot", [0, 0, 0, 0, 3, 0, 0, 0, 1, 0, 1, 2]), [True, False, True])
+    same(module.free_edges("robot", [0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 6, 0, 0, 0]), [True, False])
+    refused(lambda: module.scan("nobody"), 'no moveable object "nobody"')
+
+
+def together(module):
+    answers = module.batch([
+        robosim.place("robot", [1, 0, 0]), robosim.pose("robot"), robosim.sense("robot", robosim.fan(0, 0, 1)),
+        robosim.go("robot", x=9), robosim.add(sphere([9, 0, 9], 1, name="new")), robosim.remove("new"),
+        robosim.pose("new"), robosim.poses("robot", []), robosim.edges("robot", [0] * 8), robosim.world()])
+    same(answers[0].done, True)
+    same(answers[1].center, [1, 0, 0])
+    near(answers[2][0], 1.9)
+    same(answers[3].obstacle, "wall")
+    same((answers[4].done, answers[5].done, str(answers[6])), (True, True, 'no object "new"'))
+    same((answers[7], answers[8], answers[9].added), ([], [True], 8))
+    assert 0 < module.ping() < 60
+
+
+def main():
+    with robosim.connect(sys.argv[1], timeout=60) as module:
+        assert module.version.startswith("robosim-geometry"), module.version
+        assert module.limits["messageBytes"] > 0
+        refused(lambda: module.move("robot", x=1), 'no moveable object "robot", there is no world yet')
+        refused(module.world, "there is no world yet")
+        shapes(module)
+        moves(module)
+        changes(module)
+        sensors(module)
+        together(module)
+        try:
+            module.add({"kind": "cone"})
+        except robosim.NotDone as e:
+            assert "must be box, cylinder" in str(e), e
+        else:
+            raise AssertionError("a cone must be refused")
+    try:
+        box([0, 0, 0], 1, 1, 1, colour="red")
+    except TypeError as e:
+        assert "a box has no colour" in str(e), e
+    else:
+        raise AssertionError("a mistyped field must be refused")
+    for place in ("localhost:http", "localhost"):
+        try:
+            robosim.connect(place)
+        except robosim.NotDone as e:
+            assert "a place must be" in str(e), e
+        else:
+            raise AssertionError("a place without a port must be refused")
+    print("all done")
+
+
+main()
