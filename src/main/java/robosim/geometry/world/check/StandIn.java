@@ -3,6 +3,7 @@ package robosim.geometry.world.check;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Bounds;
@@ -19,8 +20,10 @@ import robosim.geometry.world.WorldObject;
  * What stands for a robot in a world that has none: an upright cylinder on the floor of the scene.
  *
  * <p>The floor is one of a few heights: the world's ground, the lowest point of all objects, 0, and the surfaces that lie
- * below some places. At each of them the stand-in is tried at the same random places; the floor is the lowest height of
- * those at which it most often finds room with something in sight.
+ * below some places. At each of them the stand-in is tried at the same random places, whether it has room, something in sight
+ * and something to stand on. The floor is the lowest height that has three quarters as many of these places as the best one.
+ * Where there is next to nothing to stand on, since the ground is no object, it is the world's ground if anything is in sight
+ * there, 0 if several objects stand about that height, and else the lowest height at which something is in sight.
  *
  * @param body  the cylinder, a little above the floor, since what touches cannot move; moveable, and named {@value #NAME}
  * @param floor the height of the floor, world units
@@ -45,7 +48,10 @@ public record StandIn(CylinderObject body, double floor) {
     /** Heights from which floors are looked for below a place. */
     private static final int LEVELS = 4;
 
-    private static final int MOST_FLOORS = 12;
+    private static final int MOST_FLOORS = 24;
+
+    /** One place in so many must have a floor, or the floor is no object. */
+    private static final int LEAST_STANDING = 5;
 
     /**
      * A stand-in for a world.
@@ -64,18 +70,37 @@ public record StandIn(CylinderObject body, double floor) {
         Unit unit = world.unit();
         double radius = Math.min(size * LARGEST, unit == null ? size : RADIUS / unit.metres());
         double height = Math.min(2 * radius, world.height() / 2);
-        StandIn best = null;
-        int most = 0;
-        for (double floor : floors(world, geometry, scene)) {
+        List<Tried> all = new ArrayList<>();
+        for (double floor : floors(world, geometry, scene, height * GAP)) {
             CylinderObject body = new CylinderObject(
                     new Point(scene.middleX(), floor + height * (0.5 + GAP), scene.middleZ()), radius, height);
-            int found = found(geometry, scene, body);
-            if (found > most) {
-                most = found;
-                best = new StandIn(body.moveable(NAME), floor);
-            }
+            boolean isGround = floor == -world.height() / 2;
+            all.add(tried(geometry, scene, new StandIn(body.moveable(NAME), floor), isGround));
         }
-        return best;
+        int most = all.stream().mapToInt(Tried::standing).max().orElse(0);
+        if (most * LEAST_STANDING >= PLACES) {
+            return first(all, tried -> 4 * tried.standing() >= 3 * most);
+        }
+        StandIn ground = first(all, tried -> tried.standIn().floor() == -world.height() / 2 && tried.seeing() > 0);
+        if (ground != null) {
+            return ground;
+        }
+        StandIn zero = world.objects().size() == 1
+                ? null
+                : first(all, tried -> tried.standIn().floor() == 0 && tried.seeing() > 0);
+        return zero != null ? zero : first(all, tried -> tried.seeing() > 0);
+    }
+
+    /**
+     * A stand-in that was tried.
+     *
+     * @param seeing   at how many places it has room and sees something at its own height
+     * @param standing at how many of them it has something below it
+     */
+    private record Tried(StandIn standIn, int seeing, int standing) {}
+
+    private static @Nullable StandIn first(List<Tried> all, Predicate<Tried> wanted) {
+        return all.stream().filter(wanted).map(Tried::standIn).findFirst().orElse(null);
     }
 
     /** The bounds of all that is static, or of everything if nothing is. */
@@ -103,17 +128,21 @@ public record StandIn(CylinderObject body, double floor) {
         return found == null ? -world.height() / 2 : found.floor;
     }
 
-    /** From the lowest. */
-    private static List<Double> floors(World world, Geometry geometry, Bounds scene) {
+    /**
+     * From the lowest.
+     *
+     * @param same how near two heights are that count as one
+     */
+    private static List<Double> floors(World world, Geometry geometry, Bounds scene, double same) {
         List<Double> floors = new ArrayList<>();
         double ground = -world.height() / 2;
-        add(floors, ground, scene);
+        add(floors, ground, same);
         if (world.dimension() == Dimension.PLANAR) {
             return floors; // where heights do not count
         }
-        add(floors, scene.minY(), scene);
+        add(floors, scene.minY(), same);
         if (scene.minY() < 0 && scene.maxY() > 0) {
-            add(floors, 0, scene);
+            add(floors, 0, same);
         }
         SplittableRandom random = new SplittableRandom(SEED);
         for (int k = 0; k < PLACES && floors.size() < MOST_FLOORS; k++) {
@@ -125,7 +154,7 @@ public record StandIn(CylinderObject body, double floor) {
                 double down =
                         geometry.getRayDistance(new Ray(from, new Point(0, -1, 0)), 0, Double.POSITIVE_INFINITY, 0);
                 if (down > 0 && down < Double.POSITIVE_INFINITY) {
-                    add(floors, from.y() - down, scene);
+                    add(floors, from.y() - down, same);
                 }
             }
         }
@@ -134,17 +163,17 @@ public record StandIn(CylinderObject body, double floor) {
     }
 
     /** Adds a height unless it is almost one of the others. */
-    private static void add(List<Double> floors, double height, Bounds scene) {
-        double same = (scene.maxY() - scene.minY()) / 64;
+    private static void add(List<Double> floors, double height, double same) {
         if (floors.stream().noneMatch(other -> Math.abs(other - height) <= same)) {
             floors.add(height);
         }
     }
 
-    /** At how many places it has room and sees something at its own height. */
-    private static int found(Geometry geometry, Bounds scene, CylinderObject body) {
+    private static Tried tried(Geometry geometry, Bounds scene, StandIn standIn, boolean isGround) {
+        CylinderObject body = standIn.body;
         SplittableRandom random = new SplittableRandom(SEED);
-        int found = 0;
+        int seeing = 0;
+        int standing = 0;
         for (int k = 0; k < PLACES; k++) {
             Point at = new Point(
                     scene.minX() + random.nextDouble() * scene.width(),
@@ -152,10 +181,17 @@ public record StandIn(CylinderObject body, double floor) {
                     scene.minZ() + random.nextDouble() * scene.length());
             CylinderObject there = body.movedTo(at);
             if (!geometry.testObject(there) && isInside(geometry, there) && seesSomething(geometry, at)) {
-                found++;
+                seeing++;
+                standing += isGround || stands(geometry, at, body.height()) ? 1 : 0;
             }
         }
-        return found;
+        return new Tried(standIn, seeing, standing);
+    }
+
+    /** Whether there is something within two gaps below it. */
+    private static boolean stands(Geometry geometry, Point center, double height) {
+        double most = height * (0.5 + 2 * GAP);
+        return geometry.getRayDistance(new Ray(center, new Point(0, -1, 0)), 0, Double.POSITIVE_INFINITY, 0) <= most;
     }
 
     private static boolean isInside(Geometry geometry, CylinderObject body) {
