@@ -15,6 +15,7 @@ import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.FailureText;
 import robosim.geometry.cli.terminal.Terminal;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.worlds.AddCommand;
 import robosim.geometry.cli.worlds.CheckCommand;
 import robosim.geometry.cli.worlds.ConvertCommand;
 import robosim.geometry.cli.worlds.ExportCommand;
@@ -50,6 +51,7 @@ import robosim.geometry.cli.worlds.ViewCommand;
             ViewCommand.class,
             ExportCommand.class,
             ConvertCommand.class,
+            AddCommand.class,
             ServeCommand.class,
             ConnectCommand.class,
             DrivingCommand.class,

@@ -28,12 +28,24 @@ import robosim.geometry.world.xml.SafeXml;
  * contributes to the world.
  */
 final class WorldHandler extends DefaultHandler {
+    /** Reads the files that worlds include. */
+    @FunctionalInterface
+    interface Includes {
+        /**
+         * The objects of a file that an element names, where the element puts them.
+         *
+         * @param base the folder of the file with the element; null if it has none
+         */
+        List<WorldObject> include(Element element, @Nullable Path base, Placement place, @Nullable Unit unit)
+                throws FileProblem;
+    }
+
     private final String source;
     private final ValidatorHandler validator;
     private final ObjectBuilder builder;
     private final @Nullable List<FileProblem> problems;
     private final @Nullable Path base;
-    private final XmlWorld reader;
+    private final Includes reader;
     private final Map<String, Integer> linesOfNames = new HashMap<>();
     private final List<WorldObject> objects = new ArrayList<>();
 
@@ -55,7 +67,7 @@ final class WorldHandler extends DefaultHandler {
             @Nullable Path base,
             ValidatorHandler validator,
             @Nullable List<FileProblem> problems,
-            XmlWorld reader) {
+            Includes reader) {
         this.source = source;
         this.base = base;
         this.reader = reader;

@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -152,11 +153,34 @@ public record WorldImport(
             case "yaml", "yml" -> RosMapReader.readImport(file, options);
             default -> {
                 try {
-                    yield XmlWorld.read(file, options);
+                    yield of(XmlWorld.read(file, options.models(), others(options)));
                 } catch (FileProblem e) {
                     throw new WorldException(e);
                 }
             }
+        };
+    }
+
+    private static WorldImport of(XmlWorld.Found found) {
+        return new WorldImport(
+                found.world(),
+                found.format(),
+                found.read(),
+                Map.of(),
+                List.copyOf(found.skipped()),
+                List.copyOf(found.remarks()));
+    }
+
+    /** How a world file reads those of other formats that it includes. */
+    static XmlWorld.Others others(ImportOptions options) {
+        return (file, folders) -> {
+            WorldImport read = read(file, options.withModels(folders));
+            return new XmlWorld.Found(
+                    read.world,
+                    read.format,
+                    read.read,
+                    new LinkedHashSet<>(read.skipped),
+                    new LinkedHashSet<>(read.remarks));
         };
     }
 

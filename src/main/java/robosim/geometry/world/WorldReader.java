@@ -69,7 +69,7 @@ public final class WorldReader {
         Checks.present("in", in);
         Checks.present("source", source);
         try {
-            return XmlWorld.read(in, source, base);
+            return XmlWorld.read(in, source, base, WorldImport.others(ImportOptions.DEFAULT));
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
@@ -93,7 +93,7 @@ public final class WorldReader {
         } catch (WorldException first) {
             List<FileProblem> problems;
             try {
-                problems = XmlWorld.problems(file, options);
+                problems = XmlWorld.problems(file, options.models(), WorldImport.others(options));
             } catch (IOException e) {
                 return List.of(first);
             }

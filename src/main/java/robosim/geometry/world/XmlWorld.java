@@ -33,55 +33,71 @@ import robosim.geometry.world.xml.SafeXml;
  * The module's own format: how its files are opened, checked against the schema and read, with the files that they
  * include, each of which is read once.
  */
-final class XmlWorld {
+final class XmlWorld implements WorldHandler.Includes {
+    /**
+     * A world that was read.
+     *
+     * @param read    number of elements that were read
+     * @param skipped what is missing of included files
+     * @param remarks what a user should know of them
+     */
+    record Found(World world, String format, Map<String, Integer> read, Set<Skipped> skipped, Set<String> remarks) {}
+
+    /** Reads a file of another format, with folders of models. */
+    @FunctionalInterface
+    interface Others {
+        Found read(Path file, List<Path> folders) throws WorldException;
+    }
+
     /** The folders in whose trees included files lie: that of the world that is read, and those of models. */
     private final List<Path> folders = new ArrayList<>();
 
-    private final ImportOptions options;
+    private final Others others;
+    private final boolean hasModels;
 
     /** The files that are being read, each of which includes the next, as they are named to users. */
     private final Map<Path, String> open = new LinkedHashMap<>();
 
-    private final Map<Path, WorldImport> known = new HashMap<>();
+    private final Map<Path, Found> known = new HashMap<>();
     private final Set<Skipped> skipped = new LinkedHashSet<>();
     private final Set<String> remarks = new LinkedHashSet<>();
     private final Map<String, Integer> read = new HashMap<>();
     private long bytes;
 
-    private XmlWorld(@Nullable Path base, ImportOptions options) {
-        this.options = options;
+    private XmlWorld(@Nullable Path base, List<Path> models, Others others) {
+        this.others = others;
+        hasModels = !models.isEmpty();
         if (base != null) {
             folders.add(base);
         }
-        folders.addAll(options.models());
+        folders.addAll(models);
     }
 
-    static WorldImport read(Path file, ImportOptions options) throws FileProblem {
+    static Found read(Path file, List<Path> models, Others others) throws FileProblem {
         try (InputStream in = RegularFile.open(file)) {
             Path base = file.toAbsolutePath().getParent();
-            XmlWorld reader = new XmlWorld(base, options);
+            XmlWorld reader = new XmlWorld(base, models, others);
             reader.open.put(file.toRealPath(), String.valueOf(file.getFileName()));
             World world = reader.parse(in, file.toString(), base, null).world();
             reader.read.put("object", world.objects().size());
-            return new WorldImport(
-                    world, "world", reader.read, Map.of(), List.copyOf(reader.skipped), List.copyOf(reader.remarks));
+            return new Found(world, "world", reader.read, reader.skipped, reader.remarks);
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);
         }
     }
 
-    static World read(InputStream in, String source, @Nullable Path base) throws FileProblem {
-        return new XmlWorld(base, ImportOptions.DEFAULT)
+    static World read(InputStream in, String source, @Nullable Path base, Others others) throws FileProblem {
+        return new XmlWorld(base, List.of(), others)
                 .parse(in, source, base, null)
                 .world();
     }
 
     /** All problems of a file, as far as it can be read; fails if it cannot be opened. */
-    static List<FileProblem> problems(Path file, ImportOptions options) throws IOException {
+    static List<FileProblem> problems(Path file, List<Path> models, Others others) throws IOException {
         List<FileProblem> problems = new ArrayList<>();
         try (InputStream in = RegularFile.open(file)) {
             Path base = file.toAbsolutePath().getParent();
-            XmlWorld reader = new XmlWorld(base, options);
+            XmlWorld reader = new XmlWorld(base, models, others);
             reader.open.put(file.toRealPath(), String.valueOf(file.getFileName()));
             reader.parse(in, file.toString(), base, problems);
         } catch (FileProblem last) {
@@ -96,9 +112,10 @@ final class XmlWorld {
      * @param base the folder of the file with the element; null if it has none
      * @throws IllegalArgumentException saying what is wrong with the element or with that file
      */
-    List<WorldObject> include(Element element, @Nullable Path base, Placement place, @Nullable Unit unit)
+    @Override
+    public List<WorldObject> include(Element element, @Nullable Path base, Placement place, @Nullable Unit unit)
             throws FileProblem {
-        WorldImport included = included(locate(element.attribute("file", ""), base));
+        Found included = included(locate(element.attribute("file", ""), base));
         Unit other = included.world().unit();
         if (unit != null && other != null && unit != other) {
             throw new IllegalArgumentException("an included file must have the unit of the world, " + unit.symbol()
@@ -127,7 +144,7 @@ final class XmlWorld {
         if (name != null && !prefix.isEmpty()) {
             object = object.isMoveable() ? object.moveable(prefix + name) : object.named(prefix + name);
         }
-        return new WorldObject(object, given.color(), given.sonars());
+        return new WorldObject(object, given.color(), given.sonars(), given.body());
     }
 
     /** A file that exists and lies in the tree of one of the folders, also after following links. */
@@ -155,7 +172,7 @@ final class XmlWorld {
                 }
             }
             throw new IllegalArgumentException("there is no such file in " + base
-                    + (options.models().isEmpty() ? "" : ", nor below a folder of models")
+                    + (!hasModels ? "" : ", nor below a folder of models")
                     + "; check the path (got: " + file + ")");
         } catch (InvalidPathException e) {
             throw new IllegalArgumentException("file must be a path (got: " + file + ")", e);
@@ -178,8 +195,8 @@ final class XmlWorld {
                 + " below the folder of the world that is read, or below one of models (got: " + file + ")");
     }
 
-    private WorldImport included(Path real) throws FileProblem {
-        WorldImport before = known.get(real);
+    private Found included(Path real) throws FileProblem {
+        Found before = known.get(real);
         if (before != null) {
             return before;
         }
@@ -192,7 +209,7 @@ final class XmlWorld {
             throw new IllegalArgumentException(
                     "files must be included at most " + Limits.MAX_GROUPS + " deep (got: one more)");
         }
-        WorldImport made;
+        Found made;
         open.put(real, name);
         try {
             bytes += Files.isRegularFile(real) ? Files.size(real) : 0;
@@ -202,7 +219,7 @@ final class XmlWorld {
             }
             made = name.toLowerCase(Locale.ROOT).endsWith(".xml")
                     ? nested(real, name)
-                    : WorldImport.read(real, options.withModels(folders));
+                    : others.read(real, List.copyOf(folders));
         } catch (WorldException | FileProblem e) {
             throw new IllegalArgumentException(String.valueOf(e.getMessage()), e);
         } catch (IOException e) {
@@ -227,10 +244,10 @@ final class XmlWorld {
         }
     }
 
-    private WorldImport nested(Path file, String name) throws IOException {
+    private Found nested(Path file, String name) throws IOException {
         try (InputStream in = RegularFile.open(file)) {
             World world = parse(in, name, file.getParent(), null).world();
-            return new WorldImport(world, "world", Map.of());
+            return new Found(world, "world", Map.of(), Set.of(), Set.of());
         }
     }
 

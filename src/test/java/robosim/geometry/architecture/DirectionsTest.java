@@ -48,9 +48,9 @@ class DirectionsTest {
     /** Most classes that may know each other in a circle. */
     private static final int MOST_IN_CIRCLE = 3;
 
-    /** Larger circles that are left, each by the first of its classes; that of the model is a sealed type, its kinds and their bounds; that of the world is of its readers, as a world file may include any other. */
+    /** Larger circles that are left, each by the first of its classes; that of the model is a sealed type, its kinds and their bounds. */
     private static final Set<String> CIRCLES =
-            Set.of("junit.Arrival", "junit.Run", "model.Bounds", "viewer.playback.Colours", "world.RosMapReader");
+            Set.of("junit.Arrival", "junit.Run", "model.Bounds", "viewer.playback.Colours");
 
     private static final Map<String, List<String>> MAY_IMPORT = table();
 

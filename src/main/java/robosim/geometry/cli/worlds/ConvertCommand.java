@@ -3,6 +3,7 @@ package robosim.geometry.cli.worlds;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
@@ -48,6 +49,7 @@ import robosim.geometry.world.WorldWriter;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry convert map.yaml --wall-height 0.5 map.xml",
+            "  robosim-geometry convert map.yaml world.xml --robot disc:0.3@1,2 --unknown edge",
             "  robosim-geometry convert arena.world --models ~/.gazebo/models arena.xml",
             "  robosim-geometry convert part.stl --scale 0.001 --up z part.xml",
             "  robosim-geometry convert worlds/rooms.xml rooms.glb"
@@ -105,6 +107,28 @@ public final class ConvertCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
+    @Option(
+            names = "--unknown",
+            paramLabel = "KIND",
+            defaultValue = "free",
+            completionCandidates = Kinds.class,
+            description =
+                    "what a map's unknown cells are: free, occupied, or edge, an object of their own that ends the"
+                            + " map (default: ${DEFAULT-VALUE})")
+    private ImportOptions.Unknown unknown = ImportOptions.Unknown.FREE;
+
+    @Option(
+            names = "--centred",
+            description = "the middle of a map's image is the world's centre, so that the world is as large as the map;"
+                    + " else the origin of the map's frame is")
+    private boolean centred;
+
+    @Option(
+            names = "--robot",
+            paramLabel = "ROBOT",
+            description = "a robot on the floor: " + RobotSpec.FORM + "; may be repeated")
+    private List<String> robots = new ArrayList<>();
+
     @Option(names = "--strict", description = "if anything would be left out, write nothing and exit with 1")
     private boolean strict;
 
@@ -117,6 +141,16 @@ public final class ConvertCommand implements Callable<Integer> {
         public Iterator<String> iterator() {
             return Stream.of(ImportOptions.Up.values())
                     .map(axis -> axis.name().toLowerCase(Locale.ROOT))
+                    .iterator();
+        }
+    }
+
+    /** The values that a shell's completion offers for {@code --unknown}, as the help writes them. */
+    static final class Kinds implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Stream.of(ImportOptions.Unknown.values())
+                    .map(kind -> kind.name().toLowerCase(Locale.ROOT))
                     .iterator();
         }
     }
@@ -138,7 +172,7 @@ public final class ConvertCommand implements Callable<Integer> {
                     "Wrote nothing: --strict was given, and " + read.skipped().size() + " would be left out");
             return ExitCodes.FINDINGS;
         }
-        World world = read.world();
+        World world = withRobots(read.world());
         try (Progress progress =
                 Progress.of(spec.commandLine(), "objects", world.objects().size())) {
             switch (ending) {
@@ -149,6 +183,18 @@ public final class ConvertCommand implements Callable<Integer> {
         }
         printer.println(written(world));
         return read.isWhole() ? ExitCodes.FINE : ExitCodes.PARTIAL;
+    }
+
+    private World withRobots(World read) {
+        World world = read;
+        try {
+            for (String robot : robots) {
+                world = RobotSpec.add(world, robot, 0);
+            }
+            return world;
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), "--robot: " + e.getMessage(), e);
+        }
     }
 
     /** How OUT ends. */
@@ -165,7 +211,7 @@ public final class ConvertCommand implements Callable<Integer> {
 
     private ImportOptions options() {
         try {
-            return new ImportOptions(wallHeight, scale, up, List.of());
+            return new ImportOptions(wallHeight, scale, up, List.of(), unknown, centred);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }

@@ -23,7 +23,10 @@ final class Questions {
     /** Number of free places from which moves and sonars are queried, over all robots. */
     private static final int PLACES = 600;
 
-    /** That number where objects are meshes, among which a query takes up to a thousand times as long. */
+    /** Triangles of all meshes of a world above which it is one of meshes. */
+    private static final int MANY = 1000;
+
+    /** That number in a world of meshes, among which a query takes up to a thousand times as long. */
     private static final int PLACES_AMONG_MESHES = 120;
 
     /** Free places at which all settings are queried; later only those that have answered as the truth until then. */
@@ -54,6 +57,7 @@ final class Questions {
     private final List<Sheet> sheets = new ArrayList<>();
     private final Sheet truth;
     private final double slack;
+    private final long triangles;
 
     /** The bounds of static objects, or of all if none is static. */
     private final List<Bounds> obstacles;
@@ -104,8 +108,14 @@ final class Questions {
         }
     }
 
-    /** @param reachability after the rooms have been found */
-    Questions(World world, RobotReachability reachability, Watch watch) {
+    /**
+     * Questions about a world.
+     *
+     * @param reachability after the rooms have been found
+     * @param triangles    of all meshes
+     */
+    Questions(World world, RobotReachability reachability, long triangles, Watch watch) {
+        this.triangles = triangles;
         this.world = world;
         this.reachability = reachability;
         this.watch = watch;
@@ -154,8 +164,7 @@ final class Questions {
 
     Needs ask() {
         List<WorldObject> robots = standIn == null ? asked(world) : List.of(new WorldObject(standIn.body()));
-        boolean hasMeshes = world.objects().stream().anyMatch(object -> RobotReachability.isMany(object.object()));
-        int places = hasMeshes ? PLACES_AMONG_MESHES : PLACES;
+        int places = triangles > MANY ? PLACES_AMONG_MESHES : PLACES;
         int each = Math.max(1, places / Math.max(1, robots.size()));
         int few = Math.max(1, each / FEWER);
         // If there are many robots, not all are used.

@@ -125,7 +125,7 @@ public record WorldCheck(
                 overlaps.found(),
                 overlaps.staticCount(),
                 found,
-                new Questions(inside, reachability, watch).ask());
+                new Questions(inside, reachability, pieces.triangles, watch).ask());
     }
 
     private static World without(World world, Set<WorldObject> left) {

@@ -24,6 +24,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
@@ -250,13 +251,41 @@ class WorldCheckTest {
         assertThat(check.needs().settings()).noneMatch(Setting::isSame);
     }
 
+    /** Without a robot a stand-in is asked, on the floor and not in the air, and it meets what is there. */
+    @Test
+    void aStandInIsAskedWhereThereIsNoRobot() {
+        // A room of 10 x 8 with a floor of its own at -0.5, walls, a table and a roof, in a world of 30 x 30 x 12.
+        List<GeometryObject> objects = List.of(
+                new BoxObject(new Point(0, -0.55, 0), 10, 0.1, 8),
+                new BoxObject(new Point(0, 2.55, 0), 10, 0.1, 8),
+                new BoxObject(new Point(0, 1, 4), 10, 3, 0.2),
+                new BoxObject(new Point(0, 1, -4), 10, 3, 0.2),
+                new BoxObject(new Point(5, 1, 0), 0.2, 3, 8),
+                new BoxObject(new Point(-5, 1, 0), 0.2, 3, 8),
+                new BoxObject(new Point(1, 0.3, 1), 1, 1.6, 2).turned(0, 30));
+        List<WorldObject> all = objects.stream().map(WorldObject::new).toList();
+        WorldCheck check = WorldCheck.of(new World(30, 12, 30, Unit.METRE, Dimension.SPATIAL, Accuracy.EXACT, all));
+        assertThat(check.robots()).isEmpty();
+        StandIn standIn = check.needs().standIn();
+        assertThat(standIn).isNotNull();
+        assertThat(standIn.floor()).isEqualTo(-0.5);
+        assertThat(standIn.body().radius()).isEqualTo(0.2);
+        assertThat(standIn.body().center().y()).isBetween(-0.3, -0.25);
+        assertThat(check.needs().isTold()).isTrue();
+        assertThat(check.needs().met()).isGreaterThan(500);
+        assertThat(check.needs().accuracy()).isNotIn(Accuracy.SPHERE, Accuracy.AABB);
+        // The roof covers all in the plane.
+        assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
+        assertThat(StandIn.floorOf(check.world())).isEqualTo(-0.5);
+    }
+
     /** Where nothing is met all settings answer alike, and none was tried. */
     @Test
     void whereNothingIsMetNothingIsRecommended() {
         WorldCheck check = large(Dimension.SPATIAL, 1e6, crate("robot", 0, 0, 0, 0.5));
         assertThat(check.needs().met()).isZero();
         assertThat(check.needs().setting(Dimension.SPATIAL, Accuracy.SPHERE).moves())
-                .isGreaterThan(1000);
+                .isGreaterThan(500);
         assertThat(check.needs().isTold()).isFalse();
         assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
     }
@@ -271,8 +300,10 @@ class WorldCheckTest {
                 crate("robot", 0, 0, 0, 2));
         assertThat(check.needs().isTold()).isTrue();
         Setting sphere = check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE);
-        assertThat(sphere.moves()).isGreaterThan(1000);
+        assertThat(sphere.moves()).isGreaterThanOrEqualTo(Setting.MIN_ANSWERS);
         assertThat(sphere.movesOtherwise()).isPositive();
+        assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.EXACT).moves())
+                .isGreaterThan(500);
         assertThat(check.needs().accuracy()).isNotEqualTo(Accuracy.SPHERE);
     }
 
@@ -346,7 +377,10 @@ class WorldCheckTest {
         });
         Needs needs = ofGrid.needs();
         assertThat(needs.isProven()).isEqualTo(ofBoxes.needs().isProven()).isTrue();
-        assertThat(needs.met()).isEqualTo(ofBoxes.needs().met()).isGreaterThan(100);
+        // Places near objects are drawn by object, and so differ; what is met does not, but for chance.
+        assertThat(needs.met())
+                .isBetween(ofBoxes.needs().met() * 9 / 10, ofBoxes.needs().met() * 11 / 10);
+        assertThat(needs.met()).isGreaterThan(100);
     }
 
     /** All pairs, found by asking every one. */
@@ -434,8 +468,9 @@ class WorldCheckTest {
     }
 
     @Test
-    void aWorldWithoutRobotsIsAskedNothing() {
-        WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL, wall(3, 0, 1, 8)));
+    void anEmptyWorldIsAskedNothing() {
+        WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL));
+        assertThat(check.needs().standIn()).isNull();
         assertThat(check.needs().isTold()).isFalse();
         assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
         assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);

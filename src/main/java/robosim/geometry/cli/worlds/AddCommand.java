@@ -1,0 +1,153 @@
+package robosim.geometry.cli.worlds;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.WorldWriter;
+
+/** Puts robots into a world, into a new file. */
+@Command(
+        name = "add",
+        description = {
+            "Writes a copy of a world file with one more robot, or several, on the floor of the scene. A world of this"
+                    + " module keeps its text, comments included; a map, SDFormat or a mesh is included by a small new"
+                    + " world, and stays the file that it is.",
+            "",
+            "X and Z are those of the world; a point (x, y) of a ROS map is X = x, Z = -y."
+        },
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry add arena.xml with-robots.xml disc:0.3@1,2 box:0.6x0.4@-2,0,90",
+            "  robosim-geometry add map.yaml world.xml scout=disc:0.2x0.5@0,0 --sonars 16"
+        })
+public final class AddCommand implements Callable<Integer> {
+    private static final String END = "</world>";
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "IN", description = "a world, or any file that convert reads")
+    private Path in = Path.of("");
+
+    @Parameters(
+            index = "1",
+            paramLabel = "OUT",
+            description = "the world file to write (.xml), none of those that are read")
+    private Path out = Path.of("");
+
+    @Parameters(index = "2..*", arity = "1..*", paramLabel = "ROBOT", description = RobotSpec.FORM)
+    private List<String> robots = new ArrayList<>();
+
+    @Option(
+            names = "--sonars",
+            paramLabel = "COUNT",
+            defaultValue = "0",
+            description = "sonars around each robot, 0 for none (default: ${DEFAULT-VALUE})")
+    private int sonars;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
+
+    private AddCommand() {}
+
+    @Override
+    public Integer call() throws IOException {
+        Inputs.file(spec, "IN", in);
+        if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".xml") || Files.isDirectory(out)) {
+            throw refused("OUT must be a file that ends in .xml (got: " + out + ")", null);
+        }
+        World world = files.world(in);
+        files.output("OUT", out);
+        int before = world.objects().size();
+        try {
+            for (String robot : robots) {
+                world = RobotSpec.add(world, robot, sonars);
+            }
+        } catch (IllegalArgumentException e) {
+            throw refused(String.valueOf(e.getMessage()), e);
+        }
+        List<WorldObject> added =
+                world.objects().subList(before, world.objects().size());
+        String text = text(world, added);
+        AtomicFileWriter.write(out, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
+        PrintWriter printer = spec.commandLine().getOut();
+        added.forEach(each -> printer.println("Added " + each.object()));
+        printer.println("Wrote " + out);
+        return ExitCodes.FINE;
+    }
+
+    private ParameterException refused(String message, @Nullable Throwable cause) {
+        return new ParameterException(spec.commandLine(), message, cause);
+    }
+
+    /** The text of the new file. */
+    private String text(World world, List<WorldObject> added) throws IOException {
+        String own = WorldWriter.toXml(with(world, added));
+        String elements = own.substring(own.indexOf('\n', own.indexOf("<world ")) + 1, own.lastIndexOf(END));
+        if (in.toString().toLowerCase(Locale.ROOT).endsWith(".xml")) {
+            String given = Files.readString(in);
+            int end = given.lastIndexOf(END);
+            boolean isBeside = in.toAbsolutePath()
+                    .resolveSibling("")
+                    .equals(out.toAbsolutePath().resolveSibling(""));
+            boolean hasFiles = given.contains("file=");
+            if (end >= 0 && (isBeside || !hasFiles)) {
+                return given.substring(0, end) + elements + given.substring(end);
+            }
+            return WorldWriter.toXml(world);
+        }
+        Path folder = out.toAbsolutePath().normalize().resolveSibling("");
+        Path file = in.toAbsolutePath().normalize();
+        if (!file.startsWith(folder)) {
+            throw refused(
+                    "OUT must be in the folder of IN or in one around it, since it includes IN; convert makes a world"
+                            + " that needs no other file (got: " + out + ")",
+                    null);
+        }
+        String name = folder.relativize(file).toString().replace('\\', '/');
+        String begin = own.substring(0, own.length() - elements.length() - END.length() - 1);
+        return begin + "  <include file=\"" + escaped(name) + "\"/>\n" + elements + END + "\n";
+    }
+
+    private static World with(World world, List<WorldObject> objects) {
+        return new World(
+                world.width(),
+                world.height(),
+                world.length(),
+                world.unit(),
+                world.dimension(),
+                world.accuracy(),
+                objects);
+    }
+
+    private static String escaped(String name) {
+        return name.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
+    }
+}

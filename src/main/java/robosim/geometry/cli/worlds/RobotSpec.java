@@ -1,0 +1,116 @@
+package robosim.geometry.cli.worlds;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.world.SonarRing;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.check.StandIn;
+
+/**
+ * A robot in words: {@code [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING]}, or {@code box:WIDTHxLENGTH[xHEIGHT]} in the place of
+ * the disc. It stands a little above the floor of its world.
+ */
+final class RobotSpec {
+    static final String FORM =
+            "[NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING] or [NAME=]box:WIDTHxLENGTH[xHEIGHT]@X,Z[,HEADING]";
+
+    private static final String NUMBER = "[-+]?[0-9]*\\.?[0-9]+(?:[eE][-+]?[0-9]{1,3})?";
+    private static final Pattern WORDS = Pattern.compile("(?:([^=]+)=)?(disc|box):(" + NUMBER + ")(?:x(" + NUMBER
+            + "))?(?:x(" + NUMBER + "))?@(" + NUMBER + "),(" + NUMBER + ")(?:,(" + NUMBER + "))?");
+
+    /** The gap between a robot and the floor, as a part of its height: what touches cannot move. */
+    private static final double GAP = 1.0 / 64;
+
+    /** The most of the world's height that a robot has whose height is not given. */
+    private static final double TALLEST = 0.5;
+
+    private RobotSpec() {}
+
+    /**
+     * A world with one more robot.
+     *
+     * @param sonars how many there are around it; 0 for none
+     * @throws IllegalArgumentException saying what is wrong with the words, or what stands there
+     */
+    static World add(World world, String words, int sonars) {
+        Matcher match = WORDS.matcher(words.strip());
+        if (!match.matches()) {
+            throw new IllegalArgumentException("a robot must be " + FORM + " (got: " + words + ")");
+        }
+        boolean isDisc = match.group(2).equals("disc");
+        double first = Double.parseDouble(match.group(3));
+        @Nullable String length = isDisc ? null : match.group(4);
+        @Nullable String height = isDisc ? match.group(4) : match.group(5);
+        if (isDisc ? match.group(5) != null : length == null) {
+            throw new IllegalArgumentException("a robot must be " + FORM + " (got: " + words + ")");
+        }
+        double side = isDisc ? 2 * first : Math.min(first, number(length, 0));
+        double tall = number(height, Math.min(side, TALLEST * world.height()));
+        double floor = StandIn.floorOf(world);
+        Point at = new Point(
+                Double.parseDouble(match.group(6)), floor + tall * (0.5 + GAP), Double.parseDouble(match.group(7)));
+        GeometryObject shape =
+                isDisc ? new CylinderObject(at, first, tall) : new BoxObject(at, first, tall, number(length, 0));
+        GeometryObject robot = shape.turned(0, number(match.group(8), 0)).moveable(name(world, match.group(1)));
+        checkPlace(world, robot);
+        List<SonarRing> rings = sonars == 0
+                ? List.of()
+                : List.of(new SonarRing(sonars, 0, 360.0 / sonars, 0, Double.POSITIVE_INFINITY, 0));
+        List<WorldObject> objects = new ArrayList<>(world.objects());
+        objects.add(new WorldObject(robot, null, rings));
+        return new World(
+                world.width(),
+                world.height(),
+                world.length(),
+                world.unit(),
+                world.dimension(),
+                world.accuracy(),
+                objects);
+    }
+
+    private static double number(@Nullable String text, double otherwise) {
+        return text == null ? otherwise : Double.parseDouble(text);
+    }
+
+    /** The name given, or the first of robot, robot 2, ... that is free. */
+    private static String name(World world, @Nullable String given) {
+        Set<String> names = new HashSet<>();
+        world.objects().forEach(each -> names.add(String.valueOf(each.object().name())));
+        if (given != null) {
+            if (names.contains(given)) {
+                throw new IllegalArgumentException("a robot must have a name of its own (got twice: " + given + ")");
+            }
+            return given;
+        }
+        String name = "robot";
+        for (int k = 2; names.contains(name); k++) {
+            name = "robot " + k;
+        }
+        return name;
+    }
+
+    private static void checkPlace(World world, GeometryObject robot) {
+        Geometry geometry = world.toGeometry(refused -> {});
+        if (!geometry.addObjectUnchecked(robot)) {
+            throw new IllegalArgumentException("a robot must stand within the world of " + world.width() + " x "
+                    + world.height() + " x " + world.length() + " about the origin (got: " + robot + ")");
+        }
+        geometry.removeObject(Objects.requireNonNull(robot.name()));
+        if (geometry.testObject(robot)) {
+            throw new IllegalArgumentException("a robot must stand where nothing is, since what touches cannot move;"
+                    + " something is at this place, see check or render (got: " + robot + ")");
+        }
+    }
+}

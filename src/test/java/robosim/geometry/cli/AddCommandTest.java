@@ -1,0 +1,123 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.WorldReader;
+
+@Timeout(60)
+class AddCommandTest extends CommandRun {
+    private Path map() throws IOException {
+        StringBuilder pixels = new StringBuilder("P2 40 40 255");
+        for (int k = 0; k < 1600; k++) {
+            pixels.append(k % 40 == 30 ? " 0" : " 254");
+        }
+        Files.writeString(folder.resolve("map.pgm"), pixels);
+        return Files.writeString(folder.resolve("map.yaml"), """
+                image: map.pgm
+                resolution: 0.25
+                origin: [-2, -3, 0]
+                negate: 0
+                occupied_thresh: 0.65
+                free_thresh: 0.196
+                """);
+    }
+
+    private static GeometryObject last(World world) {
+        return world.objects().get(world.objects().size() - 1).object();
+    }
+
+    @Test
+    void aRobotStandsOnAMap() throws IOException {
+        Path xml = folder.resolve("world.xml");
+        assertThat(run("convert", map(), xml, "--robot", "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
+        World world = WorldReader.read(xml);
+        CylinderObject robot = (CylinderObject) last(world);
+        assertThat(robot.name()).isEqualTo("robot");
+        assertThat(robot.isMoveable()).isTrue();
+        assertThat(robot.center().x()).isEqualTo(1);
+        assertThat(robot.center().z()).isEqualTo(2);
+        assertThat(robot.radius()).isEqualTo(0.3);
+        // On the floor, at half the height of the walls below the middle.
+        assertThat(robot.center().y() - robot.height() / 2).isBetween(-1.0, -0.98);
+        Geometry geometry = world.toGeometry();
+        assertThat(geometry.simpleMove("robot", 1, 0, 0)).isTrue();
+        assertThat(geometry.simpleMove("robot", 10, 0, 0)).isFalse();
+    }
+
+    @Test
+    void addKeepsTheTextOfAWorld() throws IOException {
+        Path in = Files.writeString(
+                folder.resolve("in.xml"),
+                "<!-- mine -->\n<world xmlns=\"urn:robosim:world:1\" width=\"20\" height=\"4\" length=\"20\">\n"
+                        + "  <box name=\"robot\" center=\"5 -1 0\" width=\"1\" height=\"2\" length=\"1\"/> <!-- a name -->\n"
+                        + "</world>\n");
+        Path xml = folder.resolve("out.xml");
+        assertThat(run("add", in, xml, "disc:0.3x0.5@1,2,90", "cart=box:0.6x0.4x0.2@-3,0", "--sonars", "8"))
+                .isEqualTo(ExitCodes.FINE);
+        assertThat(Files.readString(xml)).startsWith(Files.readString(in).replace("</world>\n", ""));
+        World world = WorldReader.read(xml);
+        assertThat(world.objects()).hasSize(3);
+        WorldObject disc = world.objects().get(1);
+        assertThat(disc.object().name()).isEqualTo("robot 2");
+        assertThat(disc.object().heading()).isEqualTo(90);
+        assertThat(disc.sonars())
+                .singleElement()
+                .satisfies(ring -> assertThat(ring.count()).isEqualTo(8));
+        BoxObject cart = (BoxObject) last(world);
+        assertThat(new double[] {cart.width(), cart.height(), cart.length()}).containsExactly(0.6, 0.2, 0.4);
+        assertThat(cart.name()).isEqualTo("cart");
+        assertThat(out.toString()).contains("Added ", "Wrote " + xml);
+    }
+
+    @Test
+    void addIncludesAMap() throws IOException {
+        Path xml = folder.resolve("world.xml");
+        assertThat(run("add", map(), xml, "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
+        assertThat(xml).content().contains("<include file=\"map.yaml\"/>");
+        Path whole = folder.resolve("whole.xml");
+        assertThat(run("convert", map(), whole, "--robot", "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
+        assertThat(WorldReader.read(xml)).isEqualTo(WorldReader.read(whole));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "disc:0.3@5.6,2|a robot must stand where nothing is",
+                "disc:0.3@500,2|a robot must stand within the world of ",
+                "disc:0.3|a robot must be [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING] or ",
+                "disc:1x2x3@1,2|a robot must be ",
+                "box:1@1,2|a robot must be ",
+                "map=disc:0.3@1,2|a robot must have a name of its own (got twice: map)",
+                "disc:-1@1,2|radius must be a number from 0",
+            })
+    void refusesWithTheRemedy(String robot, String message) throws IOException {
+        Path xml = folder.resolve("world.xml");
+        assertThat(run("add", map(), xml, robot)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains(message);
+        assertThat(xml).doesNotExist();
+    }
+
+    @Test
+    void doesNotOverwriteItsInput() throws IOException {
+        Path in = Files.writeString(
+                folder.resolve("in.xml"),
+                "<world xmlns=\"urn:robosim:world:1\" width=\"20\" height=\"4\" length=\"20\"></world>");
+        assertThat(run("add", in, in, "disc:0.3@1,2")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("OUT must not be IN");
+    }
+}
