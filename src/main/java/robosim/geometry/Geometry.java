@@ -107,7 +107,7 @@ public final class Geometry {
     private final TranslationFastPath fastPath;
     private final Slide slide;
     private final FreePlaces places;
-    private final ObjectSearch search;
+    private @Nullable ObjectSearch search;
     private final double[] vector = new double[6];
     private @Nullable Carrier carrier;
 
@@ -170,7 +170,6 @@ public final class Geometry {
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
         slide = new Slide(registry, motion);
         places = new FreePlaces(registry, motion, scratch);
-        search = new ObjectSearch(registry, scratch);
     }
 
     /** Extent along X in world units. */
@@ -258,7 +257,9 @@ public final class Geometry {
 
     /** Which objects are where: in the way of an addition or a placement, in a box, nearest. */
     public ObjectSearch search() {
-        return search;
+        ObjectSearch made = search == null ? new ObjectSearch(registry, scratch) : search;
+        search = made;
+        return made;
     }
 
     /** All objects at their present places, in the order in which they were added. */
