@@ -30,6 +30,8 @@ import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -37,8 +39,6 @@ import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
-import robosim.geometry.protocol.batch.WorldAnswer;
-import robosim.geometry.protocol.batch.WorldRequest;
 
 /** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
 final class AllowedClasses {

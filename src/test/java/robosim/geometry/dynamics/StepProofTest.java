@@ -38,7 +38,8 @@ class StepProofTest {
         for (long steps = 0; steps < asked; ) {
             Geometry world = world(8);
             // It parts the cell from border to border.
-            assertThat(world.addObjectUnchecked(new BoxObject(new Point(0, 0, 0), 1e-9, 1, 8))).isTrue();
+            assertThat(world.addObjectUnchecked(new BoxObject(new Point(0, 0, 0), 1e-9, 1, 8)))
+                    .isTrue();
             world.addObject(new BoxObject(new Point(2, 0, -2), 3, 1, 1e-3).turned(0, random.nextDouble(10, 80)));
             Dynamics dynamics = new Dynamics(world, new Surface(0.5, 0.5, 0.4));
             List<String> names = new ArrayList<>();

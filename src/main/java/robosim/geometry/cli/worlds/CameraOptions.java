@@ -24,6 +24,7 @@ import robosim.geometry.world.WorldException;
 public final class CameraOptions {
     /** What names a robot as a place. */
     static final String ROBOT = "robot:";
+
     private static final String SENSOR = "sensor:";
 
     private static final String USUAL_SIZE = "960x640";

@@ -20,13 +20,20 @@ public final class Stepper {
 
     private static final double GAP = 1e-10;
 
-    /** So often the velocity of a body is changed before it parts from what it touches faster than it has to. */
+    /** So often a pair meets slowly before it is left alone for a while. */
     private static final int PATIENCE = 3;
 
-    /** By how much faster at first, and at most, m/s. */
-    private static final double SLOWEST = 1e-6;
+    /** How long at first, as a share of the time; each time four times as long. */
+    private static final double FIRST_PAUSE = 0x1p-12;
 
-    private static final double FASTEST = 1e-2;
+    /** Meeting more slowly is slow, m/s. */
+    private static final double SLOW = 0.05;
+
+    /** Most rounds in which bodies are put apart. */
+    private static final int SHIFTS = 8;
+
+    /** Deeper in each other than this share of the size bodies do not touch. */
+    private static final double DEEPEST = 1e-2;
 
     /** Pieces that touch and approach more slowly are left to close what is left of the gap, m/s. */
     private static final double QUIET = 1e-9;
@@ -60,12 +67,6 @@ public final class Stepper {
 
     double[] spinDrag = new double[8];
 
-    // The velocity at a time while the floor slows a body; what it has in between is the mean until the end.
-    private double[] startTime = new double[8];
-    private double[] startVx = new double[8];
-    private double[] startVz = new double[8];
-    private double[] startW = new double[8];
-
     public Stepper(Object world, double width, double length) {
         carrier = Carrier.of(world);
         scene = new Scene(carrier, width, length);
@@ -91,10 +92,6 @@ public final class Stepper {
         if (b >= drag.length) {
             drag = Arrays.copyOf(drag, 2 * b);
             spinDrag = Arrays.copyOf(spinDrag, 2 * b);
-            startTime = new double[2 * b];
-            startVx = new double[2 * b];
-            startVz = new double[2 * b];
-            startW = new double[2 * b];
             isStopped = new boolean[2 * b];
             bodyMark = new int[2 * b];
         }
@@ -204,7 +201,7 @@ public final class Stepper {
         measureGap();
         pairs.clear(bodies.count);
         for (int b = 0; b < bodies.count; b++) {
-            slow(b, 0);
+            slow(b);
         }
         spread();
         for (int p = 0; p < pairs.count; p++) {
@@ -232,23 +229,19 @@ public final class Stepper {
 
     // ---- the floor ----
 
-    /** From a time on the velocity of a body is the mean of what the floor leaves it until the end. */
-    private void slow(int b, double now) {
+    /**
+     * Gives a body the mean of what the floor leaves of its velocity until the end; it keeps that but for collisions, so that
+     * what has been solved stays solved.
+     */
+    private void slow(int b) {
         if (drag[b] == 0 && spinDrag[b] == 0) {
             return;
         }
-        double left = end - now;
-        startTime[b] = now;
-        startVx[b] = bodies.vx[b];
-        startVz[b] = bodies.vz[b];
-        startW[b] = bodies.w[b];
-        if (left > 0) {
-            double speed = Math.sqrt(bodies.vx[b] * bodies.vx[b] + bodies.vz[b] * bodies.vz[b]);
-            double share = meanShare(speed, drag[b], left);
-            bodies.vx[b] *= share;
-            bodies.vz[b] *= share;
-            bodies.w[b] *= meanShare(Math.abs(bodies.w[b]), spinDrag[b], left);
-        }
+        double speed = Math.sqrt(bodies.vx[b] * bodies.vx[b] + bodies.vz[b] * bodies.vz[b]);
+        double share = meanShare(speed, drag[b], end);
+        bodies.vx[b] *= share;
+        bodies.vz[b] *= share;
+        bodies.w[b] *= meanShare(Math.abs(bodies.w[b]), spinDrag[b], end);
     }
 
     private static double meanShare(double speed, double slowing, double left) {
@@ -259,16 +252,16 @@ public final class Stepper {
         return rest >= left ? 1 - 0.5 * left / rest : 0.5 * rest / left;
     }
 
-    /** Gives a body the velocity that the floor has left it by a time. */
-    private void slowed(int b, double now) {
+    /** Takes from a velocity, which was the mean, what the floor takes in the second half of the time. */
+    private void slowed(int b) {
         if (drag[b] == 0 && spinDrag[b] == 0) {
             return;
         }
-        double speed = Math.sqrt(startVx[b] * startVx[b] + startVz[b] * startVz[b]);
-        double share = endShare(speed, drag[b], now - startTime[b]);
-        bodies.vx[b] = startVx[b] * share;
-        bodies.vz[b] = startVz[b] * share;
-        bodies.w[b] = startW[b] * endShare(Math.abs(startW[b]), spinDrag[b], now - startTime[b]);
+        double speed = Math.sqrt(bodies.vx[b] * bodies.vx[b] + bodies.vz[b] * bodies.vz[b]);
+        double share = endShare(speed, drag[b], 0.5 * end);
+        bodies.vx[b] *= share;
+        bodies.vz[b] *= share;
+        bodies.w[b] *= endShare(Math.abs(bodies.w[b]), spinDrag[b], 0.5 * end);
     }
 
     private static double endShare(double speed, double slowing, double passed) {
@@ -357,12 +350,35 @@ public final class Stepper {
 
     private void predict(int pair, double now) {
         double time = impact.first(pairs.a[pair], pairs.b[pair], now, end);
-        pairs.touches[pair] = impact.apart <= TOUCH * gap;
-        if (pairs.touches[pair] && impact.apart > 0 && pairs.solved[pair] != now && isApproaching(pair, now)) {
+        double deepest = deepest(pair);
+        pairs.touches[pair] = impact.apart <= TOUCH * gap && impact.apart > deepest;
+        if (pairs.touches[pair] && pairs.solved[pair] != now && isApproaching(pair, now)) {
             time = now;
         }
+        if (pairs.pause[pair] > now && pairs.touches[pair] && impact.apart <= 0) {
+            time = now;
+        }
+        // What has been solved often meets again after a pause only.
+        time = Math.max(time, pairs.pause[pair]);
         // What has just been solved and has no gap left does not meet again in no time.
-        pairs.expect(pair, time == now && pairs.solved[pair] == now ? TimeOfImpact.NEVER : time);
+        boolean isNever = time >= end || (time == now && pairs.solved[pair] == now);
+        pairs.expect(pair, isNever ? TimeOfImpact.NEVER : time);
+    }
+
+    /** How deep two may be in each other, where they met in a pause, and still be taken for touching. */
+    private double deepest(int pair) {
+        return -DEEPEST * bodies.size[pieces.body[pairs.a[pair]]];
+    }
+
+    /**
+     * An edge that turns about a corner which it touches meets it again at once, however often that is solved: each time the
+     * pair is left alone for longer, so that it has few collisions in a step.
+     */
+    private void pause(int pair, double now) {
+        int times = ++pairs.slowMeetings[pair] - PATIENCE;
+        if (times > 0) {
+            pairs.pause[pair] = now + end * FIRST_PAUSE * (1L << (2 * Math.min(times, 16)));
+        }
     }
 
     /** Whether two that touch approach at a point of contact. */
@@ -393,19 +409,8 @@ public final class Stepper {
             solver.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
             solver.still[c] = mean(scene.still[pa], scene.still[pb]);
             solver.sliding[c] = Math.min(solver.still[c], mean(scene.sliding[pa], scene.sliding[pb]));
-            solver.least[c] = Math.max(distance < 0.5 * gap ? (gap - distance) / end : 0, parting(a, b, pair));
+            solver.least[c] = distance < 0.5 * gap && distance > 0 ? (gap - distance) / end : 0;
         }
-    }
-
-    /**
-     * The least speed of parting. An edge that turns about a corner which it touches meets it again at once, however often that
-     * is solved; the more often, the faster the two part, as long as energy does not grow.
-     */
-    private double parting(int a, int b, int pair) {
-        boolean isTurning = (bodies.w[a] != 0 && pieces.reach[pairs.a[pair]] > 0)
-                || (b >= 0 && bodies.w[b] != 0 && pieces.reach[pairs.b[pair]] > 0);
-        int times = Math.max(bodies.changes[a], b < 0 ? 0 : bodies.changes[b]) - PATIENCE;
-        return times <= 0 || !isTurning ? 0 : Math.min(FASTEST, SLOWEST * (1L << (3 * Math.min(times, 16))));
     }
 
     private static double mean(double a, double b) {
@@ -461,7 +466,7 @@ public final class Stepper {
                     join(second, now);
                 }
                 double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
-                if (distance <= TOUCH * gap && distance > 0) {
+                if (distance <= TOUCH * gap && distance > deepest(pair)) {
                     addContacts(pair, now);
                 } else if (pair != hit) {
                     pairs.touches[pair] = false;
@@ -469,23 +474,73 @@ public final class Stepper {
             }
         }
         boolean isSwapped = other >= 0 && isFollowed(solver.bodyList[1], solver.bodyList[0], hit, now);
+        double approach = 0;
+        for (int c = 0; c < solver.count; c++) {
+            approach = Math.min(approach, solver.pair[c] == hit ? solver.parting(c) : 0);
+        }
+        boolean isSlow = approach > -SLOW;
         boolean isSolved = solver.solve();
         tell();
+        apart(now);
         for (int k = 0; k < solver.bodyCount; k++) {
             int body = solver.bodyList[isSwapped && k < 2 ? 1 - k : k];
-            bodies.changes[body] += solver.isChanged(body) ? 1 : 0;
+            bodies.changes[body] += !isSlow && solver.isChanged(body) ? 1 : 0;
             if (!isSolved || bodies.changes[body] > MOST_CHANGES) {
                 isStopped[body] |= bodies.ownLightness[body] > 0;
                 bodies.hold(body);
             }
             carrying.leg(body);
-            slow(body, now);
         }
         for (int c = 0; c < solver.count; c++) {
             pairs.solved[solver.pair[c]] = now;
         }
         pairs.solved[hit] = now;
+        if (isSlow) {
+            pause(hit, now);
+        }
         again(hit, now);
+    }
+
+    /** Puts bodies apart that came too near in a pause, each by the share of its lightness. */
+    private void apart(double now) {
+        boolean isDone = false;
+        for (int round = 0; round < SHIFTS && !isDone; round++) {
+            isDone = true;
+            for (int c = 0; c < solver.count; c++) {
+                isDone &= !isPutApart(solver.pair[c], now);
+            }
+        }
+    }
+
+    private void apartAtEnd() {
+        boolean isDone = false;
+        for (int round = 0; round < SHIFTS && !isDone; round++) {
+            isDone = true;
+            for (int pair = 0; pair < pairs.count; pair++) {
+                isDone &= !(pairs.pause[pair] > 0 || pairs.touches[pair]) || !isPutApart(pair, end);
+            }
+        }
+    }
+
+    private boolean isPutApart(int pair, double now) {
+        double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
+        double missing = gap - distance;
+        int a = pieces.body[pairs.a[pair]];
+        int b = pieces.body[pairs.b[pair]];
+        double lightB = b < 0 ? 0 : bodies.lightness[b];
+        double light = bodies.lightness[a] + lightB;
+        if (missing <= 0.5 * gap || light == 0 || distance <= deepest(pair)) {
+            return false;
+        }
+        double byA = missing * (bodies.lightness[a] / light);
+        bodies.x[a] += byA * impact.separation.nx;
+        bodies.z[a] += byA * impact.separation.nz;
+        if (b >= 0) {
+            double byB = missing * (lightB / light);
+            bodies.x[b] -= byB * impact.separation.nx;
+            bodies.z[b] -= byB * impact.separation.nz;
+        }
+        return true;
     }
 
     /** Whether the second body of a pair recedes from the first, which follows it: then it is carried first. */
@@ -502,7 +557,6 @@ public final class Stepper {
         }
         bodyMark[body] = mark;
         bodies.advance(body, now);
-        slowed(body, now);
         solver.addBody(body);
     }
 
@@ -551,6 +605,9 @@ public final class Stepper {
                 predict(pair, now);
             }
         }
+        if (pairs.pause[hit] > now) {
+            predict(hit, now);
+        }
     }
 
     private int[] known = new int[16];
@@ -560,8 +617,11 @@ public final class Stepper {
     private void finish() {
         for (int b = 0; b < bodies.count; b++) {
             bodies.advance(b, end);
+            slowed(b);
+        }
+        apartAtEnd();
+        for (int b = 0; b < bodies.count; b++) {
             carrying.leg(b);
-            slowed(b, end);
         }
         for (int p = 0; p < pairs.count; p++) {
             tellResting(p);

@@ -28,10 +28,10 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
-import robosim.geometry.protocol.motion.BodyAnswer;
-import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.scene.Scene;
 
