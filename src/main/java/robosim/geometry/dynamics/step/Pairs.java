@@ -25,6 +25,12 @@ final class Pairs {
     /** How often the two have met slowly. */
     int[] slowMeetings = new int[FIRST];
 
+    /** Whether the two touch at the end, and then the direction from the second towards the first. */
+    boolean[] isNear = new boolean[FIRST];
+
+    double[] nx = new double[FIRST];
+    double[] nz = new double[FIRST];
+
     /** Until when the two are left alone. */
     double[] pause = new double[FIRST];
 
@@ -72,6 +78,9 @@ final class Pairs {
             mark = Arrays.copyOf(mark, room);
             slowMeetings = Arrays.copyOf(slowMeetings, room);
             pause = Arrays.copyOf(pause, room);
+            isNear = Arrays.copyOf(isNear, room);
+            nx = Arrays.copyOf(nx, room);
+            nz = Arrays.copyOf(nz, room);
             version = Arrays.copyOf(version, room);
             links = Arrays.copyOf(links, 2 * room);
         }
@@ -83,6 +92,7 @@ final class Pairs {
         mark[pair] = 0;
         slowMeetings[pair] = 0;
         pause[pair] = 0;
+        isNear[pair] = false;
         version[pair] = 0;
         links[2 * pair] = heads[bodyA];
         heads[bodyA] = 2 * pair;

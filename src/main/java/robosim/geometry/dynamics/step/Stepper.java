@@ -45,6 +45,7 @@ public final class Stepper {
     private final CellGrid grid = new CellGrid();
     private final TimeOfImpact impact;
     private final ContactSolver solver;
+    private final Order order = new Order();
     private final Manifold manifold = new Manifold();
     private final FrontToBack carrying;
     private final Carrier carrier;
@@ -517,7 +518,12 @@ public final class Stepper {
         for (int round = 0; round < SHIFTS && !isDone; round++) {
             isDone = true;
             for (int pair = 0; pair < pairs.count; pair++) {
-                isDone &= !(pairs.pause[pair] > 0 || pairs.touches[pair]) || !isPutApart(pair, end);
+                if (pairs.pause[pair] > 0 || pairs.touches[pair]) {
+                    isDone &= !isPutApart(pair, end);
+                    pairs.isNear[pair] = true;
+                    pairs.nx[pair] = impact.separation.nx;
+                    pairs.nz[pair] = impact.separation.nz;
+                }
             }
         }
     }
@@ -626,7 +632,8 @@ public final class Stepper {
         for (int p = 0; p < pairs.count; p++) {
             tellResting(p);
         }
-        carrying.carry();
+        order.sort(bodies, pairs, pieces, carrying.atX, carrying.atZ);
+        carrying.carry(order.bodies);
         for (int b = 0; b < bodies.count; b++) {
             if (carrying.isBlocked[b]) {
                 bodies.stop(b);
