@@ -70,12 +70,14 @@ final class FrontToBack {
     /** The body of an object of the world, by id; -1 for none. */
     private int[] bodyOf = new int[FIRST];
 
+    private final Stuck stuck;
     private int waiting;
 
     FrontToBack(Carrier carrier, Bodies bodies, double gap) {
         this.carrier = carrier;
         this.bodies = bodies;
         this.gap = gap;
+        stuck = new Stuck(carrier.objects);
     }
 
     /** Tells which objects of the world are bodies. */
@@ -88,6 +90,7 @@ final class FrontToBack {
         for (int b = 0; b < bodies.count; b++) {
             bodyOf[bodies.id[b]] = b;
         }
+        stuck.forget(bodies.count);
     }
 
     /** Begins with all bodies where they stand. */
@@ -159,16 +162,19 @@ final class FrontToBack {
      */
     void carry(int[] order) {
         carryStraight(order);
+        for (int b = 0; b < bodies.count; b++) {
+            isBlocked[b] = firstLeg[b] >= 0 && isStuck(b);
+        }
         for (int leg = 0; leg < legs; leg++) {
             int b = body[leg];
-            if (!isLate[b] && done[b] < time[leg]) {
+            if (!isLate[b] && !isBlocked[b] && done[b] < time[leg]) {
                 isLate[b] = !bringAlone(b, time[leg]);
             }
         }
         carryStraight(order);
         for (int k = 0; k < bodies.count; k++) {
             int b = order[k];
-            if (firstLeg[b] >= 0) {
+            if (firstLeg[b] >= 0 && !isBlocked[b]) {
                 settle(b);
             }
         }
@@ -181,7 +187,7 @@ final class FrontToBack {
             isOn = false;
             for (int k = 0; k < bodies.count; k++) {
                 int b = order[k];
-                isOn |= firstLeg[b] >= 0 && isCarriedStraight(b);
+                isOn |= firstLeg[b] >= 0 && !(round > 0 && isStuck(b)) && isCarriedStraight(b);
             }
         }
     }
@@ -333,12 +339,21 @@ final class FrontToBack {
         return true;
     }
 
+    private boolean isStuck(int b) {
+        int leg = lastLeg[b];
+        return stuck.isStuck(b, bodies.id[b], x[leg] - atX[b], z[leg] - atZ[b], angle[leg] - atAngle[b]);
+    }
+
     /** Lets a body go as far as it may, where it ends. */
     private void settle(int b) {
+        int id = bodies.id[b];
         int leg = firstLeg[b];
-        if (leg >= 0) {
-            carrier.toContact(
-                    bodies.id[b], x[leg] - atX[b], 0, z[leg] - atZ[b], Degrees.toDegrees(angle[leg] - atAngle[b]), gap);
+        double dx = x[leg] - atX[b];
+        double dz = z[leg] - atZ[b];
+        double by = angle[leg] - atAngle[b];
+        if (!carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap)) {
+            int last = lastLeg[b];
+            stuck.keep(b, id, carrier.obstacle(), x[last] - atX[b], z[last] - atZ[b], angle[last] - atAngle[b]);
         }
         isBlocked[b] = true;
     }

@@ -187,6 +187,7 @@ public final class Stepper {
 
     public void build(Surfaces surfaces) {
         scene.build(surfaces);
+        carrying.know();
         touches.clear();
         before.clear();
     }
@@ -195,8 +196,8 @@ public final class Stepper {
     public void run(double seconds, Surfaces surfaces) {
         while (!scene.place()) {
             scene.build(surfaces);
+            carrying.know();
         }
-        carrying.know();
         carrying.begin();
         end = seconds;
         measureGap();
