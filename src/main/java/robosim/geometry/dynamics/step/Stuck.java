@@ -76,6 +76,6 @@ final class Stuck {
         int place = objects.place(id);
         return place < 0 // what is not moveable
                 || Arrays.equals(
-                objects.places(), place, place + ObjectTable.PLACE, places, at, at + ObjectTable.PLACE);
+                        objects.places(), place, place + ObjectTable.PLACE, places, at, at + ObjectTable.PLACE);
     }
 }
