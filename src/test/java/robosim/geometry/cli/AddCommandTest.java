@@ -118,6 +118,6 @@ class AddCommandTest extends CommandRun {
                 folder.resolve("in.xml"),
                 "<world xmlns=\"urn:robosim:world:1\" width=\"20\" height=\"4\" length=\"20\"></world>");
         assertThat(run("add", in, in, "disc:0.3@1,2")).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("OUT must not be IN");
+        assertThat(err.toString()).contains("OUT must not be a file that is read");
     }
 }

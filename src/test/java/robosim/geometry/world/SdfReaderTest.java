@@ -459,7 +459,7 @@ class SdfReaderTest {
                 "<box/>|<box> must have <size>",
                 "<cylinder><radius>1</radius></cylinder>|<cylinder> must have <length>",
                 "<plane><normal>0 0 0</normal></plane>|<normal> must not be zero",
-                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|a part is read of COLLADA alone",
+                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|there is no such file or folder below",
                 "<mesh><uri>a.obj</uri></mesh>|there is no such file or folder below",
                 "<box><size>1 1 1</size></box><sphere><radius>1</radius></sphere>|<geometry> must contain one shape (got: 2)",
                 "|<geometry> must contain one shape (got: 0)"

@@ -176,6 +176,54 @@ class SdfShapesTest {
                 .contains("there is no node or geometry of this name with a face in the <visual_scene> (got: arm)");
     }
 
+    /** A triangle of the same numbers as that of COLLADA, beside another one, in the parts of an OBJ and of an STL file. */
+    @Test
+    void partsOfObjAndStl() throws IOException {
+        file(
+                "two.obj",
+                "v 0 0 9\nv 1 0 9\nv 0 1 9\nv 2 2 2\nv 4 2 2\nv 2 6 2\no top\nf 1 2 3\no a leg\ng legs wood\nf 4 5 6\n");
+        String facet = "facet normal 0 0 1\nouter loop\nvertex %s\nvertex %s\nvertex %s\nendloop\nendfacet\n";
+        file(
+                "two.stl",
+                "solid top\n" + facet.formatted("0 0 9", "1 0 9", "0 1 9") + "endsolid top\nsolid a leg\n"
+                        + facet.formatted("2 2 2", "4 2 2", "2 6 2") + "endsolid\n");
+        String part = "<mesh><uri>%s</uri><submesh><name>%s</name><center>%s</center></submesh></mesh>";
+        for (String file : List.of("two.obj", "two.stl")) {
+            assertThat(((MeshObject) only(read("0 0 0 0 0 0", part.formatted(file, "a leg", "false")))).vertices())
+                    .containsExactly(new Point(2, 2, -2), new Point(4, 2, -2), new Point(2, 2, -6));
+            assertThat(((MeshObject) only(read("0 0 0 0 0 0", part.formatted(file, "a leg", "true")))).vertices())
+                    .containsExactly(new Point(-1, 0, 2), new Point(1, 0, 2), new Point(-1, 0, -2));
+            assertThat(read("0 0 0 0 0 0", part.formatted(file, "arm", "true")).skipped())
+                    .singleElement()
+                    .asString()
+                    .contains("of this name with a ", "(got: arm)");
+        }
+        assertThat(((MeshObject) only(read("0 0 0 0 0 0", part.formatted("two.obj", "wood", "false")))).vertices())
+                .hasSize(3);
+        byte[] binary = new byte[84 + 50];
+        binary[80] = 1;
+        Files.write(folder.resolve("binary.stl"), binary);
+        assertThat(read("0 0 0 0 0 0", part.formatted("binary.stl", "x", "true"))
+                        .skipped())
+                .singleElement()
+                .asString()
+                .contains("a binary STL file has no parts with names");
+    }
+
+    /** Gazebo's own worlds name files from the folder around that of the models, which only the models' folder leads to. */
+    @Test
+    void aPathMayBeginWithTheNameOfAFolderOfModels(@TempDir Path elsewhere) throws IOException {
+        Path models = Files.createDirectories(elsewhere.resolve("models"));
+        Files.createDirectories(models.resolve("chair/meshes"));
+        Files.writeString(models.resolve("chair/meshes/seat.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Path world = file(
+                "t.sdf",
+                "<sdf version=\"1.9\"><model name=\"m\"><static>1</static><link name=\"l\"><collision name=\"c\"><geometry>"
+                        + "<mesh><uri>file://models/chair/meshes/seat.obj</uri></mesh></geometry></collision></link></model></sdf>");
+        assertThat(only(SdfReader.read(world, List.of(models)))).isInstanceOf(MeshObject.class);
+        assertThat(only(SdfReader.read(world, List.of(elsewhere)))).isInstanceOf(MeshObject.class);
+    }
+
     /** The same world in words of 1.0, of 1.3 and of today. */
     @Test
     void olderVersions() throws IOException {

@@ -3,9 +3,12 @@ package robosim.geometry.world.mesh;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
@@ -47,10 +50,47 @@ public final class MeshFiles {
         return isStl(file.toString()) ? read(file, scale, StlSurface::read) : readObj(file, scale, textures);
     }
 
+    /**
+     * Reads a part of a file along the axes of its coordinates: of COLLADA a node or a geometry, of OBJ an object or a group,
+     * of STL a solid.
+     *
+     * @param part its name
+     */
+    public static MeshObject readPart(Path file, String part, TextureFiles textures) throws FileProblem {
+        if (isCollada(file.toString())) {
+            return read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, part));
+        }
+        Path folder = file.toAbsolutePath().resolveSibling("");
+        MeshObject read = isStl(file.toString())
+                ? read(file, 1, (in, source, scale) -> StlSurface.read(in, source, scale, part))
+                : read(file, 1, (in, source, scale) -> ObjSurface.read(in, source, scale, folder, textures, part));
+        return used(read);
+    }
+
+    /** A mesh without the vertices that no face uses. */
+    private static MeshObject used(MeshObject mesh) {
+        int[] places = new int[mesh.vertices().size()]; // 1 more than the new index; 0 for those that are not used
+        List<Point> vertices = new ArrayList<>();
+        int[][] faces = mesh.faces();
+        for (int[] face : faces) {
+            for (int k = 0; k < face.length; k++) {
+                int corner = face[k];
+                if (places[corner] == 0) {
+                    vertices.add(mesh.vertices().get(corner));
+                    places[corner] = vertices.size();
+                }
+                face[k] = places[corner] - 1;
+            }
+        }
+        return new MeshObject(vertices, faces)
+                .withTextureCoordinates(mesh.textureCoordinates())
+                .withMaterial(mesh.material());
+    }
+
     /** Reads an OBJ file and its materials. */
     public static MeshObject readObj(Path file, double scale, TextureFiles textures) throws FileProblem {
         Path folder = file.toAbsolutePath().resolveSibling("");
-        return read(file, scale, (in, source, scaled) -> ObjSurface.read(in, source, scaled, folder, textures));
+        return read(file, scale, (in, source, scaled) -> ObjSurface.read(in, source, scaled, folder, textures, null));
     }
 
     /** A mesh without the texture coordinates that its material has no use for. */

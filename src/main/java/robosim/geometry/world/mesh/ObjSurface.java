@@ -30,8 +30,6 @@ public final class ObjSurface {
     private static final Set<String> PASSED_OVER = Set.of(
             "vn",
             "vp",
-            "o",
-            "g",
             "s",
             "mg",
             "usemap",
@@ -52,16 +50,22 @@ public final class ObjSurface {
     private final List<Point> vertices = new ArrayList<>();
     private final ObjFaces faces = new ObjFaces(vertices);
     private final List<String> libraries = new ArrayList<>();
+    /** The object or group that is wanted; null for all. */
+    private final @Nullable String part;
+
+    private String object = "";
+    private List<String> groups = List.of();
     private int line;
     private boolean ended;
 
-    private ObjSurface(double scale) {
+    private ObjSurface(double scale, @Nullable String part) {
         this.scale = scale;
+        this.part = part;
     }
 
     /** Reads a mesh from a stream, which is left open; without its materials, which are in other files. */
     public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
-        return read(in, source, scale, null, null);
+        return read(in, source, scale, null, null, null);
     }
 
     /**
@@ -69,11 +73,17 @@ public final class ObjSurface {
      *
      * @param folder   where its material libraries are; one that does not exist is ignored
      * @param textures where pictures come from
+     * @param part     the name of the object or group whose faces are read; null for all
      */
     static MeshObject read(
-            InputStream in, String source, double scale, @Nullable Path folder, @Nullable TextureFiles textures)
+            InputStream in,
+            String source,
+            double scale,
+            @Nullable Path folder,
+            @Nullable TextureFiles textures,
+            @Nullable String part)
             throws FileProblem {
-        ObjSurface reader = new ObjSurface(scale);
+        ObjSurface reader = new ObjSurface(scale, part);
         try {
             // Latin-1 accepts every byte; everything that is evaluated is ASCII.
             reader.readLines(new BufferedReader(
@@ -127,7 +137,10 @@ public final class ObjSurface {
         }
         if (faces.size() == 0) {
             line = 0;
-            throw new IllegalArgumentException("an OBJ file must have at least one face (got: none)");
+            throw new IllegalArgumentException(
+                    part == null
+                            ? "an OBJ file must have at least one face (got: none)"
+                            : "there is no object or group of this name with a face (got: " + part + ")");
         }
     }
 
@@ -165,7 +178,13 @@ public final class ObjSurface {
         switch (words[0]) {
             case "v" -> vertex(words);
             case "vt" -> texturePoint(words);
-            case "f" -> face(words);
+            case "f" -> {
+                if (part == null || object.equals(part) || groups.contains(part)) {
+                    face(words);
+                }
+            }
+            case "o" -> object = rest(text, 1);
+            case "g" -> groups = List.of(words).subList(1, words.length);
             case "usemtl" -> faces.use(rest(text));
             case "mtllib" -> libraries.add(rest(text));
             default -> {
@@ -180,7 +199,11 @@ public final class ObjSurface {
 
     /** What follows the first word, whose bytes are those of UTF-8. */
     private static String rest(String text) {
-        byte[] bytes = text.substring(6).strip().getBytes(StandardCharsets.ISO_8859_1);
+        return rest(text, 6);
+    }
+
+    private static String rest(String text, int from) {
+        byte[] bytes = text.substring(from).strip().getBytes(StandardCharsets.ISO_8859_1);
         return new String(bytes, StandardCharsets.UTF_8);
     }
 

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.AsciiScanner;
@@ -24,20 +25,36 @@ public final class StlSurface {
     private final List<Point> vertices = new ArrayList<>();
     private final List<int[]> faces = new ArrayList<>();
 
-    private StlSurface(double scale) {
+    /** The solid that is wanted; null for all. */
+    private final @Nullable String part;
+
+    private StlSurface(double scale, @Nullable String part) {
         this.scale = scale;
+        this.part = part;
     }
 
     /** Reads a mesh from a stream, which is left open. */
     public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
+        return read(in, source, scale, null);
+    }
+
+    /** @param part the name of the solids that are read, which only text has; null for all */
+    static MeshObject read(InputStream in, String source, double scale, @Nullable String part) throws FileProblem {
         byte[] bytes;
         try {
             bytes = new Bounded(in).readAllBytes();
         } catch (IOException e) {
             throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
         }
-        StlSurface reader = new StlSurface(scale);
+        StlSurface reader = new StlSurface(scale, part);
         AsciiScanner words = new AsciiScanner(bytes, source, -1);
+        if (isBinary(bytes) && part != null) {
+            throw new FileProblem(
+                    source,
+                    0,
+                    0,
+                    "a binary STL file has no parts with names; save this one as its own (got: " + part + ")");
+        }
         if (isBinary(bytes)) {
             reader.binary(bytes, source);
         } else if (words.next() && words.is("solid")) {
@@ -47,7 +64,10 @@ public final class StlSurface {
         }
         try {
             if (reader.faces.isEmpty()) {
-                throw new IllegalArgumentException("an STL file must have at least one triangle (got: none)");
+                throw new IllegalArgumentException(
+                        part == null
+                                ? "an STL file must have at least one triangle (got: none)"
+                                : "there is no solid of this name with a triangle (got: " + part + ")");
             }
             return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
         } catch (IllegalArgumentException e) {
@@ -104,15 +124,15 @@ public final class StlSurface {
 
     private void text(AsciiScanner words) throws FileProblem {
         do {
-            words.skipLine(); // the solid's name
+            boolean isWanted = words.restOfLine().equals(part) || part == null; // the solid's name
             while (words.expect("facet or endsolid", "facet", "endsolid") == 0) {
-                facet(words);
+                facet(words, isWanted);
             }
             words.skipLine();
         } while (words.next() && words.expectCurrent("solid or the file's end", "solid"));
     }
 
-    private void facet(AsciiScanner words) throws FileProblem {
+    private void facet(AsciiScanner words, boolean isWanted) throws FileProblem {
         words.expect("normal", "normal");
         for (int k = 0; k < 3; k++) {
             words.any("a number of the normal"); // which may be nan if the triangle has none
@@ -126,14 +146,16 @@ public final class StlSurface {
             double y = words.number("y of a vertex");
             double z = words.number("z of a vertex");
             try {
-                face[corner] = vertex(x, y, z);
+                face[corner] = isWanted ? vertex(x, y, z) : 0;
             } catch (IllegalArgumentException e) {
                 throw words.wrong(String.valueOf(e.getMessage()));
             }
         }
         words.expect("endloop (a facet is a triangle)", "endloop");
         words.expect("endfacet", "endfacet");
-        faces.add(face);
+        if (isWanted) {
+            faces.add(face);
+        }
     }
 
     private int vertex(double x, double y, double z) {

@@ -234,11 +234,11 @@ public final class SdfFiles {
         int scheme = name.indexOf("://");
         if (scheme < 0) {
             candidates.add(from.resolve(name).normalize());
-            for (Path folder : folders) {
-                candidates.add(folder.resolve(name).normalize());
-            }
+            inFolders(name, candidates);
         } else if (name.startsWith("file://")) {
-            candidates.add(from.resolve(name.substring(scheme + 3)).normalize());
+            String path = name.substring(scheme + 3);
+            candidates.add(from.resolve(path).normalize());
+            inFolders(path, candidates);
         } else {
             String rest = name.substring(scheme + 3);
             int slash = rest.indexOf('/');
@@ -259,6 +259,20 @@ public final class SdfFiles {
             }
         }
         return candidates;
+    }
+
+    /**
+     * A path in each folder. It may also begin with the name of the folder itself, as Gazebo's {@code file://models/...} does,
+     * which is relative to the folder around that of the models.
+     */
+    private void inFolders(String path, List<Path> candidates) {
+        int slash = path.indexOf('/');
+        for (Path folder : folders) {
+            candidates.add(folder.resolve(path).normalize());
+            if (slash > 0 && folder.endsWith(path.substring(0, slash))) {
+                candidates.add(folder.resolve(path.substring(slash + 1)).normalize());
+            }
+        }
     }
 
     /** An exception that says where a file was searched for. */

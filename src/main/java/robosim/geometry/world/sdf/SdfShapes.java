@@ -171,9 +171,6 @@ public final class SdfShapes {
         String name = uri.value();
         SdfElement submesh = shape.child("submesh");
         String part = submesh == null ? "" : submesh.required("name").value();
-        if (submesh != null && !part.isEmpty() && !MeshFiles.isCollada(name)) {
-            throw submesh.wrong("a part is read of COLLADA alone; save it as a separate file (got: " + name + ")");
-        }
         if (!MeshFiles.isNamed(name)) {
             tree.skip(shape, named(shape, owner), name + " is neither COLLADA, OBJ nor STL; export it as one of them");
             return null;
@@ -204,13 +201,14 @@ public final class SdfShapes {
         MeshObject known = surfaces.get(key);
         if (known == null) {
             files.count(uri, file);
-            known = MeshFiles.isCollada(file.toString())
-                    ? MeshFiles.read(
-                            file,
-                            1,
-                            (in, source, scale) ->
-                                    ColladaSurface.readInItsAxes(in, source, key.name.isEmpty() ? null : key.name))
-                    : MeshFiles.trimmed(MeshFiles.read(file, 1, files.textures()));
+            if (!key.name.isEmpty()) {
+                known = MeshFiles.readPart(file, key.name, files.textures());
+            } else if (MeshFiles.isCollada(file.toString())) {
+                known = MeshFiles.read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, null));
+            } else {
+                known = MeshFiles.read(file, 1, files.textures());
+            }
+            known = MeshFiles.trimmed(known);
             surfaces.put(key, known);
         }
         return known;
@@ -234,7 +232,9 @@ public final class SdfShapes {
                     vertex.y() - (least[1] + most[1]) / 2,
                     vertex.z() - (least[2] + most[2]) / 2));
         }
-        return new MeshObject(places, mesh.faces());
+        return new MeshObject(places, mesh.faces())
+                .withTextureCoordinates(mesh.textureCoordinates())
+                .withMaterial(mesh.material());
     }
 
     /**

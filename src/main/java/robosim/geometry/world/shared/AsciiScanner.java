@@ -58,6 +58,13 @@ public final class AsciiScanner {
         return to - from == word.length() && word().equalsIgnoreCase(word);
     }
 
+    /** Skips the rest of the line and answers it, without white space at its ends. */
+    public String restOfLine() {
+        int begin = to;
+        skipLine();
+        return new String(bytes, begin, to - begin, StandardCharsets.ISO_8859_1).strip();
+    }
+
     /** Skips the rest of the line. */
     public void skipLine() {
         while (to < bytes.length && bytes[to] != '\n') {
