@@ -107,6 +107,7 @@ public final class Geometry {
     private final TranslationFastPath fastPath;
     private final Slide slide;
     private final FreePlaces places;
+    private final Scratch scratch;
     private @Nullable ObjectSearch search;
     private final double[] vector = new double[6];
     private @Nullable Carrier carrier;
@@ -158,6 +159,7 @@ public final class Geometry {
         this.length = length;
         this.dimension = dimension;
         this.accuracy = accuracy;
+        this.scratch = scratch;
         registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
         objects = registry.objects;
         view = registry.view;
