@@ -107,7 +107,8 @@ public final class Geometry {
     private final TranslationFastPath fastPath;
     private final Slide slide;
     private final FreePlaces places;
-    private final ObjectSearch search;
+    private final Scratch scratch;
+    private @Nullable ObjectSearch search;
     private final double[] vector = new double[6];
     private @Nullable Carrier carrier;
 
@@ -158,6 +159,7 @@ public final class Geometry {
         this.length = length;
         this.dimension = dimension;
         this.accuracy = accuracy;
+        this.scratch = scratch;
         registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
         objects = registry.objects;
         view = registry.view;
@@ -170,7 +172,6 @@ public final class Geometry {
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
         slide = new Slide(registry, motion);
         places = new FreePlaces(registry, motion, scratch);
-        search = new ObjectSearch(registry, scratch);
     }
 
     /** Extent along X in world units. */
@@ -258,7 +259,9 @@ public final class Geometry {
 
     /** Which objects are where: in the way of an addition or a placement, in a box, nearest. */
     public ObjectSearch search() {
-        return search;
+        ObjectSearch made = search == null ? new ObjectSearch(registry, scratch) : search;
+        search = made;
+        return made;
     }
 
     /** All objects at their present places, in the order in which they were added. */

@@ -247,7 +247,7 @@ class SweepCommandTest extends CommandRun {
     void badParametersAreToldBeforeAnythingIsDone() {
         Path results = folder.resolve("results.jsonl");
         String[][] bad = {
-            {"plac=1", "one of place, heading, slip, aim, range, accuracy, dimension (got: plac)"},
+            {"plac=1", "one of place, heading, slip, aim, range, speed, turn, mass, accuracy, dimension (got: plac)"},
             {"place=-1", "place must be at least 0"},
             {"place=near", "place must be a number"},
             {"place", "--parameter must be NAME=VALUE[,VALUE...] (got: place)"},

@@ -192,7 +192,7 @@ class StepProofTest {
         dynamics.add("a", Body.of(0.5, 0.1));
         dynamics.setVelocity("bar", new Twist(0, 0, 0, 90));
         for (int step = 0; step < 20; step++) {
-            dynamics.step(0.05);
+            assertThat(dynamics.step(0.05).stopped()).as("step %d", step).isEmpty();
         }
         Twist a = dynamics.velocity("a");
         assertThat(a.x() * a.x() + a.z() * a.z()).isGreaterThan(0.25);

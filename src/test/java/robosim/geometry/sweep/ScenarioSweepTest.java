@@ -208,7 +208,8 @@ class ScenarioSweepTest {
         assertThatThrownBy(() -> wrong.vary("place", "near"))
                 .hasMessageContaining("place must be a number (got: near)");
         assertThatThrownBy(() -> wrong.vary("plac", "1"))
-                .hasMessageContaining("one of place, heading, slip, aim, range, accuracy, dimension (got: plac)");
+                .hasMessageContaining(
+                        "one of place, heading, slip, aim, range, speed, turn, mass, accuracy, dimension (got: plac)");
         assertThatThrownBy(() -> wrong.vary("accuracy", "fine")).hasMessageContaining("accuracy must be one of");
         assertThatThrownBy(() -> wrong.vary("place", "1", "1")).hasMessageContaining("each once");
         assertThatThrownBy(() -> wrong.vary("a b", "1")).hasMessageContaining("without blanks");

@@ -55,8 +55,7 @@ import robosim.geometry.world.WorldObject;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry drive worlds/pushing.xml --robot cart --speed 0.5 --turn 10 --seconds 10",
-            "  robosim-geometry drive worlds/rooms.xml --tell pad=0.5,10 --push \\",
-            "      --record out.scenario.jsonl",
+            "  robosim-geometry drive worlds/rooms.xml --tell pad=0.5,10 --push --record out.scenario.jsonl",
             "  robosim-geometry replay out.scenario.jsonl",
             "  robosim-geometry view out.scenario.jsonl"
         })

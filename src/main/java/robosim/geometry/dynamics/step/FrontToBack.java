@@ -13,14 +13,17 @@ import robosim.geometry.exact.Degrees;
 final class FrontToBack {
     private static final int FIRST = 32;
 
+    /** So often the straight ways are tried. */
+    private static final int ROUNDS = 3;
+
     /** Most bodies that are let go first, for one that waits. */
-    private static final int MOST_WAITING = 256;
+    private static final int MOST_WAITING = 64;
 
     /** Most times that a leg is halved. */
-    private static final int MOST_HALVES = 4;
+    private static final int MOST_HALVES = 2;
 
     /** Most others that one leg lets go first. */
-    private static final int MOST_RETRIES = 12;
+    private static final int MOST_RETRIES = 4;
 
     private final Carrier carrier;
     private final Bodies bodies;
@@ -39,8 +42,8 @@ final class FrontToBack {
     private int[] firstLeg = new int[FIRST];
     private int[] lastLeg = new int[FIRST];
     private double[] done = new double[FIRST];
-    private double[] atX = new double[FIRST];
-    private double[] atZ = new double[FIRST];
+    double[] atX = new double[FIRST];
+    double[] atZ = new double[FIRST];
     private double[] atAngle = new double[FIRST];
 
     // By body: the same before its last motion, to which it may be taken back.
@@ -58,18 +61,23 @@ final class FrontToBack {
 
     private boolean[] isOnWay = new boolean[FIRST];
 
+    /** Whether a body waits until all others have gone. */
+    private boolean[] isLate = new boolean[FIRST];
+
     /** Whether a body could not be carried where it was to go. */
     boolean[] isBlocked = new boolean[FIRST];
 
     /** The body of an object of the world, by id; -1 for none. */
     private int[] bodyOf = new int[FIRST];
 
+    private final Stuck stuck;
     private int waiting;
 
     FrontToBack(Carrier carrier, Bodies bodies, double gap) {
         this.carrier = carrier;
         this.bodies = bodies;
         this.gap = gap;
+        stuck = new Stuck(carrier.objects);
     }
 
     /** Tells which objects of the world are bodies. */
@@ -82,6 +90,7 @@ final class FrontToBack {
         for (int b = 0; b < bodies.count; b++) {
             bodyOf[bodies.id[b]] = b;
         }
+        stuck.forget(bodies.count);
     }
 
     /** Begins with all bodies where they stand. */
@@ -101,6 +110,7 @@ final class FrontToBack {
             fromAngle = new double[room];
             fromLeg = new int[room];
             isOnWay = new boolean[room];
+            isLate = new boolean[room];
             isBlocked = new boolean[room];
         }
         for (int b = 0; b < bodies.count; b++) {
@@ -111,6 +121,7 @@ final class FrontToBack {
             atZ[b] = bodies.z[b];
             atAngle[b] = 0;
             isBlocked[b] = false;
+            isLate[b] = false;
         }
     }
 
@@ -145,24 +156,76 @@ final class FrontToBack {
         lastLeg[b] = leg;
     }
 
-    /** Carries all bodies along all their legs, in the order of times. */
-    void carry() {
+    /**
+     * Carries all bodies to where their last legs end: at once those for which the straight way is free, in an order that is
+     * given, and along all their legs, in the order of times, the others.
+     */
+    void carry(int[] order) {
+        carryStraight(order);
+        for (int b = 0; b < bodies.count; b++) {
+            isBlocked[b] = firstLeg[b] >= 0 && isStuck(b);
+        }
         for (int leg = 0; leg < legs; leg++) {
             int b = body[leg];
-            if (!isBlocked[b] && done[b] < time[leg]) {
-                waiting = 0;
-                backCount = 0;
-                if (!bring(b, time[leg])) {
-                    settle(b);
-                }
-                while (backCount > 0) {
-                    int other = back[--backCount];
-                    if (!isBlocked[other] && !bring(other, backTime[backCount])) {
-                        settle(other);
-                    }
-                }
+            if (!isLate[b] && !isBlocked[b] && done[b] < time[leg]) {
+                isLate[b] = !bringAlone(b, time[leg]);
             }
         }
+        carryStraight(order);
+        for (int k = 0; k < bodies.count; k++) {
+            int b = order[k];
+            if (firstLeg[b] >= 0 && !isBlocked[b]) {
+                settle(b);
+            }
+        }
+    }
+
+    /** Carries those for which the straight way is free to where they end. */
+    private void carryStraight(int[] order) {
+        boolean isOn = true;
+        for (int round = 0; round < ROUNDS && isOn; round++) {
+            isOn = false;
+            for (int k = 0; k < bodies.count; k++) {
+                int b = order[k];
+                isOn |= firstLeg[b] >= 0 && !(round > 0 && isStuck(b)) && isCarriedStraight(b);
+            }
+        }
+    }
+
+    /** Brings a body to where it was to be at a time, and then again those that it made go back. */
+    private boolean bringAlone(int b, double until) {
+        waiting = 0;
+        backCount = 0;
+        boolean isThere = bring(b, until);
+        while (backCount > 0) {
+            int other = back[--backCount];
+            if (!bring(other, backTime[backCount])) {
+                isLate[other] = true;
+            }
+        }
+        return isThere;
+    }
+
+    private boolean isCarriedStraight(int b) {
+        int leg = lastLeg[b];
+        if (!makes(b, x[leg] - atX[b], z[leg] - atZ[b], Degrees.toDegrees(angle[leg] - atAngle[b]))) {
+            return false;
+        }
+        arrive(b, time[leg], x[leg], z[leg], angle[leg]);
+        firstLeg[b] = -1;
+        return true;
+    }
+
+    private void arrive(int b, double until, double toX, double toZ, double toAngle) {
+        fromTime[b] = done[b];
+        fromX[b] = atX[b];
+        fromZ[b] = atZ[b];
+        fromAngle[b] = atAngle[b];
+        fromLeg[b] = firstLeg[b];
+        done[b] = until;
+        atX[b] = toX;
+        atZ[b] = toZ;
+        atAngle[b] = toAngle;
     }
 
     /** Brings a body to where it was to be at a time; false where it is blocked. */
@@ -213,15 +276,7 @@ final class FrontToBack {
                     && goes(b, until, toX, toZ, toAngle, halves + 1);
         }
         if (isMade) {
-            fromTime[b] = done[b];
-            fromX[b] = atX[b];
-            fromZ[b] = atZ[b];
-            fromAngle[b] = atAngle[b];
-            fromLeg[b] = firstLeg[b];
-            done[b] = until;
-            atX[b] = toX;
-            atZ[b] = toZ;
-            atAngle[b] = toAngle;
+            arrive(b, until, toX, toZ, toAngle);
         }
         return isMade;
     }
@@ -284,12 +339,21 @@ final class FrontToBack {
         return true;
     }
 
+    private boolean isStuck(int b) {
+        int leg = lastLeg[b];
+        return stuck.isStuck(b, bodies.id[b], x[leg] - atX[b], z[leg] - atZ[b], angle[leg] - atAngle[b]);
+    }
+
     /** Lets a body go as far as it may, where it ends. */
     private void settle(int b) {
+        int id = bodies.id[b];
         int leg = firstLeg[b];
-        if (leg >= 0) {
-            carrier.toContact(
-                    bodies.id[b], x[leg] - atX[b], 0, z[leg] - atZ[b], Degrees.toDegrees(angle[leg] - atAngle[b]), gap);
+        double dx = x[leg] - atX[b];
+        double dz = z[leg] - atZ[b];
+        double by = angle[leg] - atAngle[b];
+        if (!carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap)) {
+            int last = lastLeg[b];
+            stuck.keep(b, id, carrier.obstacle(), x[last] - atX[b], z[last] - atZ[b], angle[last] - atAngle[b]);
         }
         isBlocked[b] = true;
     }

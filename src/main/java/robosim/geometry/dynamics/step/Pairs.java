@@ -22,8 +22,17 @@ final class Pairs {
     /** A number that tells who has looked at a pair. */
     int[] mark = new int[FIRST];
 
-    /** By what the two pieces have pushed each other in this step, newton seconds. */
-    double[] impulse = new double[FIRST];
+    /** How often the two have met slowly. */
+    int[] slowMeetings = new int[FIRST];
+
+    /** Whether the two touch at the end, and then the direction from the second towards the first. */
+    boolean[] isNear = new boolean[FIRST];
+
+    double[] nx = new double[FIRST];
+    double[] nz = new double[FIRST];
+
+    /** Until when the two are left alone. */
+    double[] pause = new double[FIRST];
 
     /** Which entry of the queue is the one that counts. */
     private int[] version = new int[FIRST];
@@ -67,7 +76,11 @@ final class Pairs {
             touches = Arrays.copyOf(touches, room);
             solved = Arrays.copyOf(solved, room);
             mark = Arrays.copyOf(mark, room);
-            impulse = Arrays.copyOf(impulse, room);
+            slowMeetings = Arrays.copyOf(slowMeetings, room);
+            pause = Arrays.copyOf(pause, room);
+            isNear = Arrays.copyOf(isNear, room);
+            nx = Arrays.copyOf(nx, room);
+            nz = Arrays.copyOf(nz, room);
             version = Arrays.copyOf(version, room);
             links = Arrays.copyOf(links, 2 * room);
         }
@@ -77,7 +90,9 @@ final class Pairs {
         touches[pair] = false;
         solved[pair] = -1;
         mark[pair] = 0;
-        impulse[pair] = 0;
+        slowMeetings[pair] = 0;
+        pause[pair] = 0;
+        isNear[pair] = false;
         version[pair] = 0;
         links[2 * pair] = heads[bodyA];
         heads[bodyA] = 2 * pair;

@@ -15,65 +15,43 @@ public final class Stepper {
     /** Collisions within so much of the time are solved together. */
     private static final double TOGETHER = 1e-12;
 
-    /** Pieces that touch: nearer than so many gaps. */
-    private static final double TOUCH = 20;
-
-    private static final double GAP = 1e-10;
-
-    /** So often the velocity of a body is changed before it parts from what it touches faster than it has to. */
-    private static final int PATIENCE = 3;
-
-    /** By how much faster at first, and at most, m/s. */
-    private static final double SLOWEST = 1e-6;
-
-    private static final double FASTEST = 1e-2;
-
-    /** Pieces that touch and approach more slowly are left to close what is left of the gap, m/s. */
-    private static final double QUIET = 1e-9;
+    /** Meeting more slowly is slow, m/s. */
+    private static final double SLOW = 0.05;
 
     final Scene scene;
     final Bodies bodies;
     private final Pieces pieces;
     private final Pairs pairs = new Pairs();
-    private final CellGrid grid = new CellGrid();
     private final TimeOfImpact impact;
     private final ContactSolver solver;
-    private final Manifold manifold = new Manifold();
+    private final Order order = new Order();
+    private final Floor floor;
+    private final Meetings meetings;
+    private final Neighbours neighbours;
     private final FrontToBack carrying;
-    private final Carrier carrier;
     private Touches touches = new Touches();
     private Touches before = new Touches();
 
-    private double gap;
     private double end;
     private int mark;
     private int[] hits = new int[16];
     private int hitCount;
     private int[] bodyMark = new int[8];
-    private double[] own = new double[4];
 
     /** Whether a body had to be stopped. */
     boolean[] isStopped = new boolean[8];
 
-    /** The deceleration by the floor, m/s^2 and rad/s^2. */
-    double[] drag = new double[8];
-
-    double[] spinDrag = new double[8];
-
-    // The velocity at a time while the floor slows a body; what it has in between is the mean until the end.
-    private double[] startTime = new double[8];
-    private double[] startVx = new double[8];
-    private double[] startVz = new double[8];
-    private double[] startW = new double[8];
-
     public Stepper(Object world, double width, double length) {
-        carrier = Carrier.of(world);
+        Carrier carrier = Carrier.of(world);
         scene = new Scene(carrier, width, length);
         bodies = scene.bodies;
         pieces = scene.pieces;
-        impact = new TimeOfImpact(bodies, pieces);
-        solver = new ContactSolver(bodies);
-        carrying = new FrontToBack(carrier, bodies, GAP);
+        floor = new Floor(bodies);
+        meetings = new Meetings(scene, pairs);
+        impact = meetings.impact;
+        solver = meetings.solver;
+        neighbours = new Neighbours(scene, pairs, meetings);
+        carrying = new FrontToBack(carrier, bodies, Meetings.GAP);
     }
 
     /** Forgets all bodies. */
@@ -88,18 +66,11 @@ public final class Stepper {
         bodies.id[b] = id;
         bodies.ownLightness[b] = mass == 0 ? 0 : 1 / mass;
         bodies.ownEase[b] = mass == 0 ? 0 : 1 / inertia;
-        if (b >= drag.length) {
-            drag = Arrays.copyOf(drag, 2 * b);
-            spinDrag = Arrays.copyOf(spinDrag, 2 * b);
-            startTime = new double[2 * b];
-            startVx = new double[2 * b];
-            startVz = new double[2 * b];
-            startW = new double[2 * b];
+        if (b >= isStopped.length) {
             isStopped = new boolean[2 * b];
             bodyMark = new int[2 * b];
         }
-        drag[b] = 0;
-        spinDrag[b] = 0;
+        floor.set(b, 0, 0);
         bodies.stop(b);
         scene.forget();
         return b;
@@ -113,8 +84,7 @@ public final class Stepper {
 
     /** Sets by how much the floor slows a body, m/s^2 and rad/s^2. */
     public void setSlowing(int b, double slowing, double spinSlowing) {
-        drag[b] = slowing;
-        spinDrag[b] = spinSlowing;
+        floor.set(b, slowing, spinSlowing);
     }
 
     /** The id of a body in the world. */
@@ -155,12 +125,7 @@ public final class Stepper {
 
     /** Whether the floor slows any that moves. */
     public boolean isSlowed() {
-        for (int b = 0; b < bodies.count; b++) {
-            if ((drag[b] > 0 || spinDrag[b] > 0) && !bodies.isStill(b)) {
-                return true;
-            }
-        }
-        return false;
+        return floor.slowsAny();
     }
 
     /** Who touched whom in this step. */
@@ -189,6 +154,7 @@ public final class Stepper {
 
     public void build(Surfaces surfaces) {
         scene.build(surfaces);
+        carrying.know();
         touches.clear();
         before.clear();
     }
@@ -197,219 +163,23 @@ public final class Stepper {
     public void run(double seconds, Surfaces surfaces) {
         while (!scene.place()) {
             scene.build(surfaces);
+            carrying.know();
         }
-        carrying.know();
         carrying.begin();
         end = seconds;
-        measureGap();
+        meetings.begin(end);
         pairs.clear(bodies.count);
         for (int b = 0; b < bodies.count; b++) {
-            slow(b, 0);
+            floor.slow(b, end);
         }
-        spread();
+        neighbours.spread(end);
         for (int p = 0; p < pairs.count; p++) {
-            predict(p, 0);
+            meetings.predict(p, 0);
         }
         for (double time = pairs.nextTime(); time <= end; time = pairs.nextTime()) {
             meet(time);
         }
         finish();
-    }
-
-    /** Bodies stop this far apart; more where coordinates are so large that less would drown in rounding. */
-    private void measureGap() {
-        double most = 0;
-        for (int b = 0; b < bodies.count; b++) {
-            most = Math.max(
-                    most,
-                    Math.max(Math.abs(bodies.x[b]), Math.abs(bodies.z[b]))
-                            + bodies.size[b]
-                            + (Math.abs(bodies.vx[b]) + Math.abs(bodies.vz[b])) * end);
-        }
-        gap = Math.max(GAP, 0x1p-42 * Math.min(most, 1e9));
-        impact.stayApart(gap);
-    }
-
-    // ---- the floor ----
-
-    /** From a time on the velocity of a body is the mean of what the floor leaves it until the end. */
-    private void slow(int b, double now) {
-        if (drag[b] == 0 && spinDrag[b] == 0) {
-            return;
-        }
-        double left = end - now;
-        startTime[b] = now;
-        startVx[b] = bodies.vx[b];
-        startVz[b] = bodies.vz[b];
-        startW[b] = bodies.w[b];
-        if (left > 0) {
-            double speed = Math.sqrt(bodies.vx[b] * bodies.vx[b] + bodies.vz[b] * bodies.vz[b]);
-            double share = meanShare(speed, drag[b], left);
-            bodies.vx[b] *= share;
-            bodies.vz[b] *= share;
-            bodies.w[b] *= meanShare(Math.abs(bodies.w[b]), spinDrag[b], left);
-        }
-    }
-
-    private static double meanShare(double speed, double slowing, double left) {
-        if (speed == 0 || slowing == 0) {
-            return 1;
-        }
-        double rest = speed / slowing;
-        return rest >= left ? 1 - 0.5 * left / rest : 0.5 * rest / left;
-    }
-
-    /** Gives a body the velocity that the floor has left it by a time. */
-    private void slowed(int b, double now) {
-        if (drag[b] == 0 && spinDrag[b] == 0) {
-            return;
-        }
-        double speed = Math.sqrt(startVx[b] * startVx[b] + startVz[b] * startVz[b]);
-        double share = endShare(speed, drag[b], now - startTime[b]);
-        bodies.vx[b] = startVx[b] * share;
-        bodies.vz[b] = startVz[b] * share;
-        bodies.w[b] = startW[b] * endShare(Math.abs(startW[b]), spinDrag[b], now - startTime[b]);
-    }
-
-    private static double endShare(double speed, double slowing, double passed) {
-        return speed == 0 ? 1 : Math.max(0, 1 - slowing * passed / speed);
-    }
-
-    // ---- who may meet ----
-
-    private void spread() {
-        double cell = 0;
-        for (int b = 0; b < bodies.count; b++) {
-            cell += 2 * bodies.size[b];
-        }
-        grid.clear(bodies.count, bodies.count == 0 || cell == 0 ? 1 : 1.5 * cell / bodies.count);
-        for (int b = 0; b < bodies.count; b++) {
-            sweep(b, 0);
-            double margin = 0.0625 * bodies.size[b];
-            grid.put(b, own[0] - margin, own[1] - margin, own[2] + margin, own[3] + margin);
-        }
-        for (int b = 0; b < bodies.count; b++) {
-            findOthers(b, 0, true);
-        }
-    }
-
-    /** Writes the box that holds a body from a time on to the end. */
-    private void sweep(int b, double now) {
-        double size = bodies.size[b] + 4 * gap + 0x1p-40 * (Math.abs(bodies.x[b]) + Math.abs(bodies.z[b]));
-        double dx = bodies.vx[b] * (end - now);
-        double dz = bodies.vz[b] * (end - now);
-        own[0] = bodies.x[b] - size + Math.min(0, dx);
-        own[1] = bodies.z[b] - size + Math.min(0, dz);
-        own[2] = bodies.x[b] + size + Math.max(0, dx);
-        own[3] = bodies.z[b] + size + Math.max(0, dz);
-    }
-
-    private void findOthers(int b, double now, boolean isFirst) {
-        sweep(b, now);
-        boolean canMove = bodies.ownLightness[b] > 0;
-        grid.find(own[0], own[1], own[2], own[3]);
-        int found = grid.foundCount;
-        for (int k = 0; k < found; k++) {
-            int other = grid.found[k];
-            // In the first round each pair of bodies is found by both.
-            if ((isFirst ? other > b : other != b) && (canMove || bodies.ownLightness[other] > 0)) {
-                pairUp(b, other, isFirst, now);
-            }
-        }
-        if (!canMove) {
-            return;
-        }
-        scene.stillGrid.find(own[0], own[1], own[2], own[3]);
-        for (int k = 0; k < scene.stillGrid.foundCount; k++) {
-            int piece = scene.firstStill + scene.stillGrid.found[k];
-            for (int p = bodies.firstPiece[b]; p < bodies.firstPiece[b] + bodies.pieces[b]; p++) {
-                if (isFirst || !pairs.has(b, p, piece)) {
-                    int pair = pairs.add(p, b, piece, -1);
-                    if (!isFirst) {
-                        predict(pair, now);
-                    }
-                }
-            }
-        }
-    }
-
-    private void pairUp(int b, int other, boolean isFirst, double now) {
-        int first = Math.min(b, other);
-        int second = Math.max(b, other);
-        if (bodies.ownLightness[first] == 0) {
-            int held = first;
-            first = second;
-            second = held;
-        }
-        for (int p = bodies.firstPiece[first]; p < bodies.firstPiece[first] + bodies.pieces[first]; p++) {
-            for (int q = bodies.firstPiece[second]; q < bodies.firstPiece[second] + bodies.pieces[second]; q++) {
-                if (isFirst || !pairs.has(b, p, q)) {
-                    int pair = pairs.add(p, first, q, second);
-                    if (!isFirst) {
-                        predict(pair, now);
-                    }
-                }
-            }
-        }
-    }
-
-    // ---- when they meet ----
-
-    private void predict(int pair, double now) {
-        double time = impact.first(pairs.a[pair], pairs.b[pair], now, end);
-        pairs.touches[pair] = impact.apart <= TOUCH * gap;
-        if (pairs.touches[pair] && impact.apart > 0 && pairs.solved[pair] != now && isApproaching(pair, now)) {
-            time = now;
-        }
-        // What has just been solved and has no gap left does not meet again in no time.
-        pairs.expect(pair, time == now && pairs.solved[pair] == now ? TimeOfImpact.NEVER : time);
-    }
-
-    /** Whether two that touch approach at a point of contact. */
-    private boolean isApproaching(int pair, double now) {
-        solver.begin();
-        addContacts(pair, now);
-        for (int c = 0; c < solver.count; c++) {
-            if (solver.parting(c) < -QUIET) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private void addContacts(int pair, double now) {
-        int pa = pairs.a[pair];
-        int pb = pairs.b[pair];
-        int a = pieces.body[pa];
-        int b = pieces.body[pb];
-        bodies.advance(a, now);
-        if (b >= 0) {
-            bodies.advance(b, now);
-        }
-        double distance = impact.measure(pa, pb, now);
-        manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
-        for (int k = 0; k < manifold.count; k++) {
-            int c = solver.add(pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
-            solver.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
-            solver.still[c] = mean(scene.still[pa], scene.still[pb]);
-            solver.sliding[c] = Math.min(solver.still[c], mean(scene.sliding[pa], scene.sliding[pb]));
-            solver.least[c] = Math.max(distance < 0.5 * gap ? (gap - distance) / end : 0, parting(a, b, pair));
-        }
-    }
-
-    /**
-     * The least speed of parting. An edge that turns about a corner which it touches meets it again at once, however often that
-     * is solved; the more often, the faster the two part, as long as energy does not grow.
-     */
-    private double parting(int a, int b, int pair) {
-        boolean isTurning = (bodies.w[a] != 0 && pieces.reach[pairs.a[pair]] > 0)
-                || (b >= 0 && bodies.w[b] != 0 && pieces.reach[pairs.b[pair]] > 0);
-        int times = Math.max(bodies.changes[a], b < 0 ? 0 : bodies.changes[b]) - PATIENCE;
-        return times <= 0 || !isTurning ? 0 : Math.min(FASTEST, SLOWEST * (1L << (3 * Math.min(times, 16))));
-    }
-
-    private static double mean(double a, double b) {
-        return a == b ? a : Math.sqrt(a * b);
     }
 
     /** Takes all that meet at a time, and solves them, those that touch each other together. */
@@ -461,30 +231,38 @@ public final class Stepper {
                     join(second, now);
                 }
                 double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
-                if (distance <= TOUCH * gap && distance > 0) {
-                    addContacts(pair, now);
+                if (meetings.isTouch(pair, distance)) {
+                    meetings.addContacts(pair, now);
                 } else if (pair != hit) {
                     pairs.touches[pair] = false;
                 }
             }
         }
         boolean isSwapped = other >= 0 && isFollowed(solver.bodyList[1], solver.bodyList[0], hit, now);
+        double approach = 0;
+        for (int c = 0; c < solver.count; c++) {
+            approach = Math.min(approach, solver.pair[c] == hit ? solver.parting(c) : 0);
+        }
+        boolean isSlow = approach > -SLOW;
         boolean isSolved = solver.solve();
-        tell();
+        meetings.tell(touches);
+        meetings.apart(now);
         for (int k = 0; k < solver.bodyCount; k++) {
             int body = solver.bodyList[isSwapped && k < 2 ? 1 - k : k];
-            bodies.changes[body] += solver.isChanged(body) ? 1 : 0;
+            bodies.changes[body] += !isSlow && solver.isChanged(body) ? 1 : 0;
             if (!isSolved || bodies.changes[body] > MOST_CHANGES) {
                 isStopped[body] |= bodies.ownLightness[body] > 0;
                 bodies.hold(body);
             }
             carrying.leg(body);
-            slow(body, now);
         }
         for (int c = 0; c < solver.count; c++) {
             pairs.solved[solver.pair[c]] = now;
         }
         pairs.solved[hit] = now;
+        if (isSlow) {
+            meetings.pause(hit, now);
+        }
         again(hit, now);
     }
 
@@ -502,25 +280,7 @@ public final class Stepper {
         }
         bodyMark[body] = mark;
         bodies.advance(body, now);
-        slowed(body, now);
         solver.addBody(body);
-    }
-
-    private void tell() {
-        for (int c = 0; c < solver.count; c++) {
-            if (solver.push[c] > 0) {
-                int piece = pairs.b[solver.pair[c]];
-                touches.add(
-                        solver.a[c],
-                        solver.b[c],
-                        pieces.object[piece],
-                        solver.px[c],
-                        solver.pz[c],
-                        solver.nx[c],
-                        solver.nz[c],
-                        solver.push[c]);
-            }
-        }
     }
 
     /** Expects the next collisions of those whose velocities have changed. */
@@ -538,18 +298,16 @@ public final class Stepper {
         }
         pairs.expect(hit, TimeOfImpact.NEVER);
         for (int k = 0; k < count; k++) {
-            int body = known[k];
-            sweep(body, now);
-            if (!grid.holds(body, own[0], own[1], own[2], own[3])) {
-                grid.put(body, own[0], own[1], own[2], own[3]);
-                findOthers(body, now, false);
-            }
+            neighbours.follow(known[k], now);
         }
         for (int k = 0; k < count; k++) {
             for (int link = pairs.heads[known[k]]; link >= 0; link = pairs.links[link]) {
                 int pair = link >> 1;
-                predict(pair, now);
+                meetings.predict(pair, now);
             }
+        }
+        if (pairs.pause[hit] > now) {
+            meetings.predict(hit, now);
         }
     }
 
@@ -560,40 +318,22 @@ public final class Stepper {
     private void finish() {
         for (int b = 0; b < bodies.count; b++) {
             bodies.advance(b, end);
+            floor.slowed(b, end);
+        }
+        meetings.apartAtEnd();
+        for (int b = 0; b < bodies.count; b++) {
             carrying.leg(b);
-            slowed(b, end);
         }
         for (int p = 0; p < pairs.count; p++) {
-            tellResting(p);
+            meetings.tellResting(touches, p);
         }
-        carrying.carry();
+        order.sort(bodies, pairs, pieces, carrying.atX, carrying.atZ);
+        carrying.carry(order.bodies);
         for (int b = 0; b < bodies.count; b++) {
             if (carrying.isBlocked[b]) {
                 bodies.stop(b);
                 isStopped[b] = true;
             }
-        }
-    }
-
-    /** Tells of a contact that is left at the end. */
-    private void tellResting(int pair) {
-        if (!pairs.touches[pair]) {
-            return;
-        }
-        int pa = pairs.a[pair];
-        int pb = pairs.b[pair];
-        double distance = impact.measure(pa, pb, end);
-        if (distance <= TOUCH * gap) {
-            manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
-            touches.add(
-                    pieces.body[pa],
-                    pieces.body[pb],
-                    pieces.object[pb],
-                    manifold.x[0],
-                    manifold.z[0],
-                    impact.separation.nx,
-                    impact.separation.nz,
-                    0);
         }
     }
 }

@@ -1,0 +1,228 @@
+package robosim.geometry.dynamics.step;
+
+/** When pairs meet, where they touch, and how far they are kept apart. */
+final class Meetings {
+    /** How far apart bodies stop, metres. */
+    static final double GAP = 1e-10;
+
+    /** Pieces that touch: nearer than so many gaps. */
+    private static final double TOUCH = 20;
+
+    /** So often a pair meets slowly before it is left alone for a while. */
+    private static final int PATIENCE = 3;
+
+    /** How long at first, as a share of the time; each time four times as long. */
+    private static final double FIRST_PAUSE = 0x1p-12;
+
+    /** Most rounds in which bodies are put apart. */
+    private static final int SHIFTS = 8;
+
+    /** Deeper in each other than this share of the size bodies do not touch. */
+    private static final double DEEPEST = 1e-2;
+
+    /** Pieces that touch and approach more slowly are left to close what is left of the gap, m/s. */
+    private static final double QUIET = 1e-9;
+
+    final TimeOfImpact impact;
+    final ContactSolver solver;
+
+    private final Scene scene;
+    private final Bodies bodies;
+    private final Pieces pieces;
+    private final Pairs pairs;
+    private final Manifold manifold = new Manifold();
+    private double gap;
+    private double end;
+
+    Meetings(Scene scene, Pairs pairs) {
+        this.scene = scene;
+        this.pairs = pairs;
+        bodies = scene.bodies;
+        pieces = scene.pieces;
+        impact = new TimeOfImpact(bodies, pieces);
+        solver = new ContactSolver(bodies);
+    }
+
+    double gap() {
+        return gap;
+    }
+
+    /** Whether two that are so far apart touch. */
+    boolean isTouch(int pair, double distance) {
+        return distance <= TOUCH * gap && distance > deepest(pair);
+    }
+
+    /** Begins a time. Bodies stop a gap apart; more where coordinates are so large that less would drown in rounding. */
+    void begin(double seconds) {
+        end = seconds;
+        double most = 0;
+        for (int b = 0; b < bodies.count; b++) {
+            most = Math.max(
+                    most,
+                    Math.max(Math.abs(bodies.x[b]), Math.abs(bodies.z[b]))
+                            + bodies.size[b]
+                            + (Math.abs(bodies.vx[b]) + Math.abs(bodies.vz[b])) * end);
+        }
+        gap = Math.max(GAP, 0x1p-42 * Math.min(most, 1e9));
+        impact.stayApart(gap);
+    }
+
+    /** Expects when a pair meets next, from a time on. */
+    void predict(int pair, double now) {
+        double time = impact.first(pairs.a[pair], pairs.b[pair], now, end);
+        pairs.touches[pair] = isTouch(pair, impact.apart);
+        if (pairs.touches[pair] && pairs.solved[pair] != now && isApproaching(pair, now)) {
+            time = now;
+        }
+        if (pairs.pause[pair] > now && pairs.touches[pair] && impact.apart <= 0) {
+            time = now;
+        }
+        // What has been solved often meets again after a pause only.
+        time = Math.max(time, pairs.pause[pair]);
+        // What has just been solved and has no gap left does not meet again in no time.
+        boolean isNever = time >= end || (time == now && pairs.solved[pair] == now);
+        pairs.expect(pair, isNever ? TimeOfImpact.NEVER : time);
+    }
+
+    /** How deep two may be in each other, where they met in a pause, and still be taken for touching. */
+    private double deepest(int pair) {
+        return -DEEPEST * bodies.size[pieces.body[pairs.a[pair]]];
+    }
+
+    /**
+     * An edge that turns about a corner which it touches meets it again at once, however often that is solved: each time the
+     * pair is left alone for longer, so that it has few collisions in a step.
+     */
+    void pause(int pair, double now) {
+        int times = ++pairs.slowMeetings[pair] - PATIENCE;
+        if (times > 0) {
+            pairs.pause[pair] = now + end * FIRST_PAUSE * (1L << (2 * Math.min(times, 16)));
+        }
+    }
+
+    /** Whether two that touch approach at a point of contact. */
+    private boolean isApproaching(int pair, double now) {
+        solver.begin();
+        addContacts(pair, now);
+        for (int c = 0; c < solver.count; c++) {
+            if (solver.parting(c) < -QUIET) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Gives the solver the points at which two touch. */
+    void addContacts(int pair, double now) {
+        int pa = pairs.a[pair];
+        int pb = pairs.b[pair];
+        int a = pieces.body[pa];
+        int b = pieces.body[pb];
+        bodies.advance(a, now);
+        if (b >= 0) {
+            bodies.advance(b, now);
+        }
+        double distance = impact.measure(pa, pb, now);
+        manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
+        for (int k = 0; k < manifold.count; k++) {
+            int c = solver.add(pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
+            solver.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
+            solver.still[c] = mean(scene.still[pa], scene.still[pb]);
+            solver.sliding[c] = Math.min(solver.still[c], mean(scene.sliding[pa], scene.sliding[pb]));
+            solver.least[c] = distance < 0.5 * gap && distance > 0 ? (gap - distance) / end : 0;
+        }
+    }
+
+    private static double mean(double a, double b) {
+        return a == b ? a : Math.sqrt(a * b);
+    }
+
+    /** Puts bodies apart that came too near in a pause, each by the share of its lightness. */
+    void apart(double now) {
+        boolean isDone = false;
+        for (int round = 0; round < SHIFTS && !isDone; round++) {
+            isDone = true;
+            for (int c = 0; c < solver.count; c++) {
+                isDone &= !isPutApart(solver.pair[c], now);
+            }
+        }
+    }
+
+    /** Does the same at the end, for all that touch, and keeps in which direction they do. */
+    void apartAtEnd() {
+        boolean isDone = false;
+        for (int round = 0; round < SHIFTS && !isDone; round++) {
+            isDone = true;
+            for (int pair = 0; pair < pairs.count; pair++) {
+                if (pairs.pause[pair] > 0 || pairs.touches[pair]) {
+                    isDone &= !isPutApart(pair, end);
+                    pairs.isNear[pair] = true;
+                    pairs.nx[pair] = impact.separation.nx;
+                    pairs.nz[pair] = impact.separation.nz;
+                }
+            }
+        }
+    }
+
+    /** Whether two had to be put apart. */
+    private boolean isPutApart(int pair, double now) {
+        double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
+        double missing = gap - distance;
+        int a = pieces.body[pairs.a[pair]];
+        int b = pieces.body[pairs.b[pair]];
+        double lightB = b < 0 ? 0 : bodies.lightness[b];
+        double light = bodies.lightness[a] + lightB;
+        if (missing <= 0.5 * gap || light == 0 || distance <= deepest(pair)) {
+            return false;
+        }
+        double byA = missing * (bodies.lightness[a] / light);
+        bodies.x[a] += byA * impact.separation.nx;
+        bodies.z[a] += byA * impact.separation.nz;
+        if (b >= 0) {
+            double byB = missing * (lightB / light);
+            bodies.x[b] -= byB * impact.separation.nx;
+            bodies.z[b] -= byB * impact.separation.nz;
+        }
+        return true;
+    }
+
+    /** Tells who pushed whom. */
+    void tell(Touches touches) {
+        for (int c = 0; c < solver.count; c++) {
+            if (solver.push[c] > 0) {
+                int piece = pairs.b[solver.pair[c]];
+                touches.add(
+                        solver.a[c],
+                        solver.b[c],
+                        pieces.object[piece],
+                        solver.px[c],
+                        solver.pz[c],
+                        solver.nx[c],
+                        solver.nz[c],
+                        solver.push[c]);
+            }
+        }
+    }
+
+    /** Tells of a contact that is left at the end. */
+    void tellResting(Touches touches, int pair) {
+        if (!pairs.touches[pair]) {
+            return;
+        }
+        int pa = pairs.a[pair];
+        int pb = pairs.b[pair];
+        double distance = impact.measure(pa, pb, end);
+        if (distance <= TOUCH * gap) {
+            manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
+            touches.add(
+                    pieces.body[pa],
+                    pieces.body[pb],
+                    pieces.object[pb],
+                    manifold.x[0],
+                    manifold.z[0],
+                    impact.separation.nx,
+                    impact.separation.nz,
+                    0);
+        }
+    }
+}
