@@ -43,7 +43,7 @@ class ProtocolPageTest {
             }
             assertThat(in.readLine()).as("after the error").isNull();
         }
-        assertThat(asked).isEqualTo(9);
-        assertThat(answered).isEqualTo(8);
+        assertThat(asked).isEqualTo(10);
+        assertThat(answered).isEqualTo(9);
     }
 }
