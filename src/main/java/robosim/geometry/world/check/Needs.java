@@ -37,7 +37,8 @@ public record Needs(
 
     /** Whether enough queries were made, and enough of them hit something, for a decision. */
     public boolean isTold() {
-        return met >= Setting.MIN_ANSWERS && settings.stream().allMatch(Setting::isAskedEnough);
+        return met >= Setting.MIN_ANSWERS
+                && settings.stream().allMatch(setting -> setting.isAskedEnough() || setting.isRefuted());
     }
 
     /** The answers of one setting. */

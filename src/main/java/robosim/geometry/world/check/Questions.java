@@ -32,6 +32,8 @@ final class Questions {
     /** Free places at which all settings are queried; later only those that have answered as the truth until then. */
     private static final int FIRST = 60;
 
+    private static final int FIRST_AMONG_MESHES = 15;
+
     /** A robot that is a mesh is slow to move, so it gets fewer queries by this factor. */
     private static final int FEWER = 20;
 
@@ -141,7 +143,7 @@ final class Questions {
 
     /** The settings that are still queried. */
     private List<Sheet> open() {
-        return freeSoFar < FIRST
+        return freeSoFar < (triangles > MANY ? FIRST_AMONG_MESHES : FIRST)
                 ? sheets
                 : sheets.stream()
                         .filter(sheet -> sheet == truth || !sheet.hasFailed())

@@ -33,8 +33,13 @@ public record Setting(
         return moves >= MIN_ANSWERS && distances >= MIN_ANSWERS;
     }
 
+    /** Whether any answer was another one. */
+    public boolean isRefuted() {
+        return placesOtherwise + movesOtherwise + distancesOtherwise > 0;
+    }
+
     /** Whether enough was asked and all answers were the same. */
     public boolean isSame() {
-        return isAskedEnough() && placesOtherwise + movesOtherwise + distancesOtherwise == 0;
+        return isAskedEnough() && !isRefuted();
     }
 }
