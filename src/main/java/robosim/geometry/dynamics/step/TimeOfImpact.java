@@ -168,7 +168,8 @@ final class TimeOfImpact {
         double below = atTo;
         int side = 0;
         for (int k = 0; k < MOST_ROUNDS && above > 0; k++) {
-            double mid = k % 8 == 7 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
+            // Along a bent function one end would stay for long.
+            double mid = Math.abs(side) > 2 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
             if (!(mid > low && mid < high) || high - low < 0x1p-44 * (t + high)) {
                 break;
             }
@@ -176,16 +177,16 @@ final class TimeOfImpact {
             if (there >= 0) {
                 low = mid;
                 above = there;
-                below = side == 1 ? 0.5 * below : below;
-                side = 1;
+                below = side > 0 ? 0.5 * below : below;
+                side = side < 0 || side > 2 ? 1 : side + 1;
                 if (there <= target * 0x1p-7) {
                     break;
                 }
             } else {
                 high = mid;
                 below = there;
-                above = side == -1 ? 0.5 * above : above;
-                side = -1;
+                above = side < 0 ? 0.5 * above : above;
+                side = side > 0 || side < -2 ? -1 : side - 1;
             }
         }
         return low;
