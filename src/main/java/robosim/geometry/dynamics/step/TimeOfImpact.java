@@ -160,7 +160,7 @@ final class TimeOfImpact {
         return separation.along();
     }
 
-    /** The last time found at which the two are still apart by more than the gap, by the Illinois method (Dowell and Jarratt 1971). */
+    /** A time at which the two are apart by the gap, or the last one found at which they are still by more, by the Illinois method (Dowell and Jarratt 1971). */
     private double root(int a, int b, double target, double t, double from, double atFrom, double to, double atTo) {
         double low = from;
         double high = to;
@@ -174,14 +174,14 @@ final class TimeOfImpact {
                 break;
             }
             double there = along(a, b, t + mid) - target;
+            if (Math.abs(there) <= target * 0x1p-7) {
+                return mid;
+            }
             if (there >= 0) {
                 low = mid;
                 above = there;
                 below = side > 0 ? 0.5 * below : below;
                 side = side < 0 || side > 2 ? 1 : side + 1;
-                if (there <= target * 0x1p-7) {
-                    break;
-                }
             } else {
                 high = mid;
                 below = there;
