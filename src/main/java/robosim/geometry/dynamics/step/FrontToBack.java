@@ -16,6 +16,9 @@ final class FrontToBack {
     /** So often the straight ways are tried. */
     private static final int ROUNDS = 3;
 
+    /** So often those that wait are asked again, each time for half of their way if none could go. */
+    private static final int SHARES = 8;
+
     /** Most bodies that are let go first, for one that waits. */
     private static final int MOST_WAITING = 64;
 
@@ -133,13 +136,73 @@ final class FrontToBack {
             firstLeg[b] = legs.first[b];
         }
         if (carrier.isExact()) {
-            allAtOnce.find(legs);
-            putAll();
-            boolean isOn = true;
-            for (int round = 0; round < ROUNDS && isOn; round++) {
-                isOn = isLeft() && putWaiting();
+            carryAtOnce();
+        } else {
+            carryInTurns(order);
+        }
+        for (int k = 0; k < bodies.count; k++) {
+            int b = order[k];
+            if (firstLeg[b] >= 0 && !isBlocked[b]) {
+                settle(b);
             }
         }
+    }
+
+    /** Lets all go at once that can; those that wait go when the others have gone, some a part of their way only. */
+    private void carryAtOnce() {
+        allAtOnce.find(legs);
+        put(legs, false);
+        double share = 1;
+        for (int round = 0; round < SHARES && isLeft(); round++) {
+            shortened.makeRoom(bodies.count);
+            for (int b = 0; b < bodies.count; b++) {
+                shortened.begin(b, atX[b], atZ[b], atAngle[b]);
+                if (firstLeg[b] >= 0) {
+                    shorten(b, share);
+                }
+            }
+            allAtOnce.findBulging(shortened);
+            share = put(shortened, share < 1) ? share : 0.5 * share;
+        }
+    }
+
+    private boolean isLeft() {
+        for (int b = 0; b < bodies.count; b++) {
+            if (firstLeg[b] >= 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Gives a body one leg instead of those that it has, which ends after a share of what is left. */
+    private void shorten(int b, double share) {
+        int leg = legs.last[b];
+        double toX = share == 1 ? legs.x[leg] : atX[b] + share * (legs.x[leg] - atX[b]);
+        double toZ = share == 1 ? legs.z[leg] : atZ[b] + share * (legs.z[leg] - atZ[b]);
+        double toAngle = share == 1 ? legs.angle[leg] : atAngle[b] + share * (legs.angle[leg] - atAngle[b]);
+        shortened.add(b, legs.time[leg], toX, toZ, toAngle);
+    }
+
+    /** Puts all that may go where they end; answers whether any could. */
+    private boolean put(Legs of, boolean isShort) {
+        boolean isAny = false;
+        for (int b = 0; b < bodies.count; b++) {
+            if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
+                int leg = of.last[b];
+                double degrees = Degrees.toDegrees(of.angle[leg] - atAngle[b]);
+                carrier.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
+                arrive(b, of.time[leg], of.x[leg], of.z[leg], of.angle[leg]);
+                firstLeg[b] = -1;
+                isBlocked[b] = isShort;
+                isAny = true;
+            }
+        }
+        return isAny;
+    }
+
+    /** Carries all one after the other. */
+    private void carryInTurns(int[] order) {
         carryStraight(order);
         for (int b = 0; b < bodies.count; b++) {
             isBlocked[b] = firstLeg[b] >= 0 && isStuck(b);
@@ -151,12 +214,6 @@ final class FrontToBack {
             }
         }
         carryStraight(order);
-        for (int k = 0; k < bodies.count; k++) {
-            int b = order[k];
-            if (firstLeg[b] >= 0 && !isBlocked[b]) {
-                settle(b);
-            }
-        }
     }
 
     /** Carries those for which the straight way is free to where they end. */
@@ -169,50 +226,6 @@ final class FrontToBack {
                 isOn |= firstLeg[b] >= 0 && !(round > 0 && isStuck(b)) && isCarriedStraight(b);
             }
         }
-    }
-
-    /** Puts all that may go; answers whether any could. */
-    private boolean putAll() {
-        boolean isAny = false;
-        for (int b = 0; b < bodies.count; b++) {
-            if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
-                put(b);
-                isAny = true;
-            }
-        }
-        return isAny;
-    }
-
-    private boolean isLeft() {
-        for (int b = 0; b < bodies.count; b++) {
-            if (firstLeg[b] >= 0) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Lets those that wait go to where they end, not by their legs but at once, past those that have gone. */
-    private boolean putWaiting() {
-        shortened.makeRoom(bodies.count);
-        for (int b = 0; b < bodies.count; b++) {
-            shortened.begin(b, atX[b], atZ[b], atAngle[b]);
-            if (firstLeg[b] >= 0) {
-                int leg = legs.last[b];
-                shortened.add(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg]);
-            }
-        }
-        allAtOnce.findBulging(shortened);
-        return putAll();
-    }
-
-    /** Puts a body where it ends, which is known to be free with all that is on the way. */
-    private void put(int b) {
-        int leg = legs.last[b];
-        double degrees = Degrees.toDegrees(legs.angle[leg] - atAngle[b]);
-        carrier.put(bodies.id[b], legs.x[leg] - atX[b], legs.z[leg] - atZ[b], degrees);
-        arrive(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg]);
-        firstLeg[b] = -1;
     }
 
     /** Brings a body to where it was to be at a time, and then again those that it made go back. */
