@@ -5,10 +5,13 @@ import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.exact.Degrees;
 
 /**
- * Carries bodies in the world along the ways that were found for them, one after the other, each by swept motions that are
- * exact against where all others stand at that moment: so nothing ever overlaps and nothing passes through anything, whatever
- * was found. Where a body that has yet to move is in the way, it goes first, as far as it was to go by that time; what remains
- * blocked goes as far as is free and stops.
+ * Carries bodies in the world along the ways that were found for them. In an exact world all go at once whose ways are proved
+ * to keep apart ({@link AllAtOnce}); what is left goes as far as is free by a swept move that is exact, and stops.
+ *
+ * <p>Below exact, where objects collide as what stands for them, one goes after the other, each by swept moves against where
+ * all others stand at that moment. Where a body that has yet to move is in the way, it goes first, as far as it was to go by
+ * that time; what remains blocked goes as far as is free and stops. Either way nothing ever overlaps and nothing passes through
+ * anything, whatever was found.
  */
 final class FrontToBack {
     private static final int FIRST = 32;
@@ -67,7 +70,6 @@ final class FrontToBack {
     /** The body of an object of the world, by id; -1 for none. */
     private int[] bodyOf = new int[FIRST];
 
-    private final Stuck stuck;
     private int waiting;
 
     FrontToBack(Carrier carrier, Scene scene, double gap) {
@@ -75,7 +77,6 @@ final class FrontToBack {
         bodies = scene.bodies;
         allAtOnce = new AllAtOnce(scene);
         this.gap = gap;
-        stuck = new Stuck(carrier.objects);
     }
 
     /** Tells which objects of the world are bodies. */
@@ -88,7 +89,6 @@ final class FrontToBack {
         for (int b = 0; b < bodies.count; b++) {
             bodyOf[bodies.id[b]] = b;
         }
-        stuck.forget(bodies.count);
     }
 
     /** Begins with all bodies where they stand. */
@@ -204,9 +204,6 @@ final class FrontToBack {
     /** Carries all one after the other. */
     private void carryInTurns(int[] order) {
         carryStraight(order);
-        for (int b = 0; b < bodies.count; b++) {
-            isBlocked[b] = firstLeg[b] >= 0 && isStuck(b);
-        }
         for (int leg = 0; leg < legs.count; leg++) {
             int b = legs.body[leg];
             if (!isLate[b] && !isBlocked[b] && done[b] < legs.time[leg]) {
@@ -223,7 +220,7 @@ final class FrontToBack {
             isOn = false;
             for (int k = 0; k < bodies.count; k++) {
                 int b = order[k];
-                isOn |= firstLeg[b] >= 0 && !(round > 0 && isStuck(b)) && isCarriedStraight(b);
+                isOn |= firstLeg[b] >= 0 && isCarriedStraight(b);
             }
         }
     }
@@ -375,11 +372,6 @@ final class FrontToBack {
         return true;
     }
 
-    private boolean isStuck(int b) {
-        int leg = legs.last[b];
-        return stuck.isStuck(b, bodies.id[b], legs.x[leg] - atX[b], legs.z[leg] - atZ[b], legs.angle[leg] - atAngle[b]);
-    }
-
     /** Lets a body go as far as it may, where it ends. */
     private void settle(int b) {
         int id = bodies.id[b];
@@ -387,16 +379,7 @@ final class FrontToBack {
         double dx = legs.x[leg] - atX[b];
         double dz = legs.z[leg] - atZ[b];
         double by = legs.angle[leg] - atAngle[b];
-        if (!carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap)) {
-            int last = legs.last[b];
-            stuck.keep(
-                    b,
-                    id,
-                    carrier.obstacle(),
-                    legs.x[last] - atX[b],
-                    legs.z[last] - atZ[b],
-                    legs.angle[last] - atAngle[b]);
-        }
+        carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap);
         isBlocked[b] = true;
     }
 }
