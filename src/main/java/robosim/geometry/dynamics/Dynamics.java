@@ -33,8 +33,8 @@ import robosim.geometry.model.Twist;
  * Math.round(dynamics.velocity("b").x() * 1e6);     // 4000000: the same disc at rest takes all of it
  * }</pre>
  *
- * <p>Who meets when, translating and turning, is found with plain doubles; then the world carries the bodies one after the
- * other, the one ahead first, by swept moves that are exact, so that nothing overlaps and nothing passes through anything.
+ * <p>Who meets when, translating and turning, is found with plain doubles; then those go whose ways are proved to keep apart,
+ * and the others as far as swept moves that are exact let them, so that nothing overlaps and nothing passes through anything.
  * Bodies stop {@code 1e-10} metres before contact. What has no body stands still, moveable or not. The world may be changed
  * between steps. Not thread-safe, like the world.
  */

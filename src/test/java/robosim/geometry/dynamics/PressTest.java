@@ -1,0 +1,74 @@
+package robosim.geometry.dynamics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+
+/** Robots in a small cell that press against its walls, pillars, crates and each other: they slide on, and seldom stop. */
+class PressTest {
+    private static final int STEPS = 400;
+
+    @Test
+    void robotsThatPressSlideOn() {
+        SplittableRandom random = new SplittableRandom(2);
+        Geometry world = new Geometry(6, 2, 6, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObject(new BoxObject(new Point(1, 0, 1), 1.5, 1, 0.2).turned(0, 30));
+        world.addObject(new CylinderObject(new Point(-1, 0, -1), 0.4, 1));
+        Surface surface = new Surface(0.2, 0.3, 0.2);
+        Dynamics dynamics = new Dynamics(world, surface);
+        List<String> robots = new ArrayList<>();
+        for (int k = 0; robots.size() < 16; k++) {
+            Point c = new Point(random.nextDouble(-2.7, 2.7), 0, random.nextDouble(-2.7, 2.7));
+            GeometryObject robot = k % 3 == 0
+                    ? new CylinderObject(c, 0.2, 0.4).moveable("r" + k)
+                    : new BoxObject(c, 0.45, 0.4, 0.35)
+                            .turned(0, random.nextDouble(360))
+                            .moveable("r" + k);
+            if (world.addObject(robot)) {
+                robots.add("r" + k);
+                Body body = Body.ofMass(robot, 20).withSurface(surface);
+                dynamics.add("r" + k, robots.size() > 12 ? body.withFloorFriction(0.3) : body);
+            }
+        }
+        int stopped = 0;
+        int contacts = 0;
+        for (int step = 0; step < STEPS; step++) {
+            for (int k = 0; step % 40 == 0 && k < 12; k++) {
+                dynamics.drive(
+                        robots.get(k),
+                        new DifferentialDrive(0.3, 1.5, 3)
+                                .driving(random.nextDouble(0.2, 1), random.nextDouble(-60, 60)));
+            }
+            StepResult result = dynamics.step(0.05);
+            stopped += result.stopped().size();
+            contacts += result.contacts().size();
+            assertApart(world, step);
+        }
+        assertThat(contacts).isGreaterThan(10 * STEPS);
+        assertThat(stopped).isLessThan(STEPS / 8);
+    }
+
+    private static void assertApart(Geometry world, int step) {
+        List<GeometryObject> all = world.objects();
+        for (int i = 0; i < all.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                assertThat(CollisionDetection.intersects(all.get(i), all.get(j)))
+                        .as(
+                                "step %d: %s, %s",
+                                step, all.get(i).name(), all.get(j).name())
+                        .isFalse();
+            }
+        }
+    }
+}
