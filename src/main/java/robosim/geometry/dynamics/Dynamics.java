@@ -8,11 +8,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.step.Pushes;
 import robosim.geometry.dynamics.step.Stepper;
 import robosim.geometry.dynamics.step.Touches;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -42,7 +44,7 @@ public final class Dynamics {
     /** Where the heading is in a place of the world. */
     private static final int HEADING = 12;
 
-    /** The floor's friction is worked out anew after so many seconds at most. */
+    /** Drives, damping and the floor's friction are worked out anew after so many seconds at most. */
     private static final double SLICE = 1.0 / 16;
 
     /** What is not round turns by no more than so many radians before it goes on. */
@@ -62,6 +64,7 @@ public final class Dynamics {
     /** The bodies by their index in the stepper; objects that only stand in the way come after them. */
     private final List<BodyState> order = new ArrayList<>();
 
+    private final Pushes pushes = this::push;
     private boolean isStale = true;
 
     /**
@@ -159,29 +162,62 @@ public final class Dynamics {
             return;
         }
         prepare();
+        stepper.begin();
+        int parts = parts(seconds);
+        for (int part = 0; part < parts; part++) {
+            run(seconds / parts);
+        }
+    }
+
+    /** Into how many parts a step is divided. */
+    private int parts(double seconds) {
+        boolean isMoving = false;
+        boolean isForced = false;
+        double turning = 0;
         double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            if (each.drive != null || !each.isStill()) {
-                each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds);
+            if (each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds)) {
+                isMoving = true;
+                turning = Math.max(turning, stepper.isRound(b) ? 0 : each.turning());
             }
-            boolean isFree = each.drive == null;
-            stepper.setVelocity(b, each.vx, each.vz, each.w);
-            stepper.setSlowing(b, isFree ? each.body.slowing() : 0, isFree ? each.body.spinSlowing() : 0);
+            isForced |= each.isForced();
         }
-        stepper.begin();
-        double parts = stepper.isSlowed() ? seconds / SLICE : 1;
-        parts = Math.max(parts, seconds * stepper.turning() / TURN);
-        int count = (int) Math.ceil(Math.min(MOST_SLICES, parts));
-        for (int part = 0; part < count; part++) {
-            stepper.run(seconds / count, table);
-        }
+        double parts = isMoving && isForced ? seconds / SLICE : 1;
+        return (int) Math.ceil(Math.min(MOST_SLICES, Math.max(parts, seconds * turning / TURN)));
+    }
+
+    /** Lets all go on for a part of a step, in which drives, damping and floors act once. */
+    private void run(double seconds) {
+        double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            each.vx = stepper.vx(b);
-            each.vz = stepper.vz(b);
-            each.w = stepper.w(b);
+            boolean isFree = each.drive == null;
+            each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds);
+            stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
+            stepper.setSlowing(b, isFree ? each.body.slowing() : 0, isFree ? each.body.spinSlowing() : 0);
         }
+        stepper.run(seconds, table, pushes);
+        places = objects.places();
+        for (int b = 0; b < order.size(); b++) {
+            double heading = places[objects.place(stepper.id(b)) + HEADING];
+            order.get(b).end(stepper.vx(b), stepper.vz(b), stepper.w(b), heading);
+        }
+    }
+
+    /** Lets a drive push on that a collision has slowed down. */
+    private boolean push(int b, double angle) {
+        BodyState each = order.get(b);
+        if (each.drive == null) {
+            return false;
+        }
+        each.vx = stepper.vx(b);
+        each.vz = stepper.vz(b);
+        each.w = stepper.w(b);
+        double heading = objects.places()[objects.place(stepper.id(b)) + HEADING];
+        boolean isPushed = each.push(heading + Degrees.toDegrees(angle));
+        stepper.setVelocity(b, each.vx, each.vz, each.w);
+        return isPushed;
     }
 
     /** Tells the stepper of all bodies again if any has come or gone, or anything else in the world. */

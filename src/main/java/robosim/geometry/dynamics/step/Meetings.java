@@ -34,13 +34,13 @@ final class Meetings {
     private double gap;
     private double end;
 
-    Meetings(Scene scene, Pairs pairs) {
+    Meetings(Scene scene, Pairs pairs, Floor floor) {
         this.scene = scene;
         this.pairs = pairs;
         bodies = scene.bodies;
         pieces = scene.pieces;
         impact = new TimeOfImpact(bodies, pieces);
-        solver = new ContactSolver(bodies);
+        solver = new ContactSolver(bodies, floor);
     }
 
     double gap() {
