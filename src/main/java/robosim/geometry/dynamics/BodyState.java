@@ -17,6 +17,9 @@ final class BodyState {
     double vz;
     double w;
 
+    /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
+    final double[] spatial = new double[6];
+
     BodyState(String name, Body body) {
         this.name = name;
         this.body = body;
