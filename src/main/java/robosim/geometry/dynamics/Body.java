@@ -184,34 +184,22 @@ public record Body(
     /** This body with another surface. */
     public Body withSurface(Surface other) {
         return new Body(
-                mass,
-                inertia,
-                other,
-                damping,
-                turnDamping,
-                maxSpeed,
-                maxTurn,
-                floorFriction,
-                inertiaX,
-                inertiaZ);
+                mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ);
     }
 
     /** This body with other dampings: shares of the speed and of the speed of turning, each second. */
     public Body withDamping(double ofSpeed, double ofTurn) {
-        return new Body(
-                mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ);
+        return new Body(mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ);
     }
 
     /** This body with other limits: m/s and degrees a second. */
     public Body withLimits(double speed, double turn) {
-        return new Body(
-                mass, inertia, surface, damping, turnDamping, speed, turn, floorFriction, inertiaX, inertiaZ);
+        return new Body(mass, inertia, surface, damping, turnDamping, speed, turn, floorFriction, inertiaX, inertiaZ);
     }
 
     /** This body with sliding friction on the floor of a PLANAR world. */
     public Body withFloorFriction(double friction) {
-        return new Body(
-                mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, friction, inertiaX, inertiaZ);
+        return new Body(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, friction, inertiaX, inertiaZ);
     }
 
     /**

@@ -125,8 +125,7 @@ final class Falling {
         double turn = Degrees.toRadians(to.ry());
         for (int row = 0; row < 3; row++) {
             int r = 3 * row;
-            of.spatial[row] =
-                    pose.rotation(r) * to.x() + pose.rotation(r + 1) * to.y() + pose.rotation(r + 2) * to.z();
+            of.spatial[row] = pose.rotation(r) * to.x() + pose.rotation(r + 1) * to.y() + pose.rotation(r + 2) * to.z();
             of.spatial[3 + row] = pose.rotation(r + 1) * turn;
         }
     }

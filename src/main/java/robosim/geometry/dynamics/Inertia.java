@@ -74,9 +74,7 @@ final class Inertia {
             return new double[3];
         }
         double along = r * r * (rod / 2 + 0.4 * ball) / whole;
-        double across = (rod * (r * r / 4 + h * h / 12)
-                        + ball * (0.4 * r * r + h * h / 4 + 3 * h * r / 8))
-                / whole;
+        double across = (rod * (r * r / 4 + h * h / 12) + ball * (0.4 * r * r + h * h / 4 + 3 * h * r / 8)) / whole;
         return new double[] {across, along, across};
     }
 
@@ -87,9 +85,8 @@ final class Inertia {
             case BOX -> {
                 BoxObject box = (BoxObject) object;
                 yield 0.5
-                        * Math.sqrt(box.width() * box.width()
-                                + box.height() * box.height()
-                                + box.length() * box.length());
+                        * Math.sqrt(
+                                box.width() * box.width() + box.height() * box.height() + box.length() * box.length());
             }
             case CYLINDER -> {
                 CylinderObject cylinder = (CylinderObject) object;

@@ -59,7 +59,32 @@ final class Feature {
                 count++;
             }
         }
+        dropWhatIsBehind(sign);
         surround();
+    }
+
+    /** Of a thin piece the far side is near too: what is steeply behind another point belongs to it. */
+    private void dropWhatIsBehind(double sign) {
+        int kept = 0;
+        for (int k = 0; k < count; k++) {
+            boolean isBehind = false;
+            for (int m = 0; m < count && !isBehind; m++) {
+                double deeper = sign * (height[m] - height[k]);
+                double ds = s[m] - s[k];
+                double dt = t[m] - t[k];
+                isBehind = deeper > 0 && ds * ds + dt * dt < deeper * deeper;
+            }
+            hs[k] = isBehind ? Double.NaN : s[k];
+        }
+        for (int k = 0; k < count; k++) {
+            if (!Double.isNaN(hs[k])) {
+                s[kept] = s[k];
+                t[kept] = t[k];
+                height[kept] = height[k];
+                kept++;
+            }
+        }
+        count = kept;
     }
 
     private void point(double x, double y, double z) {

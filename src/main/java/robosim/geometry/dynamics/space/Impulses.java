@@ -17,7 +17,7 @@ final class Impulses {
     private static final int MOST_ROUNDS = 200;
 
     /** Impulses that change a velocity by less than so many m/s no longer count. */
-    private static final double SMALL = 1e-11;
+    private static final double SMALL = 1e-9;
 
     private final List<Rigid> bodies;
 
@@ -89,8 +89,7 @@ final class Impulses {
         }
     }
 
-    private boolean prepare(
-            Contacts c, int k, boolean atEnd, double seconds, double gap, Surfaces surfaces) {
+    private boolean prepare(Contacts c, int k, boolean atEnd, double seconds, double gap, Surfaces surfaces) {
         pushed[k] = 0;
         rubbed[2 * k] = 0;
         rubbed[2 * k + 1] = 0;
@@ -107,8 +106,8 @@ final class Impulses {
         boolean bounces = !atEnd && before < -BOUNCE;
         if (bounces) {
             target[k] = -before * mean(surfaces.restitution(own), surfaces.restitution(other));
-        } else if (apart > gap) {
-            target[k] = -(apart - gap) / seconds;
+        } else if (apart > 2 * gap) {
+            target[k] = -(apart - 2 * gap) / seconds;
         } else {
             target[k] = apart < gap / 4 ? (gap / 4 - apart) / seconds : 0;
         }
@@ -243,5 +242,4 @@ final class Impulses {
         v[4] += i[3] * tx + i[4] * ty + i[5] * tz;
         v[5] += i[6] * tx + i[7] * ty + i[8] * tz;
     }
-
 }

@@ -29,21 +29,83 @@ final class Meeting {
     double ny;
     double nz;
 
-    /** How far they are apart, at least. */
+    /** How far they are apart, at least and at most. */
     double apart;
+
+    double most;
+
+    // A point midway between them where they are nearest.
+    private double pointX;
+    private double pointY;
+    private double pointZ;
 
     /** Measures two pieces; false where they touch. */
     boolean measure(LeafKind kind, double[] row, int at, LeafKind otherKind, double[] other, int otherAt) {
+        if (otherKind.isBox() && isBesideFace(kind, row, at, otherKind, other, otherAt)) {
+            return true;
+        }
         apart = gjk.spatial(kind, row, at, otherKind, other, otherAt);
-        if (!gjk.isClosed()) {
+        if (!(apart > 0) && !gjk.isClosed()) {
             apart = gjk.close();
         }
         if (!(apart > 0)) {
             return false;
         }
+        most = gjk.upper() + gjk.error();
         nx = gjk.nx();
         ny = gjk.ny();
         nz = gjk.nz();
+        pointX = 0.5 * (gjk.ax() + gjk.bx());
+        pointY = 0.5 * (gjk.ay() + gjk.by());
+        pointZ = 0.5 * (gjk.az() + gjk.bz());
+        if (!takeFace(otherKind, other, otherAt)) {
+            takeFace(kind, row, at);
+        }
+        return true;
+    }
+
+    /** Whether the foremost point of a piece is above a face of a box: the direction is that of the face. */
+    private boolean isBesideFace(LeafKind kind, double[] row, int at, LeafKind otherKind, double[] other, int otherAt) {
+        double x = Support.originX(kind, row, at) - other[otherAt];
+        double y = Support.originY(kind, row, at) - other[otherAt + 1];
+        double z = Support.originZ(kind, row, at) - other[otherAt + 2];
+        int face = 0;
+        double farthest = Double.NEGATIVE_INFINITY;
+        boolean isBelow = false;
+        for (int axis = 0; axis < 3; axis++) {
+            int r = otherAt + Leaf.ROTATION + axis;
+            double along = other[r] * x + other[r + 3] * y + other[r + 6] * z;
+            double beyond = Math.abs(along) - other[otherAt + Leaf.SIZE + axis];
+            if (beyond > farthest) {
+                farthest = beyond;
+                face = axis;
+                isBelow = along < 0;
+            }
+        }
+        int r = otherAt + Leaf.ROTATION + face;
+        double dx = isBelow ? -other[r] : other[r];
+        double dy = isBelow ? -other[r + 3] : other[r + 3];
+        double dz = isBelow ? -other[r + 6] : other[r + 6];
+        double gap = along(kind, row, at, otherKind, other, otherAt, dx, dy, dz);
+        if (!(gap > 0)) {
+            return false;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            int a = otherAt + Leaf.ROTATION + axis;
+            double along = other[a] * own.x + other[a + 3] * own.y + other[a + 6] * own.z;
+            if (axis != face && Math.abs(along) > other[otherAt + Leaf.SIZE + axis]) {
+                return false;
+            }
+        }
+        apart = gap;
+        most = gap + 2 * Gjk.ROUNDOFF * (own.extent + others.extent);
+        nx = dx;
+        ny = dy;
+        nz = dz;
+        double back = own.margin + 0.5 * gap;
+        pointX = other[otherAt] + own.x - back * dx;
+        pointY = other[otherAt + 1] + own.y - back * dy;
+        pointZ = other[otherAt + 2] + own.z - back * dz;
         return true;
     }
 
@@ -83,12 +145,9 @@ final class Meeting {
             int object,
             double within,
             Contacts out) {
-        if (!takeFace(otherKind, other, otherAt)) {
-            takeFace(kind, row, at);
-        }
-        for (int axis = 0; axis < 3; axis++) {
-            origin[axis] = axis == 0 ? gjk.bx() : axis == 1 ? gjk.by() : gjk.bz();
-        }
+        origin[0] = pointX;
+        origin[1] = pointY;
+        origin[2] = pointZ;
         makeFrame();
         mine.find(kind, row, at, origin, frame, -1, within);
         theirs.find(otherKind, other, otherAt, origin, frame, 1, within);
@@ -141,17 +200,7 @@ final class Meeting {
             }
         }
         if (!any) {
-            out.add(
-                    body,
-                    otherBody,
-                    object,
-                    0.5 * (gjk.ax() + gjk.bx()),
-                    0.5 * (gjk.ay() + gjk.by()),
-                    0.5 * (gjk.az() + gjk.bz()),
-                    nx,
-                    ny,
-                    nz,
-                    apart);
+            out.add(body, otherBody, object, pointX, pointY, pointZ, nx, ny, nz, apart);
         }
     }
 

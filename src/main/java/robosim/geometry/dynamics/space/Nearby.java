@@ -17,6 +17,17 @@ final class Nearby implements Placer.Pieces {
     /** {@link Leaf#STRIDE} numbers each. */
     double[] rows = new double[FIRST * Leaf.STRIDE];
 
+    /** A unit direction that separates the body from the piece, three numbers each, and whether one is known. */
+    double[] direction = new double[3 * FIRST];
+
+    boolean[] isKnown = new boolean[FIRST];
+
+    /** How far they were apart when that was measured, at least; minus infinity before. */
+    double[] apart = new double[FIRST];
+
+    /** The same, at most. */
+    double[] most = new double[FIRST];
+
     private final Placer placer;
     private final double[] half;
     private final double[] box = new double[6];
@@ -60,7 +71,13 @@ final class Nearby implements Placer.Pieces {
             object = Arrays.copyOf(object, 2 * count);
             kind = Arrays.copyOf(kind, 2 * count);
             rows = Arrays.copyOf(rows, 2 * count * Leaf.STRIDE);
+            direction = Arrays.copyOf(direction, 6 * count);
+            isKnown = Arrays.copyOf(isKnown, 2 * count);
+            apart = Arrays.copyOf(apart, 2 * count);
+            most = Arrays.copyOf(most, 2 * count);
         }
+        isKnown[count] = false;
+        apart[count] = Double.NEGATIVE_INFINITY;
         object[count] = of;
         kind[count] = as;
         return Leaf.STRIDE * count++;

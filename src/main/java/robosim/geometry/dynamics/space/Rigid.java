@@ -85,8 +85,7 @@ final class Rigid {
         double ly = 0;
         double lz = 0;
         for (int k = 0; k < 3; k++) {
-            double along =
-                    from[3 + k] * velocity[3] + from[6 + k] * velocity[4] + from[9 + k] * velocity[5];
+            double along = from[3 + k] * velocity[3] + from[6 + k] * velocity[4] + from[9 + k] * velocity[5];
             double momentum = moments[k] * along;
             lx += from[3 + k] * momentum;
             ly += from[6 + k] * momentum;
@@ -105,11 +104,12 @@ final class Rigid {
     double kinetic(double[] velocity) {
         double turning = 0;
         for (int k = 0; k < 3; k++) {
-            double along =
-                    place[3 + k] * velocity[3] + place[6 + k] * velocity[4] + place[9 + k] * velocity[5];
+            double along = place[3 + k] * velocity[3] + place[6 + k] * velocity[4] + place[9 + k] * velocity[5];
             turning += moments[k] * along * along;
         }
-        return 0.5 * (mass * (velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2]) + turning);
+        return 0.5
+                * (mass * (velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2])
+                        + turning);
     }
 
     /** How high it is, against gravity, times that. */

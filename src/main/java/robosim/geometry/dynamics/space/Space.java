@@ -242,8 +242,7 @@ public final class Space {
                 continue;
             }
             int at = k * Leaf.STRIDE;
-            if (meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, at)
-                    && meeting.apart <= TOUCH) {
+            if (meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, at) && meeting.apart <= TOUCH) {
                 body.isTouching = true;
                 if (other >= 0) {
                     join(b, other);

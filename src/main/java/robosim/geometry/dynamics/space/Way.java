@@ -21,9 +21,9 @@ final class Way {
     static final double GAP = 1e-8;
 
     /** A way that turns ends where less than so many metres of it could be tried; what is nearer is there. */
-    static final double THERE = 4e-6;
+    static final double THERE = 1e-6;
 
-    private static final double LEAST = 1e-6;
+    private static final double LEAST = 2e-9;
 
     /** Most radians of a turn that are decided at once. */
     private static final double TURN = 0.25;
@@ -39,13 +39,31 @@ final class Way {
     private final LeafColumn before = new LeafColumn(1);
     private final LeafColumn after = new LeafColumn(1);
     private final double[] place = new double[Pose.PLACE];
-    private final double[] raised = new double[Pose.PLACE];
     private final double[] turn = new double[9];
     private final double[] rotation = new double[9];
     private final double[] up = new double[3];
 
-    /** How much {@link #up} is to be, so that the way is free above what it touches. */
-    private double lift;
+    /** By how much less than it was lifted a body is let down. */
+    private double stay;
+
+    /** By how much at most it has moved since what is near was found. */
+    private double passed;
+
+    /** By how much one direction separates a piece from the body before and after a part of the way. */
+    private double room;
+
+    private double[] begins = new double[0];
+    private double[] ends = new double[0];
+    private double[] rooms = new double[0];
+    private boolean[] isNear = new boolean[0];
+
+    /** Parts of the way that have been made, and before which of them the distance of a piece was measured. */
+    private int parts;
+
+    private int[] measured = new int[0];
+
+    /** The share of what was tried that may be free, where it was not. */
+    private double hope;
 
     Way(Placer placer, Nearby near) {
         this.placer = placer;
@@ -67,6 +85,15 @@ final class Way {
             return share;
         }
         near.find(body, d[0], d[1], d[2], body.reach * 1.01 + 1e-3);
+        passed = 0;
+        parts++;
+        if (rooms.length < near.count) {
+            begins = new double[2 * near.count];
+            ends = new double[2 * near.count];
+            rooms = new double[2 * near.count];
+            isNear = new boolean[2 * near.count];
+            measured = new int[2 * near.count];
+        }
         double rest = 1;
         double step = Math.min(1, TURN / turned);
         double least = LEAST / (way + body.reach * turned);
@@ -75,7 +102,7 @@ final class Way {
             if (isMade(body, d, angle, turned, step)) {
                 rest = step == rest ? 0 : rest - step;
             } else {
-                step *= 0.5;
+                step *= hope;
                 if (step < least) {
                     break;
                 }
@@ -125,43 +152,52 @@ final class Way {
         double part = turned * share;
         double sagitta = body.reach * part * part / 8 * (1 + 1e-9);
         double moved = (Rigid.length(d, 0) + body.reach * turned) * share;
-        if (isFree(sagitta, moved)) {
-            if (!placer.isFree(body.id, place)) {
-                return false;
-            }
-            take(body, place);
-            return true;
+        if (!isFree(sagitta, moved) && !isFreeAbove(sagitta)) {
+            return false;
         }
-        return lift > 0 && isMadeAbove(body, sagitta);
-    }
-
-    private void take(Rigid body, double[] at) {
-        System.arraycopy(at, 0, body.place, 0, Pose.PLACE);
+        if (!placer.isFree(body.id, place)) {
+            return false;
+        }
+        System.arraycopy(place, 0, body.place, 0, Pose.PLACE);
         placer.put(body.id, body.place);
+        passed += moved + stay;
+        parts++;
+        return true;
     }
 
-    /** Whether the way is free as it is; if not, {@link #up} and {@link #lift} say how to make it free, if that may be. */
+    /** Whether the way is free as it is; if not, {@link #up} is the way off what is touched. */
     private boolean isFree(double sagitta, double moved) {
         boolean isFree = true;
-        lift = 0;
+        hope = 0.5;
+        stay = 0;
         up[0] = 0;
         up[1] = 0;
         up[2] = 0;
         for (int k = 0; k < near.count; k++) {
             if (!isPast(k, sagitta, moved)) {
-                isFree = false;
-                if (!meets(before, k)) {
-                    lift = 0;
-                    return false;
+                if (!(room > -2 * sagitta - 2 * GAP)) {
+                    // Along the direction that is known, the most that may be free.
+                    double share = (begins[k] - 2 * sagitta - GAP) / (begins[k] - ends[k]);
+                    hope = room == Double.NEGATIVE_INFINITY ? 0.5 : Math.max(0x1p-6, Math.min(0.9, share));
+                    up[0] = 0;
+                    up[1] = 0;
+                    up[2] = 0;
+                    return false; // a collision
                 }
-                up[0] += meeting.nx;
-                up[1] += meeting.ny;
-                up[2] += meeting.nz;
+                isFree = false;
+                for (int axis = 0; axis < 3; axis++) {
+                    up[axis] += near.direction[3 * k + axis];
+                }
             }
         }
-        if (isFree) {
-            return true;
-        }
+        return isFree;
+    }
+
+    /**
+     * Whether the way is free if the body is lifted before it and let down after it; what is let down a little less, so that it
+     * does not touch, is where it then comes to.
+     */
+    private boolean isFreeAbove(double sagitta) {
         double size = Rigid.length(up, 0);
         if (size < 0.1) {
             return false;
@@ -169,78 +205,130 @@ final class Way {
         for (int axis = 0; axis < 3; axis++) {
             up[axis] /= size;
         }
-        double most = 0;
+        double lift = 0;
         for (int k = 0; k < near.count; k++) {
-            if (!isPast(k, sagitta, moved)) {
-                meets(before, k);
-                double nx = meeting.nx;
-                double ny = meeting.ny;
-                double nz = meeting.nz;
-                double steep = nx * up[0] + ny * up[1] + nz * up[2];
-                double room = Math.min(along(before, k, nx, ny, nz), along(after, k, nx, ny, nz));
-                most = steep < 0.2 ? Double.POSITIVE_INFINITY : Math.max(most, (1.5 * sagitta + GAP - room) / steep);
+            if (isNear[k] && rooms[k] <= sagitta) {
+                double steep = steep(k);
+                if (steep < 0.2) {
+                    return false;
+                }
+                lift = Math.max(lift, (1.5 * sagitta + GAP - rooms[k]) / steep);
+                if (ends[k] < GAP / 2) {
+                    stay = Math.max(stay, (GAP - ends[k]) / steep);
+                }
             }
         }
-        // More than the turn itself takes is a real collision.
-        lift = most <= 8 * sagitta + 4 * GAP ? most : 0;
-        return false;
-    }
-
-    private boolean meets(LeafColumn leaf, int k) {
-        return meeting.measure(
-                leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE);
-    }
-
-    private double along(LeafColumn leaf, int k, double nx, double ny, double nz) {
-        return meeting.along(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE, nx, ny, nz);
-    }
-
-    /** Whether one direction separates the body from a piece before and after by more than the sagitta. */
-    private boolean isPast(int k, double sagitta, double moved) {
-        if (!meets(after, k)) {
+        if (stay > 2 * sagitta + 4 * GAP) {
             return false;
         }
-        if (meeting.apart > moved) {
-            return true;
-        }
-        if (meeting.apart > sagitta && along(before, k, meeting.nx, meeting.ny, meeting.nz) > sagitta) {
-            return true;
-        }
-        return meets(before, k)
-                && meeting.apart > sagitta
-                && along(after, k, meeting.nx, meeting.ny, meeting.nz) > sagitta;
-    }
-
-    /** Goes up, on, and down again. */
-    private boolean isMadeAbove(Rigid body, double sagitta) {
-        double x = lift * up[0];
-        double y = lift * up[1];
-        double z = lift * up[2];
-        System.arraycopy(body.place, 0, raised, 0, Pose.PLACE);
-        raise(raised, x, y, z);
-        raise(place, x, y, z);
-        near.leaf(body, raised, before);
-        near.leaf(body, place, after);
         for (int k = 0; k < near.count; k++) {
-            if (!isPast(k, sagitta, 0)) {
-                return false;
+            if (isNear[k]) {
+                double rise = steep(k) * (1 - 1e-9);
+                // The bounds are lower ones, and rounding of what is added is far below the room that is asked for.
+                boolean stands = begins[k] > 0 && ends[k] + stay * rise > GAP / 8;
+                if (!stands || rooms[k] + lift * rise <= sagitta + GAP / 8) {
+                    return false;
+                }
             }
         }
-        if (!placer.isFreeWay(body.id, body.place, x, y, z) || !placer.isFree(body.id, raised)) {
-            return false;
+        for (int axis = 0; axis < 3; axis++) {
+            place[axis] += stay * up[axis];
         }
-        if (!placer.isFree(body.id, place)) {
-            return false;
-        }
-        placer.put(body.id, place);
-        placer.toContact(body.id, -x, -y, -z, GAP);
-        read(body);
         return true;
     }
 
-    private static void raise(double[] at, double x, double y, double z) {
-        at[0] += x;
-        at[1] += y;
-        at[2] += z;
+    private double steep(int k) {
+        return near.direction[3 * k] * up[0] + near.direction[3 * k + 1] * up[1] + near.direction[3 * k + 2] * up[2];
+    }
+
+    /**
+     * Whether one direction separates the body from a piece before and after by more than the sagitta; if not, {@link #room} is
+     * the most that one was found to separate them by.
+     */
+    private boolean isPast(int k, double sagitta, double moved) {
+        isNear[k] = near.apart[k] - passed <= moved;
+        if (!isNear[k]) {
+            return true;
+        }
+        room = Double.NEGATIVE_INFINITY;
+        if (near.isKnown[k]) {
+            take(k, begin(k), end(k));
+            if (room > sagitta) {
+                return true;
+            }
+        }
+        if (measured[k] != parts) {
+            measured[k] = parts;
+            near.apart[k] = Double.NEGATIVE_INFINITY;
+            if (!meets(before, k)) {
+                return false;
+            }
+            near.apart[k] = meeting.apart + passed;
+            near.most[k] = meeting.most;
+            adopt(k);
+            isNear[k] = meeting.apart <= moved;
+            if (!isNear[k] || room > sagitta) {
+                return true;
+            }
+        }
+        // No direction separates them by more than they are apart.
+        if (near.most[k] > sagitta && meets(after, k)) {
+            adopt(k);
+        }
+        return room > sagitta;
+    }
+
+    private void take(int k, double begin, double end) {
+        begins[k] = begin;
+        ends[k] = end;
+        room = Math.min(begin, end);
+        rooms[k] = room;
+    }
+
+    /** Takes over the direction that was measured last, if it separates by more than the one that is known. */
+    private void adopt(int k) {
+        double[] n = near.direction;
+        double x = n[3 * k];
+        double y = n[3 * k + 1];
+        double z = n[3 * k + 2];
+        n[3 * k] = meeting.nx;
+        n[3 * k + 1] = meeting.ny;
+        n[3 * k + 2] = meeting.nz;
+        double begin = begin(k);
+        double end = end(k);
+        if (Math.min(begin, end) > room) {
+            near.isKnown[k] = true;
+            take(k, begin, end);
+        } else {
+            n[3 * k] = x;
+            n[3 * k + 1] = y;
+            n[3 * k + 2] = z;
+        }
+    }
+
+    private double begin(int k) {
+        return along(before, k);
+    }
+
+    private double end(int k) {
+        return along(after, k);
+    }
+
+    private boolean meets(LeafColumn leaf, int k) {
+        return meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE);
+    }
+
+    private double along(LeafColumn leaf, int k) {
+        double[] n = near.direction;
+        return meeting.along(
+                leaf.kind(0),
+                leaf.rows(),
+                0,
+                near.kind[k],
+                near.rows,
+                k * Leaf.STRIDE,
+                n[3 * k],
+                n[3 * k + 1],
+                n[3 * k + 2]);
     }
 }

@@ -3,6 +3,7 @@ package robosim.geometry.engine.motion;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -48,7 +49,7 @@ public final class Placer {
 
     /** Writes the leaves of a moveable object at a place, laid out as in the table of objects. */
     public void leaves(int id, double[] place, LeafColumn out) {
-        var form = registry.view.form(id);
+        Form form = registry.view.form(id);
         out.clear();
         out.append(form.size());
         form.place(Dimension.SPATIAL, place[0], place[1], place[2], place, 3, out, 0);
@@ -57,11 +58,6 @@ public final class Placer {
     /** Whether a moveable object would touch nothing at a place, and be within the world; exact. */
     public boolean isFree(int id, double[] place) {
         return registry.fitsAt(id, place) && !registry.collidesAt(registry.view, id, place);
-    }
-
-    /** Whether a displacement from a place, at which the object need not be, is free; exact. */
-    public boolean isFreeWay(int id, double[] place, double dx, double dy, double dz) {
-        return motion.allowsFrom(registry.view, id, place, dx, dy, dz, 0);
     }
 
     /** Puts a moveable object at a place that is known to be free. */
