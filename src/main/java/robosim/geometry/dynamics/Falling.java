@@ -152,12 +152,10 @@ final class Falling {
         return new StepResult(contacts, stopped, ended);
     }
 
-    private BodyContact contact(Touched of, int k, BodyContact.Phase phase) {
-        int object = of.object(k);
-        String other = object < 0 ? null : carrier.objects.value(object).name();
+    private static BodyContact contact(Touched of, int k, BodyContact.Phase phase) {
         return new BodyContact(
-                order.get(of.body(k)).name,
-                other,
+                of.body(k),
+                of.other(k),
                 new Point(of.point(k, 0), of.point(k, 1), of.point(k, 2)),
                 new Point(of.normal(k, 0), of.normal(k, 1), of.normal(k, 2)),
                 phase == BodyContact.Phase.END ? 0 : of.impulse(k),

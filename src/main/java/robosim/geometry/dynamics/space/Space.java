@@ -453,7 +453,7 @@ public final class Space {
     }
 
     private void tell(int k) {
-        now.add(contacts, k, bodies.get(contacts.body[k]).id);
+        now.add(contacts, k, bodies.get(contacts.body[k]).id, placer.objects);
     }
 
     /** Tells the contacts of what is at rest at the end. */
