@@ -182,7 +182,7 @@ public final class Dynamics {
      *
      * @throws IllegalArgumentException if the world is PLANAR
      */
-    public void setVelocity(String name, SpatialVelocity velocity) {
+    public void setSpatialVelocity(String name, SpatialVelocity velocity) {
         Checks.present("velocity", velocity);
         Falling.setVelocity(spatial(name), velocity);
     }

@@ -69,7 +69,7 @@ class FallingTest {
     void aBallInFreeFallIsWhereItShouldBe() {
         Geometry world = world();
         Dynamics dynamics = one(world, new SphereObject(new Point(0, 40, 0), 0.5), Surface.SMOOTH);
-        dynamics.setVelocity("body", new SpatialVelocity(3, 0, -1, 0, 90, 0));
+        dynamics.setSpatialVelocity("body", new SpatialVelocity(3, 0, -1, 0, 90, 0));
         dynamics.step(2);
         Point at = world.getObject("body").center();
         assertThat(at.x()).isCloseTo(6, within(1e-10));
@@ -111,7 +111,7 @@ class FallingTest {
     void aBallThatSlidesRollsInTheEnd() {
         Geometry world = floor();
         Dynamics dynamics = one(world, new SphereObject(new Point(0, 0.5 + 1e-7, 0), 0.5), new Surface(0, 0.3, 0.3));
-        dynamics.setVelocity("body", new SpatialVelocity(2, 0, 0, 0, 0, 0));
+        dynamics.setSpatialVelocity("body", new SpatialVelocity(2, 0, 0, 0, 0, 0));
         dynamics.step(0.1);
         assertThat(dynamics.spatialVelocity("body").x()).isCloseTo(2 - 0.3 * G * 0.1, within(1e-7)); // still slides
         dynamics.step(1);
@@ -259,7 +259,7 @@ class FallingTest {
         // All of its momentum, and of what gravity has added since.
         assertThat(contact.impulse()).isCloseTo(2 * G * 0.2, within(1e-4));
         assertThat(dynamics.step(0.1).contacts().get(0).phase()).isEqualTo(BodyContact.Phase.LAST);
-        dynamics.setVelocity("body", new SpatialVelocity(0, 3, 0, 0, 0, 0));
+        dynamics.setSpatialVelocity("body", new SpatialVelocity(0, 3, 0, 0, 0, 0));
         StepResult left = dynamics.step(0.1);
         assertThat(left.contacts()).isEmpty();
         assertThat(left.ended()).hasSize(1);
@@ -274,7 +274,7 @@ class FallingTest {
         Surface elastic = new Surface(1, 0, 0);
         dynamics.add("a", Body.ofMass(world.getObject("a"), 2).withSurface(elastic));
         dynamics.add("b", Body.ofMass(world.getObject("b"), 2).withSurface(elastic));
-        dynamics.setVelocity("a", new SpatialVelocity(4, 0, 0, 0, 0, 0));
+        dynamics.setSpatialVelocity("a", new SpatialVelocity(4, 0, 0, 0, 0, 0));
         StepResult met = dynamics.step(1);
         assertThat(met.contacts()).hasSize(1);
         assertThat(met.contacts().get(0).body()).isEqualTo("a");
@@ -321,7 +321,7 @@ class FallingTest {
     void aBodyStaysWithinTheBorderOfTheWorld() {
         Geometry world = new Geometry(4, 4, 4, Dimension.SPATIAL, Accuracy.EXACT);
         Dynamics dynamics = one(world, new BoxObject(new Point(0, 0, 0), 0.5, 0.4, 0.3), new Surface(0.2, 0.5, 0.5));
-        dynamics.setVelocity("body", new SpatialVelocity(5000, 100, 30, 400, 0, 90));
+        dynamics.setSpatialVelocity("body", new SpatialVelocity(5000, 100, 30, 400, 0, 90));
         dynamics.step(3);
         assertThat(world.getObject("body").center().y()).isBetween(-1.86, -1.74);
         assertThat(dynamics.last().contacts().get(0).other()).isNull();
@@ -392,7 +392,7 @@ class FallingTest {
         Dynamics level = new Dynamics(flat, Surface.SMOOTH);
         level.add("ball", Body.of(1, 1));
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> level.setVelocity("ball", SpatialVelocity.REST))
+                .isThrownBy(() -> level.setSpatialVelocity("ball", SpatialVelocity.REST))
                 .withMessageContaining("SPATIAL");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> level.spatialVelocity("ball"))
