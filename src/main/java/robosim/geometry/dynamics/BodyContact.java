@@ -9,7 +9,7 @@ import robosim.geometry.model.Point;
  * @param body    the name of a body
  * @param other   the name of what it met: another body or another object; null for an object without a name and for the
  *                world's bounds
- * @param point   where they met, at the height of the body's centre
+ * @param point   where they met; in a PLANAR world at the height of the body's centre
  * @param normal  unit normal at the contact, towards {@code body}
  * @param impulse what {@code body} was given along the normal in this step, newton seconds; 0 where they only touch
  * @param phase   whether the contact has begun in this step, has lasted from the one before, or has ended

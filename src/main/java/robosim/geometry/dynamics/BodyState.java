@@ -32,6 +32,9 @@ final class BodyState {
     private double left;
     private boolean isHindered;
 
+    /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
+    final double[] spatial = new double[6];
+
     BodyState(String name, Body body) {
         this.name = name;
         this.body = body;

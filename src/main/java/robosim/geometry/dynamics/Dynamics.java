@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.step.Pushes;
 import robosim.geometry.dynamics.step.Stepper;
@@ -21,7 +22,8 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
 
 /**
- * Bodies that move in a PLANAR world, push and bounce, and never overlap anything: each step goes from collision to collision.
+ * Bodies that move, push and bounce, and never overlap anything: each step goes from collision to collision. In a PLANAR world
+ * they drive and slide on the floor, in a SPATIAL one they fall, tip and roll.
  *
  * <pre>{@code
  * Geometry world = new Geometry(20, 5, 20, Dimension.PLANAR, Accuracy.EXACT);
@@ -39,6 +41,19 @@ import robosim.geometry.model.Twist;
  * other, the one ahead first, by swept moves that are exact, so that nothing overlaps and nothing passes through anything.
  * Bodies stop {@code 1e-10} metres before contact. What has no body stands still, moveable or not. The world may be changed
  * between steps. Not thread-safe, like the world.
+ *
+ * <p>In a SPATIAL world spheres, boxes, cylinders and capsules can be bodies, and gravity pulls them. A step goes by slices of
+ * a millisecond; what is decided along a way that turns, and how, is told in {@code docs/dynamics.md}.
+ *
+ * <pre>{@code
+ * Geometry room = new Geometry(20, 20, 20, Dimension.SPATIAL, Accuracy.EXACT);
+ * room.addObject(new BoxObject(new Point(0, -0.5, 0), 20, 1, 20).named("floor"));
+ * room.addObject(new SphereObject(new Point(0, 2, 0), 0.5).moveable("ball"));
+ * Dynamics falling = new Dynamics(room, new Surface(0.5, 0.5, 0.4));
+ * falling.add("ball", Body.ofMass(room.getObject("ball"), 1).withSurface(new Surface(0.5, 0.5, 0.4)));
+ * falling.step(10);
+ * Math.round(room.getObject("ball").center().y() * 1e6);  // 500000: at rest on the floor
+ * }</pre>
  */
 public final class Dynamics {
     /** Where the heading is in a place of the world. */
@@ -53,6 +68,8 @@ public final class Dynamics {
     /** Most parts of a step. */
     private static final int MOST_SLICES = 64;
 
+    private static final Point DOWN = new Point(0, -Body.GRAVITY, 0);
+
     private final Geometry world;
     private final Map<String, BodyState> bodies = new LinkedHashMap<>();
     private final Map<String, Surface> surfaces = new HashMap<>();
@@ -60,6 +77,9 @@ public final class Dynamics {
     private final ObjectTable objects;
     private final Stepper stepper;
     private final SurfaceTable table;
+
+    /** Null in a PLANAR world. */
+    private final @Nullable Falling falling;
 
     /** The bodies by their index in the stepper; objects that only stand in the way come after them. */
     private final List<BodyState> order = new ArrayList<>();
@@ -71,18 +91,35 @@ public final class Dynamics {
      * Bodies in a world, none so far.
      *
      * @param ground the surface of all that has no body
-     * @throws IllegalArgumentException if heights count in the world
+     * @throws IllegalArgumentException if heights count in the world and its accuracy is not {@code EXACT}
      */
     public Dynamics(Geometry world, Surface ground) {
+        this(world, ground, DOWN, Checks.present("world", world).dimension() == Dimension.SPATIAL);
+    }
+
+    /**
+     * Bodies in a SPATIAL world, none so far.
+     *
+     * @param ground  the surface of all that has no body
+     * @param gravity m/s<sup>2</sup> along the world's axes; where none is given, {@link Body#GRAVITY} downward
+     * @throws IllegalArgumentException if the world is PLANAR, or its accuracy is not {@code EXACT}
+     */
+    public Dynamics(Geometry world, Surface ground, Point gravity) {
+        this(world, ground, Checks.present("gravity", gravity), true);
+    }
+
+    private Dynamics(Geometry world, Surface ground, Point gravity, boolean falls) {
         this.world = Checks.present("world", world);
         Checks.present("ground", ground);
-        if (world.dimension() != Dimension.PLANAR) {
-            throw new IllegalArgumentException("world must be PLANAR (got: " + world.dimension() + ")");
+        if (falls && world.dimension() != Dimension.SPATIAL) {
+            throw new IllegalArgumentException(
+                    "world must be SPATIAL where gravity is given (got: " + world.dimension() + ")");
         }
         carrier = Carrier.of(world);
         objects = carrier.objects;
         stepper = new Stepper(world, world.width(), world.length());
         table = new SurfaceTable(ground);
+        falling = falls ? new Falling(world, carrier, table, gravity) : null;
     }
 
     /** Gives a moveable object of the world a body, at rest; or another body, which keeps its velocity. */
@@ -92,6 +129,9 @@ public final class Dynamics {
         if (!object.isMoveable()) {
             throw new IllegalArgumentException("name must be that of a moveable object (got: \"" + name + "\")");
         }
+        if (falling != null) {
+            Falling.check(object);
+        }
         BodyState state = new BodyState(name, body);
         BodyState before = bodies.put(name, state);
         if (before != null) {
@@ -99,6 +139,7 @@ public final class Dynamics {
             state.vz = before.vz;
             state.w = before.w;
             state.drive = before.drive;
+            System.arraycopy(before.spatial, 0, state.spatial, 0, before.spatial.length);
         }
         isStale = true;
     }
@@ -116,19 +157,61 @@ public final class Dynamics {
         isStale = true;
     }
 
-    /** Drives a body from now on. */
+    /**
+     * Drives a body from now on.
+     *
+     * @throws IllegalArgumentException if the world is SPATIAL
+     */
     public void drive(String name, Drive drive) {
+        if (falling != null) {
+            throw new IllegalArgumentException("drives need a PLANAR world (got: a SPATIAL one, for \"" + name + "\")");
+        }
         state(name).drive = Checks.present("drive", drive);
     }
 
     /** Sets the velocity of a body, along its own axes; a body with a drive gets that of the drive in the next step. */
     public void setVelocity(String name, Twist velocity) {
-        state(name).setVelocity(world.getObject(name).heading(), Checks.present("velocity", velocity));
+        BodyState state = state(name);
+        Checks.present("velocity", velocity);
+        if (falling != null) {
+            Falling.setTwist(state, world.getObject(name).pose(), velocity);
+        } else {
+            state.setVelocity(world.getObject(name).heading(), velocity);
+        }
     }
 
-    /** The velocity of a body, along its own axes. */
+    /**
+     * Sets the velocity of a body along and about the axes of the world.
+     *
+     * @throws IllegalArgumentException if the world is PLANAR
+     */
+    public void setSpatialVelocity(String name, SpatialVelocity velocity) {
+        Checks.present("velocity", velocity);
+        Falling.setVelocity(spatial(name), velocity);
+    }
+
+    /** The velocity of a body, along its own axes, and about its own Y alone. */
     public Twist velocity(String name) {
-        return state(name).velocity(world.getObject(name).heading());
+        BodyState state = state(name);
+        return falling != null
+                ? Falling.twist(state, world.getObject(name).pose())
+                : state.velocity(world.getObject(name).heading());
+    }
+
+    /**
+     * The velocity of a body along and about the axes of the world.
+     *
+     * @throws IllegalArgumentException if the world is PLANAR
+     */
+    public SpatialVelocity spatialVelocity(String name) {
+        return Falling.velocity(spatial(name));
+    }
+
+    private BodyState spatial(String name) {
+        if (falling == null) {
+            throw new IllegalArgumentException("a velocity in space needs a SPATIAL world (got: a PLANAR one)");
+        }
+        return state(name);
     }
 
     /** The names of all bodies, in the order in which they were added. */
@@ -159,6 +242,11 @@ public final class Dynamics {
     public void advance(double seconds) {
         Quantity.positive("seconds", seconds);
         if (bodies.isEmpty() && !isStale) {
+            return;
+        }
+        if (falling != null) {
+            falling.advance(bodies, surfaces, isStale, seconds);
+            isStale = false;
             return;
         }
         prepare();
@@ -249,6 +337,9 @@ public final class Dynamics {
 
     /** What happened in the last step. */
     public StepResult last() {
+        if (falling != null) {
+            return falling.last();
+        }
         Touches now = stepper.touches();
         Touches before = stepper.before();
         List<BodyContact> contacts = new ArrayList<>(now.count);

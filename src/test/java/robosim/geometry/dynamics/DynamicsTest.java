@@ -436,7 +436,8 @@ class DynamicsTest {
         world.addObject(disc("a", 0, 0, 1));
         world.addObject(new BoxObject(new Point(4, 0, 0), 1, 1, 1).named("wall"));
         Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
-        assertThatThrownBy(() -> new Dynamics(new Geometry(), Surface.SMOOTH)).hasMessageStartingWith("world ");
+        assertThatThrownBy(() -> new Dynamics(world, Surface.SMOOTH, new Point(0, -1, 0)))
+                .hasMessageStartingWith("world ");
         assertThatThrownBy(() -> dynamics.add("wall", Body.of(1, 1))).hasMessageStartingWith("name ");
         assertThatThrownBy(() -> dynamics.velocity("a")).hasMessageStartingWith("name ");
         assertThatThrownBy(() -> dynamics.step(0)).hasMessageStartingWith("seconds ");
