@@ -29,7 +29,10 @@ final class Questions {
     /** That number in a world of meshes, among which a query takes up to a thousand times as long. */
     private static final int PLACES_AMONG_MESHES = 120;
 
-    /** Free places at which all settings are queried; later only those that have answered as the truth until then. */
+    /**
+     * Free places at which all settings that are told are queried; the others, and later all, only until they have answered
+     * otherwise. No fewer than a decision needs.
+     */
     private static final int FIRST = 60;
 
     private static final int FIRST_AMONG_MESHES = 15;
@@ -65,6 +68,12 @@ final class Questions {
     private final List<Bounds> obstacles;
 
     private final @Nullable StandIn standIn;
+
+    /** The robots that are queried, or what stands in for one. */
+    private final List<WorldObject> robots;
+
+    /** Whether heights cannot affect any level move or sonar. */
+    private final boolean proven;
 
     /** Number of queries whose true answer is a hit. */
     private int met;
@@ -127,10 +136,7 @@ final class Questions {
                 sheets.add(new Sheet(world, dimension, accuracy));
             }
         }
-        truth = sheets.stream()
-                .filter(sheet -> sheet.dimension == world.dimension() && sheet.accuracy == Accuracy.EXACT)
-                .findFirst()
-                .orElseThrow();
+        truth = exact(world.dimension());
         standIn = world.objects().stream().anyMatch(object -> object.object().isMoveable())
                 ? null
                 : StandIn.of(world, truth.geometry);
@@ -139,15 +145,58 @@ final class Questions {
                 .filter(object -> !object.isMoveable())
                 .map(GeometryObject::bounds)
                 .toList();
+        robots = standIn == null ? asked(world) : List.of(new WorldObject(standIn.body()));
+        proven = !robots.isEmpty() && isProven(world, robots);
     }
 
     /** The settings that are still queried. */
     private List<Sheet> open() {
-        return freeSoFar < (triangles > MANY ? FIRST_AMONG_MESHES : FIRST)
-                ? sheets
-                : sheets.stream()
-                        .filter(sheet -> sheet == truth || !sheet.hasFailed())
-                        .toList();
+        boolean first = freeSoFar < (triangles > MANY ? FIRST_AMONG_MESHES : FIRST);
+        List<Sheet> open = new ArrayList<>(sheets.size());
+        for (Sheet sheet : sheets) {
+            if (sheet == truth || !sheet.hasFailed() || (first && isTold(sheet))) {
+                open.add(sheet);
+            }
+        }
+        return open;
+    }
+
+    /**
+     * Whether users are told how often a setting that fails does so: one of the dimension that is recommended, as far as is
+     * known yet, or EXACT in the other.
+     */
+    private boolean isTold(Sheet sheet) {
+        return sheet.accuracy == Accuracy.EXACT
+                || sheet.dimension == world.dimension()
+                || (world.dimension() == Dimension.SPATIAL
+                        && !exact(sheet.dimension).hasFailed());
+    }
+
+    private Sheet exact(Dimension dimension) {
+        return sheets.stream()
+                .filter(sheet -> sheet.dimension == dimension && sheet.accuracy == Accuracy.EXACT)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /**
+     * Whether further queries cannot change what is recommended: enough were made, and each setting that could still be
+     * recommended has failed, as has the one that says whether heights matter. What has failed once is never
+     * recommended, so the result is that of all queries.
+     */
+    private boolean isDecided() {
+        if (!truth.setting().isAskedEnough() || met < Setting.MIN_ANSWERS || freeSoFar < FIRST) {
+            return false;
+        }
+        for (Sheet sheet : sheets) {
+            boolean matters = world.dimension() == Dimension.SPATIAL
+                    || sheet.dimension == Dimension.PLANAR
+                    || (sheet.accuracy == Accuracy.EXACT && !proven);
+            if (matters && sheet != truth && !sheet.hasFailed()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**
@@ -165,16 +214,14 @@ final class Questions {
     }
 
     Needs ask() {
-        List<WorldObject> robots = standIn == null ? asked(world) : List.of(new WorldObject(standIn.body()));
         int places = triangles > MANY ? PLACES_AMONG_MESHES : PLACES;
         int each = Math.max(1, places / Math.max(1, robots.size()));
         int few = Math.max(1, each / FEWER);
         // If there are many robots, not all are used.
         int asked = Math.min(robots.size(), places);
-        for (int k = 0; k < asked; k++) {
+        for (int k = 0; k < asked && !isDecided(); k++) {
             ask(robots.get(k), RobotReachability.isMany(robots.get(k).object()) ? few : each, k, asked);
         }
-        boolean proven = !robots.isEmpty() && isProven(world, robots);
         Sheet enough = sheets.stream()
                 .filter(sheet -> world.dimension() == Dimension.SPATIAL || sheet.dimension == Dimension.PLANAR)
                 .filter(sheet -> sheet.setting().isSame())
@@ -197,7 +244,7 @@ final class Questions {
         GridSearch search = standIn == null ? reachability.search(name) : null;
         sheets.forEach(sheet -> sheet.geometry.removeObject(name));
         int free = 0;
-        for (int tries = 0; free < count && tries < count * TRIES; tries++) {
+        for (int tries = 0; free < count && tries < count * TRIES && !isDecided(); tries++) {
             watch.at("questions", (long) number * count + free, (long) robots * count);
             GeometryObject body = tries == 0
                     ? home

@@ -272,7 +272,7 @@ class WorldCheckTest {
         assertThat(standIn.body().radius()).isEqualTo(0.2);
         assertThat(standIn.body().center().y()).isBetween(-0.3, -0.25);
         assertThat(check.needs().isTold()).isTrue();
-        assertThat(check.needs().met()).isGreaterThan(500);
+        assertThat(check.needs().met()).isGreaterThanOrEqualTo(Setting.MIN_ANSWERS);
         assertThat(check.needs().accuracy()).isNotIn(Accuracy.SPHERE, Accuracy.AABB);
         // The roof covers all in the plane.
         assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
