@@ -269,7 +269,7 @@ final class Questions {
             return anywhere(home);
         }
         Bounds near = obstacles.get(random.nextInt(obstacles.size()));
-        double more = NEAR * GridSearch.diagonal(home);
+        double more = NEAR * PlaceGrid.diagonal(home);
         return placed(
                 home,
                 within(near.minX() - more, near.maxX() + more, world.width()),
@@ -310,7 +310,7 @@ final class Questions {
     }
 
     private void move(GeometryObject body, String name) {
-        double way = random.nextDouble() * FAR * GridSearch.diagonal(body);
+        double way = random.nextDouble() * FAR * PlaceGrid.diagonal(body);
         Move move =
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);
