@@ -1,6 +1,7 @@
 package robosim.geometry.world.check;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
@@ -10,6 +11,7 @@ import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.world.SonarRing;
@@ -33,7 +35,7 @@ final class Questions {
      * Free places at which all settings that are told are queried; the others, and later all, only until they have answered
      * otherwise. No fewer than a decision needs.
      */
-    private static final int FIRST = 60;
+    private static final int FIRST = Setting.MIN_ANSWERS;
 
     private static final int FIRST_AMONG_MESHES = 15;
 
@@ -149,12 +151,12 @@ final class Questions {
         proven = !robots.isEmpty() && isProven(world, robots);
     }
 
-    /** The settings that are still queried. */
+    /** The settings whose answers are still compared with the true ones. */
     private List<Sheet> open() {
-        boolean first = freeSoFar < (triangles > MANY ? FIRST_AMONG_MESHES : FIRST);
+        boolean first = freeSoFar <= (triangles > MANY ? FIRST_AMONG_MESHES : FIRST);
         List<Sheet> open = new ArrayList<>(sheets.size());
         for (Sheet sheet : sheets) {
-            if (sheet == truth || !sheet.hasFailed() || (first && isTold(sheet))) {
+            if (sheet != truth && (!sheet.hasFailed() || (first && isTold(sheet)))) {
                 open.add(sheet);
             }
         }
@@ -200,8 +202,8 @@ final class Questions {
     }
 
     /**
-     * The robots whose queries are made: a mesh takes seconds for a single move among other meshes, so it is left out where
-     * there is any other robot.
+     * The robots whose queries are made, those of the fewest parts first, which take the least time: often they decide. A
+     * mesh takes seconds for a single move among other meshes, so it is left out where there is any other robot.
      */
     static List<WorldObject> asked(World world) {
         List<WorldObject> robots = world.objects().stream()
@@ -210,7 +212,16 @@ final class Questions {
         List<WorldObject> quick = robots.stream()
                 .filter(robot -> !RobotReachability.isMany(robot.object()))
                 .toList();
-        return quick.isEmpty() ? robots : quick;
+        return (quick.isEmpty() ? robots : quick)
+                .stream()
+                        .sorted(Comparator.comparingInt(robot -> parts(robot.object())))
+                        .toList();
+    }
+
+    private static int parts(GeometryObject object) {
+        return object instanceof ObjectGroup group
+                ? group.members().stream().mapToInt(Questions::parts).sum()
+                : 1;
     }
 
     Needs ask() {
@@ -302,6 +313,7 @@ final class Questions {
         truth.geometry.removeObject(name);
         boolean right = !truth.geometry.testObject(body);
         met += right ? 0 : 1;
+        truth.places++;
         for (Sheet sheet : open()) {
             sheet.places++;
             sheet.placesOtherwise += sheet.geometry.testObject(body) == right ? 1 : 0;
@@ -315,6 +327,7 @@ final class Questions {
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);
         met += right ? 0 : 1;
+        truth.moves++;
         for (Sheet sheet : open()) {
             sheet.moves++;
             sheet.movesOtherwise += moves(sheet, body, name, move) == right ? 0 : 1;
@@ -334,6 +347,7 @@ final class Questions {
         Ray mount = ring.mount(random.nextInt(ring.count()));
         double right = hears(truth, body, name, mount, ring);
         met += Double.isFinite(right) ? 1 : 0;
+        truth.distances++;
         for (Sheet sheet : open()) {
             double heard = hears(sheet, body, name, mount, ring);
             sheet.distances++;

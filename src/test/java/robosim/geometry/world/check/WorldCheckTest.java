@@ -497,4 +497,17 @@ class WorldCheckTest {
                 .isTrue();
         assertThat(check.staticOverlaps()).isEqualTo(29);
     }
+
+    /** Whenever it stops asking: all that is coarser than the recommendation was seen to answer otherwise. */
+    @ParameterizedTest
+    @CsvSource({"rooms.xml", "cylinders.xml", "studio.xml", "pushing.xml", "maze.xml"})
+    void moreQuestionsWouldRecommendTheSame(String file) throws IOException {
+        Needs needs = WorldCheck.of(WorldReader.read(Path.of("worlds", file))).needs();
+        assertThat(needs.isTold()).isTrue();
+        Setting enough = needs.setting(needs.dimension(), needs.accuracy());
+        assertThat(enough.isSame()).isTrue();
+        assertThat(needs.settings().subList(0, needs.settings().indexOf(enough)))
+                .isNotEmpty()
+                .allMatch(Setting::isRefuted);
+    }
 }
