@@ -12,9 +12,6 @@ import robosim.geometry.world.World;
 
 /** The cells of a grid that one robot reaches by straight moves and turns of 45 degrees, among static objects only. */
 final class GridSearch {
-    private static final int TURNS = 8;
-    private static final double TURN = 360.0 / TURNS;
-
     /**
      * Maximum number of places and headings of a grid: a few seconds among boxes and cylinders, most of a minute among
      * large meshes.
