@@ -66,7 +66,8 @@ public record WorldImport(
     /**
      * Reads a file in the format given by the ending of its name: a world of this module ({@code .xml}), a ROS map
      * ({@code .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a
-     * model), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae}). A file with any other name is read as a world of this module.
+     * model), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae},
+     * {@code .ply}, {@code .glb}, {@code .gltf}). A file with any other name is read as a world of this module.
      *
      * @throws WorldException naming file, line and remedy, if the file cannot be read, is of no such format, or is
      *     SDFormat that yields no object
@@ -90,7 +91,7 @@ public record WorldImport(
             String readAs = switch (ending) {
                 case "sdf", "world" -> "sdf";
                 case "yaml", "yml" -> "yaml";
-                case "obj", "stl", "dae", "urdf" -> ending;
+                case "obj", "stl", "dae", "ply", "glb", "gltf", "urdf" -> ending;
                 default -> "xml";
             };
             String other = e.source().equals(file.toString()) ? FileKind.other(file, readAs) : null;
@@ -116,13 +117,13 @@ public record WorldImport(
             case "pgm", "png" ->
                 throw new WorldException(new FileProblem(
                         file.toString(), 0, 0, "a map is read from its .yaml file, which gives the size of a cell"));
-            case "gltf", "glb", "fbx", "xacro", "gz", "zip" ->
+            case "fbx", "xacro", "gz", "zip" ->
                 throw new WorldException(new FileProblem(
                         file.toString(),
                         0,
                         0,
                         "files of this format are not supported; unpack this one, or export it as SDFormat,"
-                                + " COLLADA, OBJ or STL (got: ." + ending + ")"));
+                                + " glTF, COLLADA, OBJ or STL (got: ." + ending + ")"));
             default -> {}
         }
     }
@@ -150,6 +151,8 @@ public record WorldImport(
             case "obj" -> mesh(file, "Wavefront OBJ", options);
             case "stl" -> mesh(file, "STL", options);
             case "dae" -> mesh(file, "COLLADA", options);
+            case "ply" -> mesh(file, "PLY", options);
+            case "glb", "gltf" -> mesh(file, "glTF", options);
             case "yaml", "yml" -> RosMapReader.readImport(file, options);
             default -> {
                 try {
@@ -191,14 +194,14 @@ public record WorldImport(
     /** A mesh at the origin of its own coordinates, in a world with a margin of a quarter of its size. */
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
         MeshObject mesh;
-        boolean isCollada = MeshFiles.isCollada(file.toString());
+        boolean isUpright = MeshFiles.isUpright(file.toString());
         List<LeftOut> leftOut = new ArrayList<>();
         try {
             mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of(), leftOut)));
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
-        if (options.up() == ImportOptions.Up.Z && !isCollada) { // which says itself what is up
+        if (options.up() == ImportOptions.Up.Z && !isUpright) { // which says itself what is up
             mesh = mesh.turned(-90, 0);
         }
         Path last = file.getFileName();
@@ -211,7 +214,7 @@ public record WorldImport(
                 2 * (reach[0] + margin),
                 2 * (reach[1] + margin),
                 2 * (reach[2] + margin),
-                isCollada && options.scale() == 1 ? Unit.METRE : null,
+                isUpright && options.scale() == 1 ? Unit.METRE : null,
                 Dimension.SPATIAL,
                 Accuracy.EXACT,
                 objects);

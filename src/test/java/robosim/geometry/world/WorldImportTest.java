@@ -161,10 +161,10 @@ class WorldImportTest {
                 "map.pgm| a map is read from its .yaml file, which gives the size of a cell",
                 "map.PNG| a map is read from its .yaml",
                 "robot.urdf|1:1: this is not well-formed XML",
-                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, COLLADA,"
-                        + " OBJ or STL (got: .xacro)",
+                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, glTF,"
+                        + " COLLADA, OBJ or STL (got: .xacro)",
                 "world.sdf.gz| files of this format are not supported; unpack this one",
-                "model.glb| files of this format are not supported",
+                "model.fbx| files of this format are not supported",
                 "mesh.dae|1:1: this is not well-formed XML",
                 "notes.txt|1:1: this is not well-formed XML",
                 "empty.sdf|1:1: this is not well-formed XML",

@@ -15,6 +15,8 @@ public final class FileKind {
 
     private static final Pattern ROOT =
             Pattern.compile("^(?:\\s|<\\?.*?\\?>|<!--.*?-->|<!DOCTYPE[^>]*>)*<([A-Za-z][\\w.:-]*)", Pattern.DOTALL);
+    private static final Pattern PLY = Pattern.compile("ply\\r?\n");
+    private static final Pattern GLTF = Pattern.compile("\"(?:asset|accessors|bufferViews|extensionsUsed)\"\\s*:");
     private static final Pattern VERTEX = Pattern.compile("(?m)^v\\s+[-+.\\d]");
     private static final Pattern RESOLUTION = Pattern.compile("(?m)^resolution\\s*:");
 
@@ -25,7 +27,7 @@ public final class FileKind {
      * or it is in that format.
      *
      * @param readAs the ending of the names that its reader expects: {@code xml}, {@code sdf}, {@code yaml}, {@code
-     *     obj}, {@code stl} or {@code dae}
+     *     obj}, {@code stl}, {@code dae}, {@code ply}, {@code glb} or {@code gltf}
      */
     public static @Nullable String other(Path file, String readAs) {
         byte[] head;
@@ -35,11 +37,11 @@ public final class FileKind {
             return null;
         }
         String bytes = new String(head, StandardCharsets.ISO_8859_1);
-        String binary = binary(bytes);
+        String binary = binary(bytes, readAs);
         return binary != null ? binary : text(bytes, readAs);
     }
 
-    private static @Nullable String binary(String bytes) {
+    private static @Nullable String binary(String bytes, String readAs) {
         if (bytes.startsWith("\u0089PNG") || bytes.startsWith("\u00ff\u00d8\u00ff") || bytes.startsWith("GIF8")) {
             return "this is an image; a ROS map is read from its .yaml file";
         }
@@ -50,10 +52,12 @@ public final class FileKind {
             return "this is an archive; unpack it first";
         }
         if (bytes.startsWith("glTF")) {
-            return "this is glTF, which is not supported; export it as COLLADA, OBJ or STL";
+            return readAs.equals("glb") || readAs.equals("gltf")
+                    ? null
+                    : "this is binary glTF; give it a name that ends in .glb";
         }
         if (bytes.startsWith("Kaydara FBX")) {
-            return "this is FBX, which is not supported; export it as COLLADA, OBJ or STL";
+            return "this is FBX, which is not supported; export it as glTF, COLLADA, OBJ or STL";
         }
         if (bytes.startsWith("%PDF")) {
             return "this is a PDF, which contains no world";
@@ -70,10 +74,15 @@ public final class FileKind {
         if (root.lookingAt()) {
             return xml(root.group(1), readAs);
         }
-        if (text.startsWith("ply")) {
-            return "this is PLY, which is not supported; export it as COLLADA, OBJ or STL";
+        if (PLY.matcher(text).lookingAt()) {
+            return readAs.equals("ply") ? null : "this is PLY; give it a name that ends in .ply";
         }
         if (text.stripLeading().startsWith("{")) {
+            if (GLTF.matcher(text).find()) {
+                return readAs.equals("gltf") || readAs.equals("glb")
+                        ? null
+                        : "this is glTF; give it a name that ends in .gltf";
+            }
             return "this is JSON; recordings of this module end in .scenario.jsonl and are for replay and view";
         }
         if (!readAs.equals("stl") && text.toLowerCase(Locale.ROOT).startsWith("solid")) {
