@@ -81,7 +81,7 @@ final class GltfFile {
                         + (file.limit() - at - 8) + ")");
             }
             if (kind == JSON && text == null) {
-                text = new String(file.array(), at + 8, length, StandardCharsets.UTF_8);
+                text = new String(file.array(), file.arrayOffset() + at + 8, length, StandardCharsets.UTF_8);
             } else if (kind == BINARY && text != null) {
                 binary = file.slice(at + 8, length).order(ByteOrder.LITTLE_ENDIAN);
             }
