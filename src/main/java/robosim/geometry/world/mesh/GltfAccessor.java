@@ -52,11 +52,21 @@ final class GltfAccessor {
             throw accessor.wrong("an accessor must have at most " + Limits.MAX_NUMBERS + " numbers (got: " + count
                     + " of " + parts + ")");
         }
-        double[] numbers = new double[count * parts]; // zero where there is no view
+        if (!accessor.has("bufferView") && count > file.bytes()) {
+            throw accessor.wrong(
+                    "an accessor without bytes of its own must have at most as many elements as the file has"
+                            + " bytes (got: " + count + " of " + file.bytes() + ")");
+        }
+        int stride = size * parts;
         if (accessor.has("bufferView")) {
             GltfPart view = file.root.item("bufferViews", accessor.whole("bufferView"));
-            int stride = view.whole("byteStride", 0);
-            fill(accessor, numbers, count, stride == 0 ? size * parts : stride, null);
+            int given = view.whole("byteStride", 0);
+            stride = given == 0 ? stride : given;
+            bytes(accessor, count, stride, size * parts); // before there is room for what they would hold
+        }
+        double[] numbers = new double[count * parts]; // zero where there is no view
+        if (accessor.has("bufferView")) {
+            fill(accessor, numbers, count, stride, null);
         }
         GltfPart sparse = accessor.child("sparse");
         if (sparse != null) {

@@ -93,6 +93,11 @@ final class GltfFile {
         return text;
     }
 
+    /** How many bytes were read so far: of this file, and of those of its buffers. */
+    long bytes() {
+        return read;
+    }
+
     /** The bytes of a view of a buffer. */
     ByteBuffer view(int index) throws FileProblem {
         GltfPart view = root.item("bufferViews", index);

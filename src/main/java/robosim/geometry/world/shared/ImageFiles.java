@@ -10,6 +10,7 @@ import robosim.geometry.image.PngReader;
 public final class ImageFiles {
     private ImageFiles() {}
 
+    /** Reads an image, whose size in bytes is checked first. */
     public static void read(Path file, PixelSink sink) throws FileProblem {
         read(RegularFile.bytes(file, Limits.MAX_IMAGE_BYTES), file.toString(), sink);
     }
@@ -18,7 +19,11 @@ public final class ImageFiles {
         return bytes.length >= 4 && bytes[0] == (byte) 0x89 && bytes[1] == 'P' && bytes[2] == 'N' && bytes[3] == 'G';
     }
 
-    /** @param source the name of the image in messages */
+    /**
+     * Reads the bytes of an image.
+     *
+     * @param source the name of the image in messages
+     */
     public static void read(byte[] bytes, String source, PixelSink sink) throws FileProblem {
         boolean isPng = isPng(bytes);
         try {
