@@ -43,7 +43,7 @@ class FilesWithFaultsTest {
         for (byte[] seed : seeds) {
             assertThat(readers.accepts(seed)).as("format %d", seed[0]).isTrue();
         }
-        int count = Integer.getInteger("faults", (int) Effort.cases(4000));
+        int count = Integer.getInteger("faults", Effort.cases(4000));
         int whole = 0;
         for (int k = 0; k < count; k++) {
             byte[] bytes = seeds.get(k % seeds.size());

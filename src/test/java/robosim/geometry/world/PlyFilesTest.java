@@ -151,7 +151,7 @@ class PlyFilesTest {
     @Test
     void allFormatsSayTheSame() throws IOException {
         SplittableRandom random = new SplittableRandom(22_001);
-        int cases = (int) Effort.cases(60);
+        int cases = Effort.cases(60);
         int polygons = 0;
         for (int k = 0; k < cases; k++) {
             RandomPly ply = new RandomPly(random.split());
