@@ -181,6 +181,23 @@ class WorldImportTest {
                 .hasMessageStartingWith(file + ":" + line.substring(line.indexOf('|') + 1));
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "# a world\ninclude \"map.inc\"\n",
+                "define floorplan model\n(\n  color \"gray30\"\n)\n",
+                "interval_sim 100  # milliseconds\n",
+                "resolution 0.02\n",
+                "floorplan( name \"cave\" bitmap \"cave.png\" )\n"
+            })
+    void aWorldOfStageIsToldByItsName(String text) throws IOException {
+        Path file = Files.writeString(folder.resolve("simple.world"), text);
+        assertThatThrownBy(() -> WorldReader.read(file))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("this is a world of Stage, which is not supported; read the bitmap of its floorplan")
+                .hasMessageEndingWith("(got: simple.world)");
+    }
+
     @Test
     void aMissingFileOfAnyFormat() {
         for (String name : List.of("no.sdf", "no.world", "no.yaml", "no.obj", "no.stl", "no.dae", "no.xml", "no")) {

@@ -17,6 +17,9 @@ public final class FileKind {
             Pattern.compile("^(?:\\s|<\\?.*?\\?>|<!--.*?-->|<!DOCTYPE[^>]*>)*<([A-Za-z][\\w.:-]*)", Pattern.DOTALL);
     private static final Pattern PLY = Pattern.compile("ply\\r?\n");
     private static final Pattern GLTF = Pattern.compile("\"(?:asset|accessors|bufferViews|extensionsUsed)\"\\s*:");
+    private static final Pattern STAGE = Pattern.compile("(?m)^\\s*(?:define\\s+\\w+\\s+\\w+|include\\s+\"[^\"]+\""
+            + "|(?:window|floorplan|model|position)\\s*(?:\\(|$)"
+            + "|(?:interval_sim|interval_real|resolution|quit_time|speedup|paused|threads)\\s+[\\d.]+\\s*(?:#|$))");
     private static final Pattern VERTEX = Pattern.compile("(?m)^v\\s+[-+.\\d]");
     private static final Pattern RESOLUTION = Pattern.compile("(?m)^resolution\\s*:");
 
@@ -54,7 +57,7 @@ public final class FileKind {
         if (bytes.startsWith("glTF")) {
             return readAs.equals("glb") || readAs.equals("gltf")
                     ? null
-                    : "this is binary glTF; give it a name that ends in .glb";
+                    : "this is glTF in its binary form; give it a name that ends in .glb";
         }
         if (bytes.startsWith("Kaydara FBX")) {
             return "this is FBX, which is not supported; export it as glTF, COLLADA, OBJ or STL";
@@ -84,6 +87,10 @@ public final class FileKind {
                         : "this is glTF; give it a name that ends in .gltf";
             }
             return "this is JSON; recordings of this module end in .scenario.jsonl and are for replay and view";
+        }
+        if (STAGE.matcher(text).find()) {
+            return "this is a world of Stage, which is not supported; read the bitmap of its floorplan as a ROS map, by a"
+                    + " .yaml file with image, resolution and origin, and add its robots by the command add";
         }
         if (!readAs.equals("stl") && text.toLowerCase(Locale.ROOT).startsWith("solid")) {
             return "this is STL; give it a name that ends in .stl";
