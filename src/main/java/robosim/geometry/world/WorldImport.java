@@ -22,6 +22,7 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
+import robosim.geometry.world.stage.StageWorld;
 
 /**
  * A world from a file of any supported format, and a report on the file: what was read, what was ignored because it is
@@ -66,7 +67,7 @@ public record WorldImport(
     /**
      * Reads a file in the format given by the ending of its name: a world of this module ({@code .xml}), a ROS map
      * ({@code .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a
-     * model), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae},
+     * model), a world of Stage ({@code .world}), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae},
      * {@code .ply}, {@code .glb}, {@code .gltf}). A file with any other name is read as a world of this module.
      *
      * @throws WorldException naming file, line and remedy, if the file cannot be read, is of no such format, or is
@@ -89,7 +90,8 @@ public record WorldImport(
             return read(file, ending, options);
         } catch (WorldException e) {
             String readAs = switch (ending) {
-                case "sdf", "world" -> "sdf";
+                case "world" -> FileKind.isStage(file) ? "stage" : "sdf";
+                case "sdf" -> "sdf";
                 case "yaml", "yml" -> "yaml";
                 case "obj", "stl", "dae", "ply", "glb", "gltf", "urdf" -> ending;
                 default -> "xml";
@@ -128,7 +130,7 @@ public record WorldImport(
         }
     }
 
-    /** Refuses SDFormat that yields no object: an empty world is not what the user wants. */
+    /** Refuses SDFormat or a world of Stage that yields no object: an empty world is not what the user wants. */
     private static WorldImport solid(Path file, WorldImport read) throws WorldException {
         if (!read.world.objects().isEmpty()) {
             return read;
@@ -147,7 +149,8 @@ public record WorldImport(
 
     private static WorldImport read(Path file, String ending, ImportOptions options) throws WorldException {
         return switch (ending) {
-            case "sdf", "world", "urdf" -> solid(file, SdfReader.read(file, options.models()));
+            case "world" -> solid(file, FileKind.isStage(file) ? stage(file) : SdfReader.read(file, options.models()));
+            case "sdf", "urdf" -> solid(file, SdfReader.read(file, options.models()));
             case "obj" -> mesh(file, "Wavefront OBJ", options);
             case "stl" -> mesh(file, "STL", options);
             case "dae" -> mesh(file, "COLLADA", options);
@@ -189,6 +192,36 @@ public record WorldImport(
 
     private static String ending(String name) {
         return name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    /** A world of Stage, with a margin of at least a metre around its objects. */
+    private static WorldImport stage(Path file) throws WorldException {
+        try {
+            StageWorld found = StageWorld.read(file);
+            List<WorldObject> objects = new ArrayList<>();
+            for (StageWorld.Found each : found.objects) {
+                List<SonarRing> rings = each.rings().stream()
+                        .map(r -> new SonarRing((int) r[0], r[1], r[2], r[3], r[4], r[5]))
+                        .toList();
+                objects.add(new WorldObject(each.object(), null, rings));
+            }
+            double[] reach =
+                    Bounds.reach(objects.stream().map(WorldObject::object).toList());
+            World world = new World(
+                    2 * (reach[0] + 1),
+                    2 * (reach[1] + 1),
+                    2 * (reach[2] + 1),
+                    Unit.METRE,
+                    Dimension.SPATIAL,
+                    Accuracy.EXACT,
+                    objects);
+            List<Skipped> skipped = found.leftOut.stream().map(Skipped::of).toList();
+            return new WorldImport(world, "Stage", found.read, found.passedOver, skipped, found.remarks);
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        } catch (IllegalArgumentException e) {
+            throw new WorldException(new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e));
+        }
     }
 
     /** A mesh at the origin of its own coordinates, in a world with a margin of a quarter of its size. */

@@ -40,6 +40,7 @@ final class HostileFiles {
         OBJ("t.obj"),
         STL("t.stl"),
         SDF("t.sdf"),
+        STAGE("t.world"),
         PNG("h.png"),
         PGM("h.pgm"),
         PART_OF_DAE("part.dae"),
@@ -78,6 +79,8 @@ final class HostileFiles {
         try {
             Files.createDirectories(folder);
             Files.writeString(folder.resolve("package.xml"), "<package/>");
+            Files.writeString(folder.resolve("part.inc"), "define low model( size [1 1 .1] )\n");
+            Files.writeString(folder.resolve("own.pgm"), "P2 3 2 255 0 255 0 255 0 255");
             for (Kind kind : Kind.values()) {
                 if (!kind.read().equals(kind.bytes)) {
                     Files.writeString(folder.resolve(kind.read()), sdf(kind.geometry()));
@@ -209,6 +212,13 @@ final class HostileFiles {
                 Kind.SDF,
                 sdf("<polyline><point>0 0</point><point>1 0</point><point>0 1</point><height>1</height></polyline>"));
         add(seeds, Kind.SDF, sdf("<ellipsoid><radii>1 2 3</radii></ellipsoid>"));
+        add(
+                seeds,
+                Kind.STAGE,
+                "include \"part.inc\"\ndefine eye sensor( range [0.1 4] fov 20 samples 3 )\nwindow( size [1 2] )\n"
+                        + "position( name \"r\" pose [1 2 0 30] size [1 1 1] ranger( eye( pose [0 0 0 90] ) ) model( size [1 1 1] ) )\n"
+                        + "model( boundary 1 size [4 4 1] block( points 3 point[0] [0 0] point[1] [1 0] point[2] [0 1] z [0 1] ) )\n"
+                        + "model( bitmap \"own.pgm\" size [2 2 1] )\n");
         add(seeds, Kind.PGM, "P2 3 3 9 0 1 2 3 4 5 6 7 8");
         add(seeds, Kind.PGM, "P5 2 2 65535 abcdefgh");
         ByteArrayOutputStream png = new ByteArrayOutputStream();

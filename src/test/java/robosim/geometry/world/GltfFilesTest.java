@@ -444,7 +444,8 @@ class GltfFilesTest {
     @Test
     void otherNamesAreTold() throws IOException {
         Path file = Files.write(folder.resolve("a.obj"), glb("{}", BUFFER));
-        assertThatThrownBy(() -> WorldReader.read(file)).hasMessageContaining("this is glTF in its binary form; give it");
+        assertThatThrownBy(() -> WorldReader.read(file))
+                .hasMessageContaining("this is glTF in its binary form; give it");
         Path json = Files.writeString(folder.resolve("a.dae"), gltf("{'mesh':0}", PRIMITIVE, ""));
         assertThatThrownBy(() -> WorldReader.read(json)).hasMessageContaining("this is glTF; give it a name that ends");
     }

@@ -191,11 +191,10 @@ class WorldImportTest {
                 "floorplan( name \"cave\" bitmap \"cave.png\" )\n"
             })
     void aWorldOfStageIsToldByItsName(String text) throws IOException {
-        Path file = Files.writeString(folder.resolve("simple.world"), text);
+        Path file = Files.writeString(folder.resolve("simple.sdf"), text);
         assertThatThrownBy(() -> WorldReader.read(file))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("this is a world of Stage, which is not supported; read the bitmap of its floorplan")
-                .hasMessageEndingWith("(got: simple.world)");
+                .hasMessageContaining("this is a world of Stage; give it a name that ends in .world (got: simple.sdf)");
     }
 
     @Test

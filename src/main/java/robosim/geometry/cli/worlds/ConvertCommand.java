@@ -68,7 +68,7 @@ public final class ConvertCommand implements Callable<Integer> {
             index = "0",
             paramLabel = "IN",
             description =
-                    "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), a robot (.urdf),"
+                    "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), Stage (.world), a robot (.urdf),"
                             + " or a mesh (.obj, .stl, .dae, .ply, .glb, .gltf)")
     private Path in = Path.of("");
 

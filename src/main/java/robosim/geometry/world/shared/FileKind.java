@@ -30,7 +30,7 @@ public final class FileKind {
      * or it is in that format.
      *
      * @param readAs the ending of the names that its reader expects: {@code xml}, {@code sdf}, {@code yaml}, {@code
-     *     obj}, {@code stl}, {@code dae}, {@code ply}, {@code glb} or {@code gltf}
+     *     obj}, {@code stl}, {@code dae}, {@code stage}, {@code ply}, {@code glb} or {@code gltf}
      */
     public static @Nullable String other(Path file, String readAs) {
         byte[] head;
@@ -42,6 +42,16 @@ public final class FileKind {
         String bytes = new String(head, StandardCharsets.ISO_8859_1);
         String binary = binary(bytes, readAs);
         return binary != null ? binary : text(bytes, readAs);
+    }
+
+    /** Whether a file is a world of Stage, by its first lines; its name ends as that of SDFormat may. */
+    public static boolean isStage(Path file) {
+        try (InputStream in = RegularFile.open(file)) {
+            String text = new String(in.readNBytes(16 * HEAD), StandardCharsets.UTF_8);
+            return !ROOT.matcher(text).lookingAt() && STAGE.matcher(text).find();
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     private static @Nullable String binary(String bytes, String readAs) {
@@ -89,8 +99,7 @@ public final class FileKind {
             return "this is JSON; recordings of this module end in .scenario.jsonl and are for replay and view";
         }
         if (STAGE.matcher(text).find()) {
-            return "this is a world of Stage, which is not supported; read the bitmap of its floorplan as a ROS map, by a"
-                    + " .yaml file with image, resolution and origin, and add its robots by the command add";
+            return readAs.equals("stage") ? null : "this is a world of Stage; give it a name that ends in .world";
         }
         if (!readAs.equals("stl") && text.toLowerCase(Locale.ROOT).startsWith("solid")) {
             return "this is STL; give it a name that ends in .stl";
