@@ -161,10 +161,10 @@ class WorldImportTest {
                 "map.pgm| a map is read from its .yaml file, which gives the size of a cell",
                 "map.PNG| a map is read from its .yaml",
                 "robot.urdf|1:1: this is not well-formed XML",
-                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, COLLADA,"
-                        + " OBJ or STL (got: .xacro)",
+                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, glTF,"
+                        + " COLLADA, OBJ or STL (got: .xacro)",
                 "world.sdf.gz| files of this format are not supported; unpack this one",
-                "model.glb| files of this format are not supported",
+                "model.fbx| files of this format are not supported",
                 "mesh.dae|1:1: this is not well-formed XML",
                 "notes.txt|1:1: this is not well-formed XML",
                 "empty.sdf|1:1: this is not well-formed XML",
@@ -179,6 +179,22 @@ class WorldImportTest {
         assertThatThrownBy(() -> WorldReader.read(file))
                 .isInstanceOf(WorldException.class)
                 .hasMessageStartingWith(file + ":" + line.substring(line.indexOf('|') + 1));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "# a world\ninclude \"map.inc\"\n",
+                "define floorplan model\n(\n  color \"gray30\"\n)\n",
+                "interval_sim 100  # milliseconds\n",
+                "resolution 0.02\n",
+                "floorplan( name \"cave\" bitmap \"cave.png\" )\n"
+            })
+    void aWorldOfStageIsToldByItsName(String text) throws IOException {
+        Path file = Files.writeString(folder.resolve("simple.sdf"), text);
+        assertThatThrownBy(() -> WorldReader.read(file))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("this is a world of Stage; give it a name that ends in .world (got: simple.sdf)");
     }
 
     @Test
