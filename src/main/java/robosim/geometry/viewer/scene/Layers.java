@@ -82,8 +82,8 @@ public final class Layers {
 
     private static boolean hasMesh(GeometryObject object) {
         return object instanceof MeshObject
-                || object instanceof ObjectGroup group
-                        && group.members().stream().anyMatch(Layers::hasMesh);
+                || (object instanceof ObjectGroup group
+                        && group.members().stream().anyMatch(Layers::hasMesh));
     }
 
     private static void triangles(
@@ -153,7 +153,7 @@ public final class Layers {
     }
 
     private static boolean joins(Piece last, Piece next, boolean hasNoLines) {
-        return last.isMesh && next.isMesh && last.thing == next.thing && (hasNoLines || next.top == last.top);
+        return last.isMesh && next.isMesh && last.order == next.order && (hasNoLines || next.top == last.top);
     }
 
     /** The height of a piece among the sorted tops of all triangles. */
