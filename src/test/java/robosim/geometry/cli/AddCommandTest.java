@@ -93,6 +93,18 @@ class AddCommandTest extends CommandRun {
         assertThat(WorldReader.read(xml)).isEqualTo(WorldReader.read(whole));
     }
 
+    /** An include names only what is below it; elsewhere the new world has all that the map has. */
+    @Test
+    void theNewWorldMayBeAnywhere() throws IOException {
+        Path map = map();
+        Path xml = Files.createDirectory(folder.resolve("elsewhere")).resolve("world.xml");
+        assertThat(run("add", map, xml, "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
+        assertThat(out.toString()).contains("Wrote " + xml + ", with a copy of what is in " + map);
+        Path whole = folder.resolve("whole.xml");
+        assertThat(run("convert", map, whole, "--robot", "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
+        assertThat(xml).hasSameTextualContentAs(whole);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

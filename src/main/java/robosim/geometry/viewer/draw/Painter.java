@@ -143,19 +143,15 @@ public final class Painter {
 
     private void paintStatics(List<Layers.Layer> layers) {
         canvas.open("objects", "");
-        Scene.Thing last = null;
-        for (Layers.Layer layer : layers) {
-            if (layer.thing() != last) {
-                if (last != null) {
-                    canvas.close();
-                }
-                last = layer.thing();
-                ThingPainter.open("object", last.object(), canvas);
+        for (int k = 0; k < layers.size(); k++) {
+            Layers.Layer layer = layers.get(k);
+            if (k == 0 || layers.get(k - 1).index() != layer.index()) {
+                ThingPainter.open("object", layer.thing().object(), canvas);
             }
             ThingPainter.paint(layer, frame, canvas);
-        }
-        if (last != null) {
-            canvas.close();
+            if (k == layers.size() - 1 || layers.get(k + 1).index() != layer.index()) {
+                canvas.close();
+            }
         }
         canvas.close();
     }

@@ -23,9 +23,11 @@ public final class Layers {
      * @param areas  what it covers
      * @param isMesh whether the areas are triangles, which have no outlines of their own
      * @param lines  the edges of a mesh to be drawn, x, z, x, z each; on top of the areas
+     * @param index  of the object among those given
      * @param height from 0 for the lowest triangles of all meshes to 1 for the highest, in steps; 1 for other objects
      */
-    public record Layer(Scene.Thing thing, List<Footprint> areas, boolean isMesh, List<double[]> lines, double height) {
+    public record Layer(
+            Scene.Thing thing, List<Footprint> areas, boolean isMesh, List<double[]> lines, int index, double height) {
         /** What contains its areas as seen from above. */
         public Bounds bounds() {
             if (!isMesh) {
@@ -146,7 +148,7 @@ public final class Layers {
                 lines.addAll(next.lines);
                 to++;
             }
-            layers.add(new Layer(first.thing, areas, first.isMesh, lines, height));
+            layers.add(new Layer(first.thing, areas, first.isMesh, lines, first.order, height));
             from = to;
         }
         return layers;
