@@ -92,6 +92,7 @@ public final class AddCommand implements Callable<Integer> {
         try {
             for (String robot : robots) {
                 world = RobotSpec.add(world, robot, sonars);
+                RobotSpec.warn(world, spec.commandLine().getErr());
             }
         } catch (IllegalArgumentException e) {
             throw refused(String.valueOf(e.getMessage()), e);
