@@ -136,7 +136,7 @@ public record WorldImport(
             return read;
         }
         List<String> reasons = new ArrayList<>();
-        shown(reasons, read.skipped.stream().map(Skipped::toString).toList(), MOST_REASONS);
+        shown(reasons, Skipped.joined(read.skipped), MOST_REASONS);
         shown(reasons, read.remarks, MOST_REASONS);
         throw new WorldException(new FileProblem(
                 file.toString(),
@@ -261,7 +261,8 @@ public record WorldImport(
     }
 
     /**
-     * What was read and what was not, as lines for users: first what was left out, at most {@code most} items of it.
+     * What was read and what was not, as lines for users: first what was left out, at most {@code most} lines of it. If
+     * it is more, parts that were left out for the same reason share a line.
      */
     public List<String> lines(int most) {
         List<String> lines = new ArrayList<>();
@@ -269,7 +270,8 @@ public record WorldImport(
         if (!passedOver.isEmpty()) {
             lines.add("Ignored, as irrelevant to solid geometry: " + counted(passedOver));
         }
-        shown(lines, skipped.stream().map(Skipped::toString).toList(), most);
+        boolean isAll = most >= skipped.size();
+        shown(lines, isAll ? skipped.stream().map(Skipped::toString).toList() : Skipped.joined(skipped), most);
         shown(lines, remarks, most);
         return lines;
     }

@@ -123,7 +123,9 @@ class ScanCommandTest {
                     .isZero();
             files[k] = Files.readAllBytes(npy);
         }
-        assertThat(out.toString()).contains("1 x 1081 ranges");
+        assertThat(out.toString())
+                .contains(
+                        "1 x 1081 ranges; column 0 points -135 degrees from ahead, column 1 -134.75, the last 135, counter");
         assertThat(files[0]).isEqualTo(files[1]).isNotEqualTo(files[2]).isNotEqualTo(files[3]);
         assertThat(files[0].length).isEqualTo(128 + 8 * 1081);
         double noisy = ByteBuffer.wrap(files[0]).order(ByteOrder.LITTLE_ENDIAN).getDouble(128);

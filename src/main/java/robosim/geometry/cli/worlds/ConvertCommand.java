@@ -190,6 +190,7 @@ public final class ConvertCommand implements Callable<Integer> {
         try {
             for (String robot : robots) {
                 world = RobotSpec.add(world, robot, 0);
+                RobotSpec.warn(world, spec.commandLine().getErr());
             }
             return world;
         } catch (IllegalArgumentException e) {

@@ -20,10 +20,12 @@ import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
 import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Lidar;
@@ -187,6 +189,9 @@ public final class ScanCommand implements Callable<Integer> {
         }
     }
 
+    /** Of a direction. */
+    private static final int DIGITS = 6;
+
     private ScanCommand() {}
 
     @Override
@@ -233,7 +238,7 @@ public final class ScanCommand implements Callable<Integer> {
                     DepthCamera camera = SdfSensors.depthCamera(found);
                     DepthFrame frame = new DepthFrame();
                     read(camera.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
-                    yield write(frame, frame.depths(), name, new PointCloud());
+                    yield write(frame, camera.pattern(), frame.depths(), name, new PointCloud());
                 }
                 case SEGMENTATION, NORMALS, COLOR, OTHER ->
                     throw refused("--sensor must be a lidar or a depth camera (got: " + found.name() + " of type "
@@ -253,6 +258,7 @@ public final class ScanCommand implements Callable<Integer> {
         read(lidar.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
         return write(
                 frame,
+                lidar.pattern(),
                 frame.ranges(),
                 name,
                 new PointCloud(
@@ -270,10 +276,11 @@ public final class ScanCommand implements Callable<Integer> {
     }
 
     /** Writes ranges or points; answers what they are. */
-    private String write(RayFrame frame, double[] ranges, String name, PointCloud cloud) throws IOException {
+    private String write(RayFrame frame, RayPattern pattern, double[] ranges, String name, PointCloud cloud)
+            throws IOException {
         if (name.endsWith(".npy")) {
             NpyWriter.write(ranges, output, frame.rows(), frame.columns());
-            return frame.rows() + " x " + frame.columns() + " ranges";
+            return frame.rows() + " x " + frame.columns() + " ranges" + columns(pattern);
         } else {
             if (inWorld) {
                 frame.addInWorldTo(cloud);
@@ -287,6 +294,22 @@ public final class ScanCommand implements Callable<Integer> {
             }
             return NumberText.count(cloud.size(), "point") + " of " + NumberText.count(frame.size(), "ray");
         }
+    }
+
+    /** Where the columns of the first row point, in words; empty for less than two. */
+    private static String columns(RayPattern pattern) {
+        int last = pattern.columns() - 1;
+        if (last < 1) {
+            return "";
+        }
+        return "; column 0 points " + NumberText.digits(bearing(pattern, 0), DIGITS) + " degrees from ahead, column 1 "
+                + NumberText.digits(bearing(pattern, 1), DIGITS) + ", the last "
+                + NumberText.digits(bearing(pattern, last), DIGITS) + ", counter-clockwise";
+    }
+
+    /** The direction of a ray about the vertical, counter-clockwise from ahead, degrees. */
+    private static double bearing(RayPattern pattern, int ray) {
+        return Degrees.toDegrees(StrictMath.atan2(-pattern.z(ray), pattern.x(ray)));
     }
 
     private Lidar placed(World read, Lidar lidar) {
@@ -306,7 +329,9 @@ public final class ScanCommand implements Callable<Integer> {
             }
             on = moveable.get(0);
         } else if (!moveable.contains(on)) {
-            throw refused("--on must be the name of a moveable object of WORLD (got: " + on + ")");
+            throw refused("--on must be the name of a moveable object of WORLD, "
+                    + (moveable.isEmpty() ? "which has none" : "one of " + String.join(", ", moveable)) + " (got: " + on
+                    + ")");
         }
         return lidar.on(on, pose);
     }
