@@ -192,20 +192,28 @@ enum StepFamily {
                     : new BoxObject(at, half * random.nextDouble(0.2, 1), 1, half * random.nextDouble(0.2, 0.8));
             scene.body(inner, body(inner, random));
             any(scene, random, 4.5, 0.2, 0.8);
+            // The third may have found a place inside as well.
+            boolean[] wasIn = new boolean[scene.names.size()];
+            for (int k = 1; k < wasIn.length; k++) {
+                wasIn[k] = isIn(scene, k, half);
+            }
             scene.law(() -> {
-                GeometryObject cage = scene.world.getObject("b0");
-                double[] r = cage.rotation();
-                for (int k = 1; k < scene.names.size(); k++) {
-                    double dx = scene.center("b" + k).x() - cage.center().x();
-                    double dz = scene.center("b" + k).z() - cage.center().z();
-                    boolean isIn = Math.abs(r[0] * dx + r[6] * dz) < half && Math.abs(r[2] * dx + r[8] * dz) < half;
-                    if (isIn != (k == 1)) {
+                for (int k = 1; k < wasIn.length; k++) {
+                    if (isIn(scene, k, half) != wasIn[k]) {
                         return "b" + k + " has passed the frame";
                     }
                 }
                 return null;
             });
             return scene;
+        }
+
+        private boolean isIn(StepScene scene, int k, double half) {
+            GeometryObject cage = scene.world.getObject("b0");
+            double[] r = cage.rotation();
+            double dx = scene.center("b" + k).x() - cage.center().x();
+            double dz = scene.center("b" + k).z() - cage.center().z();
+            return Math.abs(r[0] * dx + r[6] * dz) < half && Math.abs(r[2] * dx + r[8] * dz) < half;
         }
 
         @Override

@@ -88,6 +88,9 @@ public final class StepProof {
         long hash = number;
         double energy = Double.POSITIVE_INFINITY;
         String broken = scene.broken();
+        if (broken != null) {
+            throw new IllegalStateException(family + ", scene " + number + " begins broken: " + broken);
+        }
         for (int step = 0; step < STEPS; step++) {
             if (step % STIRRED == 0) {
                 family.stir(scene, random);

@@ -34,6 +34,7 @@ final class Twin {
     private double nz;
     private double px;
     private double pz;
+    private boolean isOfA;
 
     Twin(int count, Surface surface) {
         this.count = count;
@@ -58,12 +59,12 @@ final class Twin {
         inertia[k] = itsInertia;
     }
 
-    /** Lets time pass. */
-    void run(double seconds) {
+    /** Lets time pass, up to so many collisions in all. */
+    void run(double seconds, int most) {
         int steps = (int) Math.ceil(seconds / LITTLE);
         for (int step = 0; step < steps; step++) {
             double left = seconds / steps;
-            while (left > 0) {
+            while (left > 0 && collisions <= most) {
                 int pair = firstPair(left);
                 if (pair < 0) {
                     advance(left);
@@ -214,9 +215,10 @@ final class Twin {
             nz = uz;
             px = q[j] + radius[b] * ux;
             pz = q[j + 1] + radius[b] * uz;
-        } else if (radius[b] > 0) {
-            px += radius[b] * nx;
-            pz += radius[b] * nz;
+        } else {
+            // A corner of the one beside a side of the other: of a disc, the point of its rim.
+            px += isOfA ? -radius[a] * nx : radius[b] * nx;
+            pz += isOfA ? -radius[a] * nz : radius[b] * nz;
         }
         distance -= radius[a] + radius[b];
     }
@@ -234,8 +236,11 @@ final class Twin {
                 distance = along;
                 nx = sign * ux;
                 nz = sign * uz;
+                isOfA = sign > 0;
+                double low = Double.POSITIVE_INFINITY;
                 for (int m = 0; m < other.length; m += 2) {
-                    if (other[m] * ux + other[m + 1] * uz == along + at || other.length == 2) {
+                    if (other[m] * ux + other[m + 1] * uz < low) {
+                        low = other[m] * ux + other[m + 1] * uz;
                         px = other[m];
                         pz = other[m + 1];
                     }
