@@ -2,6 +2,7 @@ package robosim.geometry.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.EnumSet;
 import java.util.List;
@@ -198,5 +199,24 @@ class StepSessionTest {
         double mass = 200 * Math.PI * 0.25;
         assertThat(answer.bodies().get(0).velocity().x())
                 .isCloseTo(100 * 0.5 / mass, org.assertj.core.data.Offset.offset(1e-12));
+    }
+
+    @Test
+    void bodiesFallWhereHeightsCount() {
+        Session session = new Session();
+        session.reply(new InitBundle(
+                List.of(
+                        new BoxObject(new Point(0, -0.5, 0), 10, 1, 10).named("floor"),
+                        new BoxObject(new Point(0, 2, 0), 1, 0.5, 0.5)
+                                .turned(0, 40)
+                                .moveable("crate"),
+                        new CylinderObject(new Point(3, 0.5001, 0), 0.5, 1).moveable("cart")),
+                new WorldSettings(40, 20, 40, Dimension.SPATIAL, Accuracy.EXACT)));
+        StepBundle.Answer fallen =
+                step(session, new StepBundle(2, List.of(BodyRequest.of("crate"), BodyRequest.of("cart")), List.of()));
+        assertThat(fallen.bodies().get(0).center().y()).isCloseTo(0.25, within(1e-6));
+        assertThat(fallen.contacts().get(0).other()).isEqualTo("floor");
+        Reply refused = reply(session, new StepBundle(0.1, List.of(), List.of(new DriveCommand("cart", 1, 0, 0))));
+        assertThat(refused.problems().get(0).reason()).startsWith("drives need a PLANAR world");
     }
 }

@@ -25,6 +25,11 @@ public final class Space {
     /** Most collisions of a body in a slice. */
     private static final int MOST_EVENTS = 8;
 
+    /** So often one after the other a body may get no farther than by such a share of what is left. */
+    private static final int MOST_IDLE = 3;
+
+    private static final double LITTLE = 0x1p-7;
+
     /** What touches something and moves more slowly than this for so long comes to rest: m/s, s. */
     private static final double SLOW = 1e-3;
 
@@ -301,7 +306,8 @@ public final class Space {
     private void carry(int b, double seconds, Surfaces surfaces) {
         Rigid body = bodies.get(b);
         double rest = seconds;
-        for (int event = 0; event < MOST_EVENTS; event++) {
+        int idle = 0;
+        for (int event = 0; event < MOST_EVENTS && idle < MOST_IDLE; event++) {
             for (int axis = 0; axis < 3; axis++) {
                 d[axis] = 0.5 * (body.v[axis] + body.u[axis]) * rest;
             }
@@ -317,6 +323,7 @@ public final class Space {
                 System.arraycopy(body.u, 0, body.v, 0, 6);
                 return;
             }
+            idle = share > LITTLE ? 0 : idle + 1;
             double time = time(body, share, rest);
             for (int k = 0; k < 6; k++) {
                 body.v[k] += (body.u[k] - body.v[k]) * (time / rest);

@@ -33,6 +33,8 @@ final class Way {
 
     private static final int MOST_TRIES = 96;
 
+    private static final int MOST_FAILED = 12;
+
     private final Placer placer;
     private final Nearby near;
     private final Meeting meeting = new Meeting();
@@ -97,13 +99,15 @@ final class Way {
         double rest = 1;
         double step = Math.min(1, TURN / turned);
         double least = LEAST / (way + body.reach * turned);
+        int failed = 0;
         for (int tries = 0; rest > 0 && tries < MOST_TRIES; tries++) {
             step = Math.min(step, rest);
             if (isMade(body, d, angle, turned, step)) {
                 rest = step == rest ? 0 : rest - step;
             } else {
                 step *= hope;
-                if (step < least) {
+                failed++;
+                if (step < least || failed > MOST_FAILED) {
                     break;
                 }
             }
@@ -168,7 +172,7 @@ final class Way {
     /** Whether the way is free as it is; if not, {@link #up} is the way off what is touched. */
     private boolean isFree(double sagitta, double moved) {
         boolean isFree = true;
-        hope = 0.5;
+        hope = 0.25;
         stay = 0;
         up[0] = 0;
         up[1] = 0;
@@ -178,7 +182,7 @@ final class Way {
                 if (!(room > -2 * sagitta - 2 * GAP)) {
                     // Along the direction that is known, the most that may be free.
                     double share = (begins[k] - 2 * sagitta - GAP) / (begins[k] - ends[k]);
-                    hope = room == Double.NEGATIVE_INFINITY ? 0.5 : Math.max(0x1p-6, Math.min(0.9, share));
+                    hope = room == Double.NEGATIVE_INFINITY ? 0.25 : Math.max(0x1p-6, Math.min(0.9, share));
                     up[0] = 0;
                     up[1] = 0;
                     up[2] = 0;
