@@ -276,9 +276,7 @@ public final class Session {
             double ry = Degrees.toDegrees(request.ry());
             result = world.move(name, new Move(request.x(), request.y(), request.z(), rx, ry));
         } catch (IllegalArgumentException e) {
-            String reason = Reasons.of(e);
-            complaints.warn("a move of object " + Text.quoted(name) + " is left out: " + reason);
-            return Problem.of(index, reason);
+            return logged(index, "a move of object " + Text.quoted(name) + " is left out", Reasons.of(e));
         }
         listener.tried(request, result);
         return result.allowed() ? null : Problem.of(index, () -> Reasons.of(result));
@@ -304,9 +302,7 @@ public final class Session {
         try {
             return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), degrees(beam));
         } catch (IllegalArgumentException e) {
-            String reason = Reasons.of(e);
-            complaints.warn("a distance of object " + Text.quoted(name) + " is NaN: " + reason);
-            problems.add(Problem.of(index, reason));
+            problems.add(logged(index, "a distance of object " + Text.quoted(name) + " is NaN", Reasons.of(e)));
             return Double.NaN;
         }
     }
@@ -337,9 +333,7 @@ public final class Session {
                     ? about.answer(geometry, asked, moveable, this::tried)
                     : batches.answer(world, request, breath);
         } catch (IllegalArgumentException e) {
-            String reason = Reasons.of(e);
-            complaints.warn("a batch of object " + Text.quoted(name) + " has no answer: " + reason);
-            problems.add(Problem.of(index, reason));
+            problems.add(logged(index, "a batch of object " + Text.quoted(name) + " has no answer", Reasons.of(e)));
             return new NoAnswer();
         }
     }
@@ -361,13 +355,16 @@ public final class Session {
     }
 
     private Problem leftOut(int index, String reason) {
-        complaints.warn("body or command " + index + " of a step is left out: " + reason);
-        return Problem.of(index, reason);
+        return logged(index, "body or command " + index + " of a step is left out", reason);
     }
 
     private Problem notStepped(String reason) {
-        complaints.warn("a step moves nothing: " + reason);
-        return Problem.of(0, reason);
+        return logged(0, "a step moves nothing", reason);
+    }
+
+    private Problem logged(int index, String what, String reason) {
+        complaints.warn(what + ": " + reason);
+        return Problem.of(index, reason);
     }
 
     private void tried(WorldRequest.Go go, MoveResult result) {
