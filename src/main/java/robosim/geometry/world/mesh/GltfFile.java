@@ -1,9 +1,8 @@
 package robosim.geometry.world.mesh;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URI;
-import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -146,7 +145,7 @@ final class GltfFile {
         }
         try {
             return file(buffer, uri);
-        } catch (IllegalArgumentException | URISyntaxException e) {
+        } catch (IllegalArgumentException e) {
             throw buffer.wrong("uri: " + e.getMessage());
         } catch (FileProblem e) {
             throw e;
@@ -155,14 +154,13 @@ final class GltfFile {
         }
     }
 
-    private byte[] file(GltfPart buffer, String uri) throws IOException, URISyntaxException {
+    private byte[] file(GltfPart buffer, String uri) throws IOException {
         int colon = uri.indexOf(':');
         if (uri.toLowerCase(Locale.ROOT).startsWith("data:") || (colon > 0 && uri.startsWith("//", colon + 1))) {
             throw buffer.wrong("a buffer must be data in base64, or a file below the folder of this one (got: "
                     + uri.substring(0, Math.min(60, uri.length())) + ")");
         }
-        String path = uri.indexOf('%') < 0 ? uri : new URI(uri).getPath();
-        Path file = Folder.locate(folder, path, "glTF", "buffer");
+        Path file = Folder.locate(folder, decoded(uri), "glTF", "buffer");
         try (InputStream in = new Bounded(RegularFile.open(file))) {
             byte[] bytes = in.readAllBytes();
             read += bytes.length;
@@ -172,6 +170,25 @@ final class GltfFile {
             }
             return bytes;
         }
+    }
+
+    /** A path whose special characters are written as {@code %} and two digits for each of their bytes. */
+    private static String decoded(String uri) {
+        if (uri.indexOf('%') < 0) {
+            return uri;
+        }
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        byte[] given = uri.getBytes(StandardCharsets.UTF_8);
+        for (int k = 0; k < given.length; k++) {
+            int high = given[k] == '%' && k + 2 < given.length ? Character.digit(given[k + 1], 16) : -1;
+            int low = high < 0 ? -1 : Character.digit(given[k + 2], 16);
+            if (given[k] == '%' && low < 0) {
+                throw new IllegalArgumentException("% must be followed by two hexadecimal digits (got: " + uri + ")");
+            }
+            bytes.write(low < 0 ? given[k] : 16 * high + low);
+            k += low < 0 ? 0 : 2;
+        }
+        return bytes.toString(StandardCharsets.UTF_8);
     }
 
     private FileProblem wrong(String problem) {

@@ -52,11 +52,11 @@ final class StageSensors {
         double farthest = far;
         for (StageEntity sensor : ranger.children) {
             double[] pose = sensor.numbers("pose", 0, 0);
-            farthest = Math.max(farthest, far + Math.hypot(pose[0], pose[1]));
+            farthest = Math.max(farthest, far + StrictMath.hypot(pose[0], pose[1]));
         }
         for (int k = 0; k < Math.min(10_000, ranger.number("scount", 0)); k++) {
             double[] pose = ranger.numbers("spose[" + k + "]", 0, 0);
-            farthest = Math.max(farthest, far + Math.hypot(pose[0], pose[1]));
+            farthest = Math.max(farthest, far + StrictMath.hypot(pose[0], pose[1]));
         }
         return farthest;
     }

@@ -138,7 +138,8 @@ public final class StageWorld {
         objects.add(new Found(isRobot ? placed.moveable(name) : placed.named(name), isRobot ? body.rings : List.of()));
         if (isRobot && body.offset > 0) {
             remarks.add(model.file + ":" + model.line + ": the range sensors of " + name
-                    + " are at its centre here; in Stage they are up to " + body.offset + " m from it");
+                    + " are at its centre here; in Stage they are up to " + Math.ceil(1000 * body.offset) / 1000
+                    + " m from it");
         }
     }
 
@@ -176,7 +177,7 @@ public final class StageWorld {
             }
         }
         if (model.type.equals("ranger") || model.type.equals("laser") || model.type.equals("sonar")) {
-            double far = Math.hypot(frame.origin().x(), frame.origin().z());
+            double far = StrictMath.hypot(frame.origin().x(), frame.origin().z());
             StageSensors.add(model, heading, body.rings);
             body.offset = Math.max(body.offset, StageSensors.farthest(model, far));
         }
