@@ -74,9 +74,9 @@ class PicturesTest {
         assertThat(radius(file)).isBetween(2.0, 4.0);
     }
 
-    /** That of the drum, pixels: the largest circle. */
+    /** That of the drum, pixels. */
     private static double radius(Path file) throws IOException {
-        return Pattern.compile(" r=\"([0-9.]+)\"")
+        return Pattern.compile("<title>drum</title>\\s*<circle[^>]* r=\"([0-9.]+)\"")
                 .matcher(Files.readString(file))
                 .results()
                 .mapToDouble(found -> Double.parseDouble(found.group(1)))
