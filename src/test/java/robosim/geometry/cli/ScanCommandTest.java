@@ -59,6 +59,28 @@ class ScanCommandTest {
         assertThat(Files.readString(pcd, StandardCharsets.ISO_8859_1)).startsWith("# .PCD v0.7");
     }
 
+    /** A static model carries nothing, so its own box is in the way. */
+    @Test
+    void aSensorInsideAStaticModelIsWarnedOf() throws IOException {
+        String sdf = "<sdf version='1.7'><world name='w'><model name='post'><static>%s</static><pose>0 0 1 0 0 0</pose>"
+                + "<link name='l'><collision name='c'><geometry><box><size>.1 .1 .1</size></box></geometry></collision>"
+                + "<sensor name='laser' type='gpu_lidar'><lidar><scan><horizontal><samples>90</samples>"
+                + "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><min>.2</min><max>9</max>"
+                + "</range></lidar></sensor></link></model></world></sdf>";
+        Path npy = folder.resolve("a.npy");
+        for (boolean isStatic : new boolean[] {true, false}) {
+            Path world = Files.writeString(folder.resolve("w.sdf"), sdf.formatted(isStatic));
+            out.getBuffer().setLength(0);
+            assertThat(run("scan", world.toString(), "--sensor", "laser", "-o", npy.toString()))
+                    .isZero();
+            if (isStatic) {
+                assertThat(out.toString()).contains("warning: the sensor post::l::laser is inside box \"post\"");
+            } else {
+                assertThat(out.toString()).doesNotContain("warning");
+            }
+        }
+    }
+
     @Test
     void sensorsOfAWorldInSdf() throws IOException {
         Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);

@@ -20,12 +20,14 @@ import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Lidar;
@@ -40,6 +42,7 @@ import robosim.geometry.sensor.file.PlyWriter;
 import robosim.geometry.sensor.file.SdfSensors;
 import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 
 /** Scans a world with a lidar. */
 @Command(
@@ -220,7 +223,7 @@ public final class ScanCommand implements Callable<Integer> {
                         lidar.options().min() / metres, lidar.options().max() / metres);
                 what = scan(snapshot, lidar, noise > 0 ? Noise.gaussian(noise / metres) : Noise.NONE, name, progress);
             } else {
-                what = scan(snapshot, described, name, progress);
+                what = scan(read, snapshot, described, name, progress);
             }
         }
         spec.commandLine().getOut().println("Wrote " + output + ": " + what);
@@ -228,8 +231,10 @@ public final class ScanCommand implements Callable<Integer> {
     }
 
     /** Scans with a sensor that the world's file describes. */
-    private String scan(Snapshot snapshot, String described, String name, Progress progress) throws Exception {
+    private String scan(World read, Snapshot snapshot, String described, String name, Progress progress)
+            throws Exception {
         SdfReader.Sensor found = world.sensor("--sensor", described);
+        warn(read, found);
         try {
             Noise its = SdfSensors.noise(found).and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
             return switch (SdfSensors.kind(found)) {
@@ -246,6 +251,23 @@ public final class ScanCommand implements Callable<Integer> {
             };
         } catch (IllegalArgumentException e) {
             throw refused(String.valueOf(e.getMessage()));
+        }
+    }
+
+    /** Warns of a sensor in what stands still, which it sees: a robot is invisible to its own sensors only. */
+    private void warn(World read, SdfReader.Sensor found) {
+        if (found.carrier() != null) {
+            return;
+        }
+        SphereObject lens = new SphereObject(found.pose().center(), 0);
+        for (WorldObject each : read.objects()) {
+            if (CollisionDetection.intersects(each.object(), lens)) {
+                spec.commandLine()
+                        .getErr()
+                        .println("warning: the sensor " + found.name() + " is inside " + each.object()
+                                + ", so it sees nothing else; a model that is not <static> is invisible to its own"
+                                + " sensors");
+            }
         }
     }
 
