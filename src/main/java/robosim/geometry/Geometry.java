@@ -288,7 +288,8 @@ public final class Geometry extends GeometryQueries {
      * touching is not an obstacle, however near.
      *
      * @param clearance world units; at least 0
-     * @return {@code allowed} if the whole move was made; else the fractions that were made
+     * @return {@code allowed} if the whole move was made; else the fractions that were made, with a contact in the gap that
+     *     is left: it lies neither on the object nor on what blocks it
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
         return moves.toContact(registry.mover(name), Checks.present("move", move), clearance);
