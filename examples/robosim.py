@@ -162,7 +162,7 @@ class Contact(NamedTuple):
 
     name: str
     other: Optional[str]  # None for an object without a name, and for the border; `named` gives all of them one
-    point: List[float]  # of several touches in the step the last one that gave an impulse
+    point: List[float]  # of several touches in the step that of the greatest impulse
     normal: List[float]  # at that point, towards the body
     impulse: float  # the sum over the step, newton seconds; 0 where they only touch, or part
     phase: str  # "BEGIN"; "LAST" for a contact that lasts from the step before, and goes on; "END"

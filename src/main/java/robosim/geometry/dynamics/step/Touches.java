@@ -65,7 +65,7 @@ public final class Touches {
         return (int) ((key * 0x9E3779B97F4A7C15L) >>> 40) & (table.length - 1);
     }
 
-    /** Adds to what one was pushed by another; where and along what is that of the last one that gave an impulse. */
+    /** Adds to what one was pushed by another; where and along what is that of the greatest impulse. */
     void add(int ofBody, int other, int object, double px, double pz, double normalX, double normalZ, double by) {
         long key = ((long) ofBody << 32) | (other >= 0 ? other : object + STILL);
         int entry = find(key);

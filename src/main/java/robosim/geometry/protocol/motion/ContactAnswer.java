@@ -12,7 +12,7 @@ import robosim.geometry.model.Point;
  * @param objectName a body
  * @param other      what it met: another body or another object; null for an object without a name and for the border of the
  *                   world
- * @param point      where they met; of several touches in the step, the last one that gave an impulse
+ * @param point      where they met; of several touches in the step, that of the greatest impulse
  * @param normal     unit normal there, towards {@code objectName}
  * @param impulse    what {@code objectName} was given along the normal, newton seconds, the sum over the step; 0
  *                   where they only touch or part
