@@ -30,17 +30,10 @@ public final class Space {
 
     private static final double LITTLE = 0x1p-7;
 
-    /** What touches something and moves more slowly than this for so long comes to rest: m/s, s. */
-    private static final double SLOW = 1e-3;
-
-    private static final double REST = 0.25;
-
-    /** What is touched faster than this wakes up, m/s. */
-    private static final double WAKE = 5e-3;
-
     private final Placer placer;
     private final double[] gravity;
     private final List<Rigid> bodies = new ArrayList<>();
+    private final Ledger ledger;
     private final Nearby near;
     private final Way way;
     private final Meeting meeting = new Meeting();
@@ -67,6 +60,7 @@ public final class Space {
         near = new Nearby(placer, new double[] {width / 2, height / 2, length / 2});
         way = new Way(placer, near);
         this.gravity = gravity.clone();
+        ledger = new Ledger(bodies, this.gravity);
     }
 
     /** Whether a world is one in which bodies can move. */
@@ -111,18 +105,9 @@ public final class Space {
         }
     }
 
-    public int id(int b) {
-        return bodies.get(b).id;
-    }
-
     /** Whether a body was stopped in the last step. */
     public boolean isStopped(int b) {
         return bodies.get(b).isStopped;
-    }
-
-    /** Whether a body is at rest, and stays so until something meets it. */
-    public boolean isAsleep(int b) {
-        return bodies.get(b).isAsleep;
     }
 
     /** The contacts of the last step, and of the one before. */
@@ -184,7 +169,7 @@ public final class Space {
         if (!any) {
             return false;
         }
-        begin(seconds);
+        ledger.begin(seconds);
         contacts.clear();
         for (int b = 0; b < bodies.size(); b++) {
             if (!bodies.get(b).isAsleep) {
@@ -199,22 +184,8 @@ public final class Space {
                 carry(order[k], seconds, surfaces);
             }
         }
-        finish(seconds);
+        ledger.finish(seconds);
         return true;
-    }
-
-    private void begin(double seconds) {
-        for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
-            body.group = b;
-            body.isTouching = false;
-            body.turnInertia();
-            if (!body.isAsleep) {
-                body.limit(seconds);
-            }
-            body.energy = body.kinetic(body.v);
-            System.arraycopy(body.place, 0, body.start, 0, 3);
-        }
     }
 
     private void solve(double seconds, Surfaces surfaces) {
@@ -250,7 +221,7 @@ public final class Space {
             if (meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, at) && meeting.apart <= TOUCH) {
                 body.isTouching = true;
                 if (other >= 0) {
-                    join(b, other);
+                    ledger.join(b, other);
                 }
                 meeting.points(
                         leaf.kind(0),
@@ -267,19 +238,6 @@ public final class Space {
             }
         }
         contacts.dropInnerEdges(from);
-    }
-
-    private void join(int a, int b) {
-        Rigid other = bodies.get(b);
-        other.isTouching = true;
-        if (other.isAsleep && bodies.get(a).speed(bodies.get(a).v) > WAKE) {
-            other.wake();
-        }
-        int from = bodies.get(a).group;
-        int to = other.group;
-        for (Rigid each : bodies) {
-            each.group = each.group == from ? to : each.group;
-        }
     }
 
     /** The bodies, the lowest first. */
@@ -407,46 +365,6 @@ public final class Space {
             for (int k = 0; k < 6; k++) {
                 body.u[k] += body.v[k] - body.known[k];
                 body.known[k] = body.v[k];
-            }
-        }
-    }
-
-    /** Energy never grows: what rounding, or restitution together with friction, would add is taken from the speed. */
-    private void finish(double seconds) {
-        for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
-            if (!body.isAsleep) {
-                System.arraycopy(body.u, 0, body.v, 0, 6);
-            }
-        }
-        for (int group = 0; group < bodies.size(); group++) {
-            double before = 0;
-            double moving = 0;
-            double risen = 0;
-            for (Rigid body : bodies) {
-                if (body.group == group && !body.isAsleep) {
-                    before += body.energy;
-                    moving += body.kinetic(body.v);
-                    risen += body.risen(gravity);
-                }
-            }
-            if (moving > 0 && moving + risen > before) {
-                double share = Math.sqrt(Math.max(0, before - risen) / moving);
-                for (Rigid body : bodies) {
-                    if (body.group == group) {
-                        for (int k = 0; k < 6; k++) {
-                            body.v[k] *= share;
-                        }
-                    }
-                }
-            }
-        }
-        for (Rigid body : bodies) {
-            if (!body.isAsleep) {
-                body.slow = body.isTouching && body.speed(body.v) < SLOW ? body.slow + seconds : 0;
-                if (body.slow > REST) {
-                    body.sleep();
-                }
             }
         }
     }
