@@ -396,7 +396,7 @@ class GltfFilesTest {
                 "data:application/octet-stream;base64, | data:application/octet-stream, | buffers[0]: a buffer must be data",
                 "base64, | base64,? | buffers[0]: uri must be data in base64",
                 "data:application/octet-stream;base64, | http://example.com/ | buffers[0]: a buffer must be data in base64,",
-                "data:application/octet-stream;base64, | a%2 | buffers[0]: uri: % must be followed by two hexadecimal digits",
+                "data:application/octet-stream;base64, | a%zz | buffers[0]: uri: % must be followed by two hexadecimal digits",
                 "data:application/octet-stream;base64, | ../ | buffers[0]: uri: file must be a path with / relative to the",
                 "'componentType':5126 | 'componentType':5124 | accessors[0]: componentType must be 5120 to 5123, 5125 or",
                 "'count':5 | 'count':2000000000 | all primitives together must have at most 20000000 numbers",
