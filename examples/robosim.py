@@ -33,8 +33,8 @@ from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Se
 
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
-    "pinhole", "directions", "sense", "poses", "edges", "pose", "place", "add", "remove", "go", "world", "Move", "Sonar",
-    "Moves", "Went", "Change", "Pose", "World", "LeftOut", "Scan", "Error", "NotDone", "ProtocolFault",
+    "pinhole", "directions", "sense", "poses", "edges", "pose", "place", "add", "remove", "go", "world", "body", "drive", "Move",
+    "Sonar", "Step", "Body", "Contact", "Moves", "Went", "Change", "Pose", "World", "LeftOut", "Scan", "Error", "NotDone", "ProtocolFault",
     "RequestError",
 ]
 
@@ -137,6 +137,35 @@ class Sonar(NamedTuple):
     min: float = 0.0
     max: float = math.inf
     width: float = 0.0
+
+
+class Body(NamedTuple):
+    """Where a body is after a step, and its velocity: metres and radians a second, along its own axes."""
+
+    center: List[float]
+    heading: float
+    velocity: Dict[str, float]  # x, y, z and ry
+
+
+class Contact(NamedTuple):
+    """Two that collided, touch, or parted in a step."""
+
+    name: str
+    other: Optional[str]  # None for what has no name
+    point: List[float]
+    normal: List[float]  # towards the first
+    impulse: float  # newton seconds
+    phase: str  # BEGIN, LAST or END
+
+
+class Step(NamedTuple):
+    """What a step came to: all bodies by name, who met whom, who was stopped, and why a body or command was left out, by
+    its index, bodies counted first."""
+
+    bodies: Dict[str, Body]
+    contacts: List[Contact]
+    stopped: List[str]
+    refused: Dict[int, str]
 
 
 class Picture(NamedTuple):
@@ -339,6 +368,19 @@ def world() -> Json:
     return {"kind": "world"}
 
 
+# What a step is given.
+
+def body(name: str, **fields: Any) -> Json:
+    """A body for an object: any of mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, drive and
+    velocity, as docs/protocol.md has them."""
+    return {"objectName": name, **fields}
+
+
+def drive(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
+    """Tells a robot to drive, in metres and radians a second, until it is told otherwise."""
+    return {"objectName": name, "forward": forward, "right": right, "turn": turn}
+
+
 Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, World, RequestError]
 
 
@@ -433,6 +475,19 @@ class Module:
         if len(made) != len(answer["moves"]):
             raise ProtocolFault(f"there must be {len(made)} moves that were made (got: {len(answer['moves'])})")
         return Moves(made, refused)
+
+    def step(self, seconds: float, commands: Iterable[Json] = (), bodies: Iterable[Json] = ()) -> Step:
+        """Lets time pass in a PLANAR world: robots drive as they are told, slide, push and bounce. Bodies and commands, which
+        `body` and `drive` make, hold for later steps too."""
+        message = {"type": "step", "seconds": seconds, "bodies": list(bodies), "commands": list(commands)}
+        answer = self.ask(message, "bodies")[0]
+        try:
+            return Step({b["objectName"]: Body(b["center"], b["heading"], b["velocity"]) for b in answer["bodies"]},
+                        [Contact(c["objectName"], c.get("other"), c["point"], c["normal"], c["impulse"], c["phase"])
+                         for c in answer["contacts"]],
+                        answer["stopped"], {problem["index"]: problem["reason"] for problem in answer["refused"]})
+        except (KeyError, TypeError) as e:
+            raise ProtocolFault(f"an answer to a step must have its fields: {e!r}") from None
 
     def sonars(self, sonars: Iterable[Sonar]) -> List[Union[float, RequestError]]:
         """Several sonars; inf where nothing echoes, a RequestError in place of a distance that there is not."""

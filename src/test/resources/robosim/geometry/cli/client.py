@@ -142,6 +142,21 @@ def together(module):
     assert 0 < module.ping() < 60
 
 
+def steps(module):
+    module.init([box([3, 0, 0], 0.2, 2, 4, name="wall"),
+                 cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True)])
+    given = [robosim.body("robot", mass=9, drive={"kind": "DIFFERENTIAL", "maxSpeed": 1}), robosim.body("rover")]
+    step = module.step(0.5, [robosim.drive("robot", 2)], given)
+    assert step.bodies["robot"].center == [0.5, 0, 0], step
+    assert step.bodies["robot"].velocity["x"] == 1, step
+    assert step.refused == {1: 'no object "rover"'}, step
+    assert step.contacts == [] and step.stopped == [], step
+    met = module.step(5)
+    assert [(c.name, c.other, c.phase) for c in met.contacts] == [("robot", "wall", "BEGIN")], met
+    assert met.contacts[0].normal == [-1, 0, 0] and 2.649 < met.bodies["robot"].center[0] < 2.65, met
+    assert [c.phase for c in module.step(0.1, [robosim.drive("robot", -1)]).contacts] == ["END"]
+
+
 def main():
     with robosim.connect(sys.argv[1], timeout=60) as module:
         assert module.version.startswith("robosim-geometry"), module.version
@@ -153,6 +168,7 @@ def main():
         changes(module)
         sensors(module)
         together(module)
+        steps(module)
         try:
             module.add({"kind": "cone"})
         except robosim.NotDone as e:
