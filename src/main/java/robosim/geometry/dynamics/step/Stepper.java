@@ -54,6 +54,11 @@ public final class Stepper {
         carrying = new FrontToBack(carrier, bodies, Meetings.GAP);
     }
 
+    /** Runs something between two parts of each step. */
+    public void pausing(Runnable between) {
+        bodies.breath = between;
+    }
+
     /** Forgets all bodies. */
     public void clear() {
         bodies.count = 0;
@@ -214,6 +219,7 @@ public final class Stepper {
             join(other, now);
         }
         for (int k = 0; k < solver.bodyCount; k++) {
+            bodies.breath.run();
             int body = solver.bodyList[k];
             if (bodies.lightness[body] == 0) {
                 continue;
