@@ -87,6 +87,9 @@ public final class Dynamics {
     private final Pushes pushes = this::push;
     private boolean isStale = true;
 
+    /** Runs between two parts of the work. */
+    private Runnable breath = () -> {};
+
     /**
      * Bodies in a world, none so far.
      *
@@ -232,6 +235,17 @@ public final class Dynamics {
         return state;
     }
 
+    /**
+     * Runs something between two parts of each step, very often in a long one: to give way to other work, or to end the step.
+     *
+     * @param between may throw, which ends the step where it is; nothing overlaps then either, but the bodies must not be moved
+     *     again
+     */
+    public void pausing(Runnable between) {
+        breath = Checks.present("between", between);
+        stepper.pausing(between);
+    }
+
     /** Moves everything by a time in seconds. */
     public StepResult step(double seconds) {
         advance(seconds);
@@ -324,6 +338,7 @@ public final class Dynamics {
         });
         Set<Integer> moved = new HashSet<>();
         for (BodyState each : bodies.values()) {
+            breath.run();
             int id = carrier.mover(each.name);
             moved.add(id);
             order.add(each);
@@ -344,10 +359,12 @@ public final class Dynamics {
         Touches before = stepper.before();
         List<BodyContact> contacts = new ArrayList<>(now.count);
         for (int k = 0; k < now.count; k++) {
+            breath.run();
             contacts.add(contact(now, k, before.find(now, k) < 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST));
         }
         List<BodyContact> ended = new ArrayList<>();
         for (int k = 0; k < before.count; k++) {
+            breath.run();
             if (now.find(before, k) < 0) {
                 ended.add(contact(before, k, BodyContact.Phase.END));
             }

@@ -347,7 +347,7 @@ public final class Session {
         }
         breath.run();
         try {
-            motion = motion == null ? new Motion(geometry) : motion;
+            motion = motion == null ? new Motion(geometry, () -> breath.run()) : motion;
             return new Reply(motion.step(step, (index, reason) -> problems.add(leftOut(index, reason))), problems);
         } catch (IllegalArgumentException e) {
             return new Reply(nothing, List.of(notStepped(Reasons.of(e))));

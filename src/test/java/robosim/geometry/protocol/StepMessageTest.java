@@ -125,13 +125,13 @@ class StepMessageTest {
     /** World files have them in small letters, the wire in capitals. */
     @Test
     void kindsOfDrivesAreReadInCapitalsAndInSmallLetters() throws ProtocolException {
-        String step = "{\"type\":\"step\",\"seconds\":0,\"bodies\":[{\"objectName\":\"b\",\"drive\":{\"kind\":\"%s\"}}]}";
+        String step =
+                "{\"type\":\"step\",\"seconds\":0,\"bodies\":[{\"objectName\":\"b\",\"drive\":{\"kind\":\"%s\"}}]}";
         for (Kind kind : Kind.values()) {
             StepBundle expected =
                     new StepBundle(0, List.of(BodyRequest.of("b").withDrive(DriveSettings.of(kind))), List.of());
             assertThat(JsonLines.readRequest(step.formatted(kind))).isEqualTo(expected);
-            assertThat(JsonLines.readRequest(
-                            step.formatted(kind.name().toLowerCase(Locale.ROOT))))
+            assertThat(JsonLines.readRequest(step.formatted(kind.name().toLowerCase(Locale.ROOT))))
                     .isEqualTo(expected);
         }
         assertThatThrownBy(() -> JsonLines.readRequest(step.formatted("Force")))

@@ -184,6 +184,22 @@ def drives(module, folder):
     assert wanted != "", "every object must have a name"
 
 
+def steps(module):
+    module.init([box([3, 0, 0], 0.2, 2, 4, name="wall"),
+                 cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True)])
+    wheels = robosim.drive_settings("differential", max_speed=1)
+    step = module.step(0.5, [robosim.body("robot", mass=9, drive=wheels), robosim.body("rover")],
+                       [robosim.command("robot", 2)])
+    same(step.bodies["robot"].center, [0.5, 0, 0])
+    same(step.bodies["robot"].velocity.x, 1)
+    same((step.refused, step.contacts, step.stopped), ({1: 'no object "rover"'}, [], []))
+    met = module.step(5)
+    same([(c.name, c.other, c.phase) for c in met.contacts], [("robot", "wall", "BEGIN")])
+    same(met.contacts[0].normal, [-1, 0, 0])
+    assert 2.649 < met.bodies["robot"].center[0] < 2.65, met
+    same([c.phase for c in module.step(0.1, [], [robosim.command("robot", -1)]).contacts], ["END"])
+
+
 def module_robot(folder):
     import worldfile
     return worldfile.World(folder + "/rooms.xml").robots[0][0]["name"]
@@ -200,6 +216,7 @@ def main():
         changes(module)
         sensors(module)
         together(module)
+        steps(module)
         drives(module, sys.argv[2])
         try:
             module.add({"kind": "cone"})

@@ -21,6 +21,9 @@ final class ContactSolver {
     private static final int MOST_ROUNDS = 1024;
     private static final int SWEEPS = 48;
 
+    /** More contacts pause in each round. */
+    private static final int PART = 64;
+
     /** Velocities that change by less, as a share of the greatest, have come to rest. */
     private static final double RESTS = 0x1p-50;
 
@@ -254,6 +257,7 @@ final class ContactSolver {
         double theta = 1;
         momentum = 0;
         for (int round = 0; round < rounds; round++) {
+            breathe();
             for (int k = 0; k < bodyCount; k++) {
                 int at = 3 * bodyList[k];
                 Arrays.fill(sums, at, at + 3, 0);
@@ -284,6 +288,7 @@ final class ContactSolver {
             theta = nextTheta;
         }
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
+            breathe();
             double change = 0;
             for (int c = 0; c < count; c++) {
                 change = Math.max(change, answer(c, isRubbing, false));
@@ -300,6 +305,12 @@ final class ContactSolver {
             if (change <= rest) {
                 return;
             }
+        }
+    }
+
+    private void breathe() {
+        if (count > PART) {
+            bodies.breath.run();
         }
     }
 

@@ -58,6 +58,11 @@ public final class Stepper {
         carrying = new FrontToBack(carrier, bodies, Meetings.GAP);
     }
 
+    /** Runs something between two parts of each step. */
+    public void pausing(Runnable between) {
+        bodies.breath = between;
+    }
+
     /** Forgets all bodies. */
     public void clear() {
         bodies.count = 0;
@@ -210,6 +215,7 @@ public final class Stepper {
             join(other, now);
         }
         for (int k = 0; k < solver.bodyCount; k++) {
+            bodies.breath.run();
             int body = solver.bodyList[k];
             if (bodies.lightness[body] == 0) {
                 continue;
