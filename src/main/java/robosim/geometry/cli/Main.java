@@ -1,14 +1,10 @@
 package robosim.geometry.cli;
 
-import java.io.ByteArrayInputStream;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.function.IntSupplier;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.worlds.ViewCommand;
-import robosim.geometry.world.WorldException;
-import robosim.geometry.world.WorldReader;
 
 /** The entry point of the command line; {@code --help} lists the commands. */
 public final class Main {
@@ -30,9 +26,6 @@ public final class Main {
             "javax/",
             "This needs a part of Java that this Java runtime lacks: use a full JDK or JRE");
 
-    private static final byte[] EMPTY =
-            "<world xmlns='urn:robosim:world:1' width='1' height='1' length='1'/>".getBytes(StandardCharsets.UTF_8);
-
     private Main() {}
 
     /**
@@ -46,31 +39,10 @@ public final class Main {
         if (arguments.length == 0 || !arguments[0].equals(ViewCommand.NAME)) {
             System.setProperty("java.awt.headless", "true");
         }
-        if (arguments.length > 1 && arguments[arguments.length - 1].endsWith(".xml")) {
-            loadBeside();
-        }
         int code = code(() -> Commands.run(arguments), System.err);
         if (code != 0) {
             System.exit(code);
         }
-    }
-
-    /**
-     * Loads the schema and the parser of world files on another thread while this one builds the command line, which takes
-     * about as long: a tenth of a second.
-     */
-    private static void loadBeside() {
-        Thread loading = new Thread(
-                () -> {
-                    try {
-                        WorldReader.read(new ByteArrayInputStream(EMPTY), "nothing", null);
-                    } catch (WorldException | LinkageError again) {
-                        // Whoever reads the file meets it too and reports it.
-                    }
-                },
-                "loading");
-        loading.setDaemon(true);
-        loading.start();
     }
 
     /**
