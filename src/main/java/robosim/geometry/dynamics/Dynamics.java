@@ -244,6 +244,9 @@ public final class Dynamics {
     public void pausing(Runnable between) {
         breath = Checks.present("between", between);
         stepper.pausing(between);
+        if (falling != null) {
+            falling.pausing(between);
+        }
     }
 
     /** Moves everything by a time in seconds. */

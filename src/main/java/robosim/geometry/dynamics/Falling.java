@@ -44,6 +44,10 @@ final class Falling {
         }
     }
 
+    void pausing(Runnable between) {
+        space.pausing(between);
+    }
+
     void advance(Map<String, BodyState> bodies, Map<String, Surface> surfaces, boolean isStale, double seconds) {
         if (isStale || changes != carrier.objects.changes()) {
             build(bodies, surfaces);

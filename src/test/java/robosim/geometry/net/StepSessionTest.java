@@ -215,9 +215,12 @@ class StepSessionTest {
                                 .moveable("crate"),
                         new CylinderObject(new Point(3, 0.5001, 0), 0.5, 1).moveable("cart")),
                 new WorldSettings(40, 20, 40, Dimension.SPATIAL, Accuracy.EXACT)));
+        int[] breaths = new int[1];
+        session.pausing(() -> breaths[0]++, new LogBudget(System::nanoTime));
         StepBundle.Answer fallen =
                 step(session, new StepBundle(2, List.of(BodyRequest.of("crate"), BodyRequest.of("cart")), List.of()));
         assertThat(fallen.bodies().get(0).center().y()).isCloseTo(0.25, within(1e-6));
+        assertThat(breaths[0]).as("parts of the step").isGreaterThan(100);
         assertThat(fallen.contacts().get(0).other()).isEqualTo("floor");
         Reply refused = reply(session, new StepBundle(0.1, List.of(), List.of(new DriveCommand("cart", 1, 0, 0))));
         assertThat(refused.problems().get(0).reason()).startsWith("drives need a PLANAR world");

@@ -15,6 +15,8 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  */
 public final class Space {
     /** Slices last so many seconds, or more where a step would have too many of them. */
+    private Runnable breath = () -> {};
+
     private static final double SLICE = 1e-3;
 
     private static final int MOST_SLICES = 10_000;
@@ -119,6 +121,11 @@ public final class Space {
         return last;
     }
 
+    /** Runs something between two bodies in each part of a step, so that a long one gives way to others. */
+    public void pausing(Runnable between) {
+        breath = between;
+    }
+
     /** Moves all bodies by a time. */
     public void run(double seconds, Surfaces surfaces) {
         Touched older = last;
@@ -173,6 +180,7 @@ public final class Space {
         contacts.clear();
         for (int b = 0; b < bodies.size(); b++) {
             if (!bodies.get(b).isAsleep) {
+                breath.run();
                 gather(b, false);
             }
         }
@@ -181,6 +189,7 @@ public final class Space {
         sort();
         for (int k = 0; k < bodies.size(); k++) {
             if (!bodies.get(order[k]).isAsleep) {
+                breath.run();
                 carry(order[k], seconds, surfaces);
             }
         }

@@ -81,7 +81,8 @@ public final class StepProof {
     }
 
     /** Runs a scene, and tells the first thing that is broken. */
-    @Nullable String run(StepFamily family, long number) {
+    @Nullable
+    String run(StepFamily family, long number) {
         SplittableRandom random = new SplittableRandom(number);
         StepScene scene = family.make(random);
         bodies.addAndGet(scene.names.size());

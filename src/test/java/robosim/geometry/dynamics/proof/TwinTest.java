@@ -127,8 +127,6 @@ class TwinTest {
     private static double[] velocity(StepScene scene, int k) {
         Twist v = scene.dynamics.velocity("b" + k);
         double[] r = scene.world.getObject("b" + k).rotation();
-        return new double[] {
-            r[0] * v.x() + r[2] * v.z(), r[6] * v.x() + r[8] * v.z(), StrictMath.toRadians(v.ry())
-        };
+        return new double[] {r[0] * v.x() + r[2] * v.z(), r[6] * v.x() + r[8] * v.z(), StrictMath.toRadians(v.ry())};
     }
 }
