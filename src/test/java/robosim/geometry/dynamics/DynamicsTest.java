@@ -232,7 +232,7 @@ class DynamicsTest {
     void momentumIsKeptAndEnergyNeverGrows(double restitution) {
         SplittableRandom random = new SplittableRandom(3);
         int met = 0;
-        for (int run = 0; run < Effort.cases(8); run++) {
+        for (int run = 0; run < Effort.cases(8, 4); run++) {
             Geometry world = world(4000);
             Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
             List<String> names = new ArrayList<>();

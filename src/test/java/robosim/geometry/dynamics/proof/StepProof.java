@@ -135,7 +135,7 @@ public final class StepProof {
         if (isTold && time - last > TOLD && toldAt.compareAndSet(last, time)) {
             System.out.printf(
                     Locale.ROOT,
-                    "%,d of %,d steps (%.1f %%), %,.0f a second, %,d contacts, %,d steps with bodies stopped, slowest %.0f ms,"
+                    "%,d of %,d steps (%.1f %%), %,.0f a second, %,d contacts, %,d steps with bodies stopped, slowest %.0f ms (%s),"
                             + " %d failures%n",
                     now,
                     scenes * STEPS,
@@ -144,6 +144,7 @@ public final class StepProof {
                     contacts.get(),
                     stopped.get(),
                     slowest.get() * 1e-6,
+                    slowestAt,
                     failures.size());
         }
     }
