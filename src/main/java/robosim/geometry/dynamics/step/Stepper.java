@@ -55,7 +55,7 @@ public final class Stepper {
         impact = meetings.impact;
         solver = meetings.solver;
         neighbours = new Neighbours(scene, pairs, meetings);
-        carrying = new FrontToBack(carrier, bodies, Meetings.GAP);
+        carrying = new FrontToBack(carrier, scene, Meetings.GAP);
     }
 
     /** Runs something between two parts of each step. */
