@@ -97,8 +97,7 @@ enum StepFamily {
                 double size = random.nextDouble(0.6, 0.85);
                 boolean isRound = random.nextBoolean();
                 Point at = new Point(x + size / 2, 0, random.nextDouble(-0.5, 0.5) * (0.999 - size));
-                GeometryObject shape =
-                        isRound ? new CylinderObject(at, size / 2, 1) : new BoxObject(at, size, 1, size);
+                GeometryObject shape = isRound ? new CylinderObject(at, size / 2, 1) : new BoxObject(at, size, 1, size);
                 if (scene.body(shape, body(shape, random)) != null) {
                     x += size + gap;
                 }
@@ -183,29 +182,35 @@ enum StepFamily {
             double half = random.nextDouble(0.6, 1.2);
             double thick = Math.pow(10, random.nextDouble(-4, -1));
             Point at = new Point(random.nextDouble(-2, 2), 0, random.nextDouble(-2, 2));
-            GeometryObject frame = frame(half, thick)
-                    .turned(0, random.nextDouble(360))
-                    .movedTo(at);
+            GeometryObject frame =
+                    frame(half, thick).turned(0, random.nextDouble(360)).movedTo(at);
             scene.body(frame, Body.of(random.nextDouble(0.5, 5), half * half));
             GeometryObject inner = random.nextBoolean()
                     ? new CylinderObject(at, half * random.nextDouble(0.2, 0.8), 1)
                     : new BoxObject(at, half * random.nextDouble(0.2, 1), 1, half * random.nextDouble(0.2, 0.8));
             scene.body(inner, body(inner, random));
             any(scene, random, 4.5, 0.2, 0.8);
+            boolean[] isWithin = new boolean[scene.names.size()];
+            for (int k = 1; k < isWithin.length; k++) {
+                isWithin[k] = isWithin(scene, k, half);
+            }
             scene.law(() -> {
-                GeometryObject cage = scene.world.getObject("b0");
-                double[] r = cage.rotation();
-                for (int k = 1; k < scene.names.size(); k++) {
-                    double dx = scene.center("b" + k).x() - cage.center().x();
-                    double dz = scene.center("b" + k).z() - cage.center().z();
-                    boolean isIn = Math.abs(r[0] * dx + r[6] * dz) < half && Math.abs(r[2] * dx + r[8] * dz) < half;
-                    if (isIn != (k == 1)) {
-                        return "b" + k + " has passed the frame";
+                for (int k = 1; k < isWithin.length; k++) {
+                    if (isWithin(scene, k, half) != isWithin[k]) {
+                        return scene.names.get(k) + " has passed the frame";
                     }
                 }
                 return null;
             });
             return scene;
+        }
+
+        private boolean isWithin(StepScene scene, int k, double half) {
+            GeometryObject cage = scene.world.getObject("b0");
+            double[] r = cage.rotation();
+            double dx = scene.center("b" + k).x() - cage.center().x();
+            double dz = scene.center("b" + k).z() - cage.center().z();
+            return Math.abs(r[0] * dx + r[6] * dz) < half && Math.abs(r[2] * dx + r[8] * dz) < half;
         }
 
         @Override
@@ -379,14 +384,15 @@ enum StepFamily {
             for (int k = 0; k < kinds; k++) {
                 Point c = anywhere(random, 3.2);
                 double size = random.nextDouble(0.3, 0.8);
-                GeometryObject shape =
-                        switch (k) {
-                            case 0 -> new SphereObject(c, size / 2);
-                            case 1 -> new CapsuleObject(c, size / 3, size).turned(random.nextDouble(10, 90), 0);
-                            case 2 -> wedge(size).movedTo(c);
-                            default -> new CylinderObject(c, size / 3, size).turned(90, random.nextDouble(360));
-                        };
-                scene.body(shape, Body.of(random.nextDouble(0.5, 5), 0.2 * size * size).withSurface(surface(random)));
+                GeometryObject shape = switch (k) {
+                    case 0 -> new SphereObject(c, size / 2);
+                    case 1 -> new CapsuleObject(c, size / 3, size).turned(random.nextDouble(10, 90), 0);
+                    case 2 -> wedge(size).movedTo(c);
+                    default -> new CylinderObject(c, size / 3, size).turned(90, random.nextDouble(360));
+                };
+                scene.body(
+                        shape,
+                        Body.of(random.nextDouble(0.5, 5), 0.2 * size * size).withSurface(surface(random)));
             }
             scene.keepsSides(0, 0, 0, 1);
             return scene;
@@ -456,7 +462,8 @@ enum StepFamily {
         add(scene, random, anywhere(random, half), random.nextDouble(least, most), random.nextDouble(least, most));
     }
 
-    private static @Nullable String add(StepScene scene, SplittableRandom random, Point c, double width, double length) {
+    private static @Nullable String add(
+            StepScene scene, SplittableRandom random, Point c, double width, double length) {
         GeometryObject shape = random.nextInt(3) == 0
                 ? new CylinderObject(c, width / 2, 1)
                 : new BoxObject(c, width, 1, length).turned(0, random.nextDouble(360));
@@ -483,8 +490,6 @@ enum StepFamily {
                 new Point(-size / 2, 0.5, size / 2));
         return new MeshObject(
                 corners,
-                new int[][] {
-                    {0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}
-                });
+                new int[][] {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}});
     }
 }

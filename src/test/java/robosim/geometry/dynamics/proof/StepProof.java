@@ -40,6 +40,9 @@ public final class StepProof {
     final long[] nanos = new long[StepFamily.values().length];
     final long[] stepsOf = new long[StepFamily.values().length];
     final long[] stops = new long[StepFamily.values().length];
+    /** How many scenes broke; the first are described. */
+    final AtomicLong failed = new AtomicLong();
+
     final List<String> failures = new CopyOnWriteArrayList<>();
 
     StepProof(List<StepFamily> families, long steps, boolean isTold) {
@@ -72,22 +75,27 @@ public final class StepProof {
             nanos[family.ordinal()] += System.nanoTime() - begin;
             stepsOf[family.ordinal()] += STEPS;
         }
-        if (broken != null && failures.size() < MOST_FAILURES) {
-            failures.add(broken);
+        if (broken != null) {
+            failed.incrementAndGet();
             if (isTold) {
                 System.out.println(broken);
+            }
+            if (failures.size() < MOST_FAILURES) {
+                failures.add(broken);
             }
         }
     }
 
     /** Runs a scene, and tells the first thing that is broken. */
-    @Nullable String run(StepFamily family, long number) {
+    @Nullable
+    String run(StepFamily family, long number) {
         SplittableRandom random = new SplittableRandom(number);
         StepScene scene = family.make(random);
         bodies.addAndGet(scene.names.size());
         long hash = number;
         double energy = Double.POSITIVE_INFINITY;
         String broken = scene.broken();
+        broken = broken == null ? null : family + ", scene " + number + ", at its beginning: " + broken;
         for (int step = 0; step < STEPS; step++) {
             if (step % STIRRED == 0) {
                 family.stir(scene, random);
@@ -140,7 +148,7 @@ public final class StepProof {
                     contacts.get(),
                     stopped.get(),
                     slowest.get() * 1e-6,
-                    failures.size());
+                    failed.get());
         }
     }
 
@@ -169,7 +177,7 @@ public final class StepProof {
                 slowest.get() * 1e-6,
                 slowestAt,
                 digest.get(),
-                failures.size()));
+                failed.get()));
         failures.forEach(failure -> lines.append(failure).append(System.lineSeparator()));
         return lines.toString();
     }

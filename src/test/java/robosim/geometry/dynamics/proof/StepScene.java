@@ -18,7 +18,8 @@ import robosim.geometry.model.Twist;
 final class StepScene {
     /** What must hold between a step and the next; tells what is broken. */
     interface Law {
-        @Nullable String broken();
+        @Nullable
+        String broken();
     }
 
     final Geometry world;
@@ -57,7 +58,8 @@ final class StepScene {
     }
 
     /** Adds a body if its place is free; answers its name. */
-    @Nullable String body(GeometryObject shape, Body body) {
+    @Nullable
+    String body(GeometryObject shape, Body body) {
         String name = "b" + names.size();
         if (!world.addObject(shape.moveable(name))) {
             return null;
@@ -131,7 +133,8 @@ final class StepScene {
     }
 
     /** What is broken: an overlap, or another law; null if nothing is. */
-    @Nullable String broken() {
+    @Nullable
+    String broken() {
         List<FlatShape> still = wallShapes;
         if (still == null) {
             still = walls.stream().map(FlatShape::of).toList();
