@@ -29,18 +29,11 @@ final class FrontToBack {
     private final Bodies bodies;
     private final double gap;
 
-    // Legs: where a body is at a time, up to which it goes straight from the leg before.
-    private int legs;
-    private int[] body = new int[FIRST];
-    private double[] time = new double[FIRST];
-    private double[] x = new double[FIRST];
-    private double[] z = new double[FIRST];
-    private double[] angle = new double[FIRST];
-    private int[] next = new int[FIRST];
+    private final Legs legs = new Legs();
+    private final AllAtOnce allAtOnce;
 
-    // By body: its legs, and where it was to be at the time to which it has been carried.
+    // By body: its next leg, and where it was to be at the time to which it has been carried.
     private int[] firstLeg = new int[FIRST];
-    private int[] lastLeg = new int[FIRST];
     private double[] done = new double[FIRST];
     double[] atX = new double[FIRST];
     double[] atZ = new double[FIRST];
@@ -73,9 +66,10 @@ final class FrontToBack {
     private final Stuck stuck;
     private int waiting;
 
-    FrontToBack(Carrier carrier, Bodies bodies, double gap) {
+    FrontToBack(Carrier carrier, Scene scene, double gap) {
         this.carrier = carrier;
-        this.bodies = bodies;
+        bodies = scene.bodies;
+        allAtOnce = new AllAtOnce(scene);
         this.gap = gap;
         stuck = new Stuck(carrier.objects);
     }
@@ -95,11 +89,10 @@ final class FrontToBack {
 
     /** Begins with all bodies where they stand. */
     void begin() {
-        legs = 0;
+        legs.begin(bodies);
         if (done.length < bodies.count) {
             int room = 2 * bodies.count;
             firstLeg = new int[room];
-            lastLeg = new int[room];
             done = new double[room];
             atX = new double[room];
             atZ = new double[room];
@@ -127,33 +120,7 @@ final class FrontToBack {
 
     /** Adds where a body is at the time it has come to; calls are in the order of times. */
     void leg(int b) {
-        // What stands for now may go later: only the legs of those that never do are left out.
-        boolean isStill = firstLeg[b] < 0 && bodies.x[b] == atX[b] && bodies.z[b] == atZ[b] && bodies.angle[b] == 0;
-        if (bodies.time[b] == 0 || (isStill && bodies.isStill(b))) {
-            return;
-        }
-        if (legs == body.length) {
-            int room = 2 * legs;
-            body = Arrays.copyOf(body, room);
-            time = Arrays.copyOf(time, room);
-            x = Arrays.copyOf(x, room);
-            z = Arrays.copyOf(z, room);
-            angle = Arrays.copyOf(angle, room);
-            next = Arrays.copyOf(next, room);
-        }
-        int leg = legs++;
-        body[leg] = b;
-        time[leg] = bodies.time[b];
-        x[leg] = bodies.x[b];
-        z[leg] = bodies.z[b];
-        angle[leg] = bodies.angle[b];
-        next[leg] = -1;
-        if (firstLeg[b] < 0) {
-            firstLeg[b] = leg;
-        } else {
-            next[lastLeg[b]] = leg;
-        }
-        lastLeg[b] = leg;
+        legs.add(bodies, b);
     }
 
     /**
@@ -161,14 +128,25 @@ final class FrontToBack {
      * given, and along all their legs, in the order of times, the others.
      */
     void carry(int[] order) {
+        for (int b = 0; b < bodies.count; b++) {
+            firstLeg[b] = legs.first[b];
+        }
+        if (carrier.isExact()) {
+            allAtOnce.find(legs);
+            for (int b = 0; b < bodies.count; b++) {
+                if (allAtOnce.goes(b)) {
+                    put(b);
+                }
+            }
+        }
         carryStraight(order);
         for (int b = 0; b < bodies.count; b++) {
             isBlocked[b] = firstLeg[b] >= 0 && isStuck(b);
         }
-        for (int leg = 0; leg < legs; leg++) {
-            int b = body[leg];
-            if (!isLate[b] && !isBlocked[b] && done[b] < time[leg]) {
-                isLate[b] = !bringAlone(b, time[leg]);
+        for (int leg = 0; leg < legs.count; leg++) {
+            int b = legs.body[leg];
+            if (!isLate[b] && !isBlocked[b] && done[b] < legs.time[leg]) {
+                isLate[b] = !bringAlone(b, legs.time[leg]);
             }
         }
         carryStraight(order);
@@ -192,6 +170,15 @@ final class FrontToBack {
         }
     }
 
+    /** Puts a body where it ends, which is known to be free with all that is on the way. */
+    private void put(int b) {
+        int leg = legs.last[b];
+        double degrees = Degrees.toDegrees(legs.angle[leg] - atAngle[b]);
+        carrier.put(bodies.id[b], legs.x[leg] - atX[b], legs.z[leg] - atZ[b], degrees);
+        arrive(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg]);
+        firstLeg[b] = -1;
+    }
+
     /** Brings a body to where it was to be at a time, and then again those that it made go back. */
     private boolean bringAlone(int b, double until) {
         waiting = 0;
@@ -207,11 +194,11 @@ final class FrontToBack {
     }
 
     private boolean isCarriedStraight(int b) {
-        int leg = lastLeg[b];
-        if (!makes(b, x[leg] - atX[b], z[leg] - atZ[b], Degrees.toDegrees(angle[leg] - atAngle[b]))) {
+        int leg = legs.last[b];
+        if (!makes(b, legs.x[leg] - atX[b], legs.z[leg] - atZ[b], Degrees.toDegrees(legs.angle[leg] - atAngle[b]))) {
             return false;
         }
-        arrive(b, time[leg], x[leg], z[leg], angle[leg]);
+        arrive(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg]);
         firstLeg[b] = -1;
         return true;
     }
@@ -234,19 +221,19 @@ final class FrontToBack {
         boolean isThere = true;
         while (isThere && firstLeg[b] >= 0 && done[b] < until && !isBlocked[b]) {
             int leg = firstLeg[b];
-            if (time[leg] <= until) {
-                isThere = goes(b, time[leg], x[leg], z[leg], angle[leg], 0);
+            if (legs.time[leg] <= until) {
+                isThere = goes(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg], 0);
                 if (isThere) {
-                    firstLeg[b] = next[leg];
+                    firstLeg[b] = legs.next[leg];
                 }
             } else {
-                double share = (until - done[b]) / (time[leg] - done[b]);
+                double share = (until - done[b]) / (legs.time[leg] - done[b]);
                 isThere = goes(
                         b,
                         until,
-                        atX[b] + share * (x[leg] - atX[b]),
-                        atZ[b] + share * (z[leg] - atZ[b]),
-                        atAngle[b] + share * (angle[leg] - atAngle[b]),
+                        atX[b] + share * (legs.x[leg] - atX[b]),
+                        atZ[b] + share * (legs.z[leg] - atZ[b]),
+                        atAngle[b] + share * (legs.angle[leg] - atAngle[b]),
                         0);
             }
         }
@@ -283,6 +270,7 @@ final class FrontToBack {
 
     /** Makes a translation and a turn, one after the other in one of both orders; nothing if neither is free. */
     private boolean makes(int b, double dx, double dz, double degrees) {
+        bodies.breath.run();
         int id = bodies.id[b];
         boolean translates = dx != 0 || dz != 0;
         if (!translates || carrier.translate(id, dx, 0, dz)) {
@@ -340,20 +328,27 @@ final class FrontToBack {
     }
 
     private boolean isStuck(int b) {
-        int leg = lastLeg[b];
-        return stuck.isStuck(b, bodies.id[b], x[leg] - atX[b], z[leg] - atZ[b], angle[leg] - atAngle[b]);
+        int leg = legs.last[b];
+        return stuck.isStuck(b, bodies.id[b], legs.x[leg] - atX[b], legs.z[leg] - atZ[b], legs.angle[leg] - atAngle[b]);
     }
 
     /** Lets a body go as far as it may, where it ends. */
     private void settle(int b) {
+        bodies.breath.run();
         int id = bodies.id[b];
         int leg = firstLeg[b];
-        double dx = x[leg] - atX[b];
-        double dz = z[leg] - atZ[b];
-        double by = angle[leg] - atAngle[b];
+        double dx = legs.x[leg] - atX[b];
+        double dz = legs.z[leg] - atZ[b];
+        double by = legs.angle[leg] - atAngle[b];
         if (!carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap)) {
-            int last = lastLeg[b];
-            stuck.keep(b, id, carrier.obstacle(), x[last] - atX[b], z[last] - atZ[b], angle[last] - atAngle[b]);
+            int last = legs.last[b];
+            stuck.keep(
+                    b,
+                    id,
+                    carrier.obstacle(),
+                    legs.x[last] - atX[b],
+                    legs.z[last] - atZ[b],
+                    legs.angle[last] - atAngle[b]);
         }
         isBlocked[b] = true;
     }

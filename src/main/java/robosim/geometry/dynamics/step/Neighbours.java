@@ -31,6 +31,7 @@ final class Neighbours {
             grid.put(b, own[0] - margin, own[1] - margin, own[2] + margin, own[3] + margin);
         }
         for (int b = 0; b < bodies.count; b++) {
+            bodies.breath.run();
             findOthers(b, 0, true);
         }
     }

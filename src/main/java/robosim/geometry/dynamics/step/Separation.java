@@ -54,18 +54,36 @@ final class Separation {
         put(bodies, pieces, piece, t, bx, bz);
     }
 
+    /** Puts two pieces with the centres of their bodies at given points, turned by given angles since the step began. */
+    void put(
+            Pieces pieces, int a, double x, double z, double angle, int b, double otherX, double otherZ, double other) {
+        an = pieces.corners(a);
+        bn = pieces.corners(b);
+        if (an > ax.length) {
+            ax = new double[an];
+            az = new double[an];
+        }
+        if (bn > bx.length) {
+            bx = new double[bn];
+            bz = new double[bn];
+        }
+        radius = pieces.radius[a] + pieces.radius[b];
+        put(pieces, a, x, z, angle, ax, az);
+        put(pieces, b, otherX, otherZ, other, bx, bz);
+    }
+
     private void put(Bodies bodies, Pieces pieces, int piece, double t, double[] toX, double[] toZ) {
         int body = pieces.body[piece];
+        if (body < 0) {
+            put(pieces, piece, 0, 0, 0, toX, toZ);
+        } else {
+            put(pieces, piece, bodies.xAt(body, t), bodies.zAt(body, t), bodies.angleAt(body, t), toX, toZ);
+        }
+    }
+
+    private void put(Pieces pieces, int piece, double cx, double cz, double angle, double[] toX, double[] toZ) {
         int from = pieces.firstCorner[piece];
         int n = pieces.corners(piece);
-        if (body < 0) {
-            System.arraycopy(pieces.x, from, toX, 0, n);
-            System.arraycopy(pieces.z, from, toZ, 0, n);
-            return;
-        }
-        double cx = bodies.xAt(body, t);
-        double cz = bodies.zAt(body, t);
-        double angle = bodies.angleAt(body, t);
         if (angle == 0 || pieces.reach[piece] == 0) {
             for (int k = 0; k < n; k++) {
                 toX[k] = cx + pieces.x[from + k];
@@ -148,15 +166,7 @@ final class Separation {
      */
     double along() {
         if (faceOf == 0) {
-            double least = Double.POSITIVE_INFINITY;
-            for (int i = 0; i < an; i++) {
-                least = Math.min(least, ax[i] * nx + az[i] * nz);
-            }
-            double most = Double.NEGATIVE_INFINITY;
-            for (int j = 0; j < bn; j++) {
-                most = Math.max(most, bx[j] * nx + bz[j] * nz);
-            }
-            return least - most - radius;
+            return along(nx, nz);
         }
         double[] px = faceOf == 1 ? ax : bx;
         double[] pz = faceOf == 1 ? az : bz;
@@ -171,6 +181,31 @@ final class Separation {
             least = Math.min(least, dz * (qx[j] - px[face]) - dx * (qz[j] - pz[face]));
         }
         return least / length - radius;
+    }
+
+    /** How far the two are apart along a unit direction from b towards a. */
+    double along(double dx, double dz) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < an; i++) {
+            least = Math.min(least, ax[i] * dx + az[i] * dz);
+        }
+        double most = Double.NEGATIVE_INFINITY;
+        for (int j = 0; j < bn; j++) {
+            most = Math.max(most, bx[j] * dx + bz[j] * dz);
+        }
+        return least - most - radius;
+    }
+
+    /** The greatest coordinates of both, and the radii. */
+    double span() {
+        double most = 0;
+        for (int i = 0; i < an; i++) {
+            most = Math.max(most, Math.max(Math.abs(ax[i]), Math.abs(az[i])));
+        }
+        for (int j = 0; j < bn; j++) {
+            most = Math.max(most, Math.max(Math.abs(bx[j]), Math.abs(bz[j])));
+        }
+        return most + radius;
     }
 
     private double points(double dx, double dz) {

@@ -15,6 +15,9 @@ public final class Stepper {
     /** Collisions within so much of the time are solved together. */
     private static final double TOGETHER = 1e-12;
 
+    /** So often drives make up for what a collision has cost them. */
+    private static final int MOST_PUSHES = 16;
+
     /** Meeting more slowly is slow, m/s. */
     private static final double SLOW = 0.05;
 
@@ -32,6 +35,7 @@ public final class Stepper {
     private Touches touches = new Touches();
     private Touches before = new Touches();
 
+    private Pushes pushes = (body, angle) -> false;
     private double end;
     private int mark;
     private int[] hits = new int[16];
@@ -47,11 +51,16 @@ public final class Stepper {
         bodies = scene.bodies;
         pieces = scene.pieces;
         floor = new Floor(bodies);
-        meetings = new Meetings(scene, pairs);
+        meetings = new Meetings(scene, pairs, floor);
         impact = meetings.impact;
         solver = meetings.solver;
         neighbours = new Neighbours(scene, pairs, meetings);
-        carrying = new FrontToBack(carrier, bodies, Meetings.GAP);
+        carrying = new FrontToBack(carrier, scene, Meetings.GAP);
+    }
+
+    /** Runs something between two parts of each step. */
+    public void pausing(Runnable between) {
+        bodies.breath = between;
     }
 
     /** Forgets all bodies. */
@@ -71,6 +80,7 @@ public final class Stepper {
             bodyMark = new int[2 * b];
         }
         floor.set(b, 0, 0);
+        floor.forget(b);
         bodies.stop(b);
         scene.forget();
         return b;
@@ -112,20 +122,10 @@ public final class Stepper {
         return bodies.count;
     }
 
-    /** How fast the fastest turns of those that are not round, radians a second. */
-    public double turning() {
-        double most = 0;
-        for (int b = 0; b < bodies.count; b++) {
-            int piece = bodies.firstPiece[b];
-            boolean isRound = bodies.pieces[b] == 1 && pieces.reach[piece] == 0;
-            most = isRound ? most : Math.max(most, Math.abs(bodies.w[b]));
-        }
-        return most;
-    }
-
-    /** Whether the floor slows any that moves. */
-    public boolean isSlowed() {
-        return floor.slowsAny();
+    /** Whether turning alone changes nothing about a body's outline. */
+    public boolean isRound(int b) {
+        int piece = bodies.firstPiece[b];
+        return bodies.pieces[b] == 1 && pieces.reach[piece] == 0;
     }
 
     /** Who touched whom in this step. */
@@ -160,7 +160,8 @@ public final class Stepper {
     }
 
     /** Lets everything go on for a time in seconds. */
-    public void run(double seconds, Surfaces surfaces) {
+    public void run(double seconds, Surfaces surfaces, Pushes byDrives) {
+        pushes = byDrives;
         while (!scene.place()) {
             scene.build(surfaces);
             carrying.know();
@@ -203,8 +204,8 @@ public final class Stepper {
         }
     }
 
-    /** Solves a collision with all that touch there, and what these touch. */
-    private void solve(int hit, double now) {
+    /** Gives the solver a collision, with all that touch there, and what these touch. */
+    private void gather(int hit, double now) {
         mark++;
         pairs.mark[hit] = 0;
         solver.begin();
@@ -214,6 +215,7 @@ public final class Stepper {
             join(other, now);
         }
         for (int k = 0; k < solver.bodyCount; k++) {
+            bodies.breath.run();
             int body = solver.bodyList[k];
             if (bodies.lightness[body] == 0) {
                 continue;
@@ -238,14 +240,52 @@ public final class Stepper {
                 }
             }
         }
+    }
+
+    /** Solves what has been gathered, and lets drives make up for what it has cost them. */
+    private boolean settle() {
+        boolean isSolved = solver.solve();
+        meetings.tell(touches);
+        for (int round = 0; round < MOST_PUSHES && isSolved && push(); round++) {
+            isSolved = solver.solveAgain();
+            meetings.tell(touches);
+        }
+        for (int c = 0; c < solver.count; c++) {
+            if (solver.b[c] >= 0 && solver.push[c] > 0) {
+                floor.press(solver.a[c]);
+                floor.press(solver.b[c]);
+            }
+        }
+        return isSolved;
+    }
+
+    /** Lets the drives push on those whom something that can be moved is in the way of; whether any does. */
+    private boolean push() {
+        boolean isPushed = false;
+        for (int c = 0; c < solver.count; c++) {
+            if (solver.b[c] >= 0 && solver.push[c] > 0) {
+                isPushed |= push(solver.a[c]);
+                isPushed |= push(solver.b[c]);
+            }
+        }
+        return isPushed;
+    }
+
+    private boolean push(int body) {
+        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, bodies.angle[body]);
+    }
+
+    /** Solves a collision. */
+    private void solve(int hit, double now) {
+        gather(hit, now);
+        int other = pieces.body[pairs.b[hit]];
         boolean isSwapped = other >= 0 && isFollowed(solver.bodyList[1], solver.bodyList[0], hit, now);
         double approach = 0;
         for (int c = 0; c < solver.count; c++) {
             approach = Math.min(approach, solver.pair[c] == hit ? solver.parting(c) : 0);
         }
         boolean isSlow = approach > -SLOW;
-        boolean isSolved = solver.solve();
-        meetings.tell(touches);
+        boolean isSolved = settle();
         meetings.apart(now);
         for (int k = 0; k < solver.bodyCount; k++) {
             int body = solver.bodyList[isSwapped && k < 2 ? 1 - k : k];

@@ -5,7 +5,9 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Pose;
 
 /**
  * Moves the objects of a world by their ids, as {@code Geometry} does by their names, and allocates nothing: for the rooms of
@@ -82,6 +84,34 @@ public final class Carrier {
         return true;
     }
 
+    /** Whether the objects of the world collide as they are. */
+    public boolean isExact() {
+        return registry.view.accuracy == Accuracy.EXACT;
+    }
+
+    /**
+     * Puts an object where a displacement along X and Z and then a turn about the vertical take it: to the bit where
+     * {@link #translate} and {@link #turn} would, but nothing is asked. Only for what is known to be free.
+     */
+    public void put(int id, double dx, double dz, double degrees) {
+        System.arraycopy(objects.places(), objects.place(id), place, 0, ObjectTable.PLACE);
+        add(0, dx);
+        add(2, dz);
+        if (degrees != 0) {
+            Attitude.turnVertically(place, 3, degrees);
+        }
+        registry.move(id, place);
+    }
+
+    private void add(int along, double by) {
+        double from = place[along];
+        double to = from + by;
+        double rest = DoubleDouble.sumTail(from, by, to) + place[Pose.LOST + along];
+        double sum = to + rest;
+        place[along] = sum;
+        place[Pose.LOST + along] = DoubleDouble.sumTail(to, rest, sum);
+    }
+
     /** Whether a turn about the vertical takes the object to the same points, to the bit: one upright disc about its centre. */
     private boolean turnsInItself(int id) {
         boolean isRound = switch (objects.value(id).kind()) {
@@ -107,6 +137,11 @@ public final class Carrier {
     /** Asks who blocks a displacement and then a turn, and moves nothing: an id, {@link #NOTHING} or {@link #BORDER}. */
     public int blocker(int id, double dx, double dy, double dz, double degrees) {
         return motion.attempt(registry.view, id, dx, dy, dz, 0, degrees, true, 0) ? NOTHING : motion.obstacle();
+    }
+
+    /** Puts objects at places of any attitude. */
+    public Placer placer() {
+        return new Placer(registry, motion);
     }
 
     /** What blocked last: an id, {@link #NOTHING} or {@link #BORDER}. */

@@ -190,14 +190,15 @@ enum StepFamily {
                     : new BoxObject(at, half * random.nextDouble(0.2, 1), 1, half * random.nextDouble(0.2, 0.8));
             scene.body(inner, body(inner, random));
             any(scene, random, 4.5, 0.2, 0.8);
-            boolean[] isWithin = new boolean[scene.names.size()];
-            for (int k = 1; k < isWithin.length; k++) {
-                isWithin[k] = isWithin(scene, k, half);
+            // The third may have found a place inside as well.
+            boolean[] wasIn = new boolean[scene.names.size()];
+            for (int k = 1; k < wasIn.length; k++) {
+                wasIn[k] = isIn(scene, k, half);
             }
             scene.law(() -> {
-                for (int k = 1; k < isWithin.length; k++) {
-                    if (isWithin(scene, k, half) != isWithin[k]) {
-                        return scene.names.get(k) + " has passed the frame";
+                for (int k = 1; k < wasIn.length; k++) {
+                    if (isIn(scene, k, half) != wasIn[k]) {
+                        return "b" + k + " has passed the frame";
                     }
                 }
                 return null;
@@ -205,7 +206,7 @@ enum StepFamily {
             return scene;
         }
 
-        private boolean isWithin(StepScene scene, int k, double half) {
+        private boolean isIn(StepScene scene, int k, double half) {
             GeometryObject cage = scene.world.getObject("b0");
             double[] r = cage.rotation();
             double dx = scene.center("b" + k).x() - cage.center().x();

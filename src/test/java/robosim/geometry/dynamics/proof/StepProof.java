@@ -40,9 +40,6 @@ public final class StepProof {
     final long[] nanos = new long[StepFamily.values().length];
     final long[] stepsOf = new long[StepFamily.values().length];
     final long[] stops = new long[StepFamily.values().length];
-    /** How many scenes broke; the first are described. */
-    final AtomicLong failed = new AtomicLong();
-
     final List<String> failures = new CopyOnWriteArrayList<>();
 
     StepProof(List<StepFamily> families, long steps, boolean isTold) {
@@ -75,13 +72,10 @@ public final class StepProof {
             nanos[family.ordinal()] += System.nanoTime() - begin;
             stepsOf[family.ordinal()] += STEPS;
         }
-        if (broken != null) {
-            failed.incrementAndGet();
+        if (broken != null && failures.size() < MOST_FAILURES) {
+            failures.add(broken);
             if (isTold) {
                 System.out.println(broken);
-            }
-            if (failures.size() < MOST_FAILURES) {
-                failures.add(broken);
             }
         }
     }
@@ -95,7 +89,9 @@ public final class StepProof {
         long hash = number;
         double energy = Double.POSITIVE_INFINITY;
         String broken = scene.broken();
-        broken = broken == null ? null : family + ", scene " + number + ", at its beginning: " + broken;
+        if (broken != null) {
+            throw new IllegalStateException(family + ", scene " + number + " begins broken: " + broken);
+        }
         for (int step = 0; step < STEPS; step++) {
             if (step % STIRRED == 0) {
                 family.stir(scene, random);
@@ -139,7 +135,7 @@ public final class StepProof {
         if (isTold && time - last > TOLD && toldAt.compareAndSet(last, time)) {
             System.out.printf(
                     Locale.ROOT,
-                    "%,d of %,d steps (%.1f %%), %,.0f a second, %,d contacts, %,d steps with bodies stopped, slowest %.0f ms,"
+                    "%,d of %,d steps (%.1f %%), %,.0f a second, %,d contacts, %,d steps with bodies stopped, slowest %.0f ms (%s),"
                             + " %d failures%n",
                     now,
                     scenes * STEPS,
@@ -148,7 +144,8 @@ public final class StepProof {
                     contacts.get(),
                     stopped.get(),
                     slowest.get() * 1e-6,
-                    failed.get());
+                    slowestAt,
+                    failures.size());
         }
     }
 
@@ -177,7 +174,7 @@ public final class StepProof {
                 slowest.get() * 1e-6,
                 slowestAt,
                 digest.get(),
-                failed.get()));
+                failures.size()));
         failures.forEach(failure -> lines.append(failure).append(System.lineSeparator()));
         return lines.toString();
     }

@@ -1,0 +1,179 @@
+package robosim.geometry.dynamics.step;
+
+import java.util.Arrays;
+
+/**
+ * Finds who may go all of its way while all others go theirs: for each two whose ways come near each other it is proved that
+ * they stay apart at every time ({@link Passing}). Where that cannot be proved, both wait where they stand; who cannot be
+ * proved to pass one who waits, waits too. What is left goes at once, each to where its last leg ends.
+ *
+ * <p>Nothing here relies on how the ways were found.
+ */
+final class AllAtOnce {
+    private static final int FIRST = 32;
+
+    private final Scene scene;
+    private final Bodies bodies;
+    private final Passing passing;
+    private final CellGrid grid = new CellGrid();
+    private final double[] box = new double[4];
+    private Legs legs = new Legs();
+    private boolean[] goes = new boolean[FIRST];
+
+    // Pairs of bodies whose ways come near, in a list for each body: a link is twice a pair, and one more for the
+    // second.
+    private int pairs;
+    private int[] a = new int[FIRST];
+    private int[] b = new int[FIRST];
+    private int[] heads = new int[FIRST];
+    private int[] links = new int[2 * FIRST];
+
+    /** Those that wait and whose neighbours have not been asked yet. */
+    private int[] waiting = new int[FIRST];
+
+    private int waitingCount;
+
+    AllAtOnce(Scene scene) {
+        this.scene = scene;
+        bodies = scene.bodies;
+        passing = new Passing(scene.pieces, bodies);
+    }
+
+    /** Whether a body may go all of its way. */
+    boolean goes(int body) {
+        return goes[body];
+    }
+
+    /** Finds who may go. */
+    void find(Legs ways) {
+        legs = ways;
+        begin();
+        for (int body = 0; body < bodies.count; body++) {
+            if (legs.first[body] >= 0) {
+                goes[body] = passesAllStill(body);
+                if (!goes[body]) {
+                    waiting[waitingCount++] = body;
+                }
+            }
+        }
+        for (int body = 0; body < bodies.count; body++) {
+            if (legs.first[body] >= 0) {
+                findOthers(body);
+            }
+        }
+        for (int pair = 0; pair < pairs; pair++) {
+            if ((goes[a[pair]] || goes[b[pair]]) && !passes(a[pair], b[pair])) {
+                letWait(a[pair]);
+                letWait(b[pair]);
+            }
+        }
+        while (waitingCount > 0) {
+            askNeighbours(waiting[--waitingCount]);
+        }
+    }
+
+    private void begin() {
+        int count = bodies.count;
+        if (goes.length < count) {
+            goes = new boolean[2 * count];
+            heads = new int[2 * count];
+            waiting = new int[2 * count];
+        }
+        pairs = 0;
+        waitingCount = 0;
+        Arrays.fill(goes, 0, count, false);
+        Arrays.fill(heads, 0, count, -1);
+        double size = 0;
+        for (int body = 0; body < count; body++) {
+            size += 2 * bodies.size[body];
+        }
+        grid.clear(count, size > 0 ? 1.5 * size / count : 1);
+        for (int body = 0; body < count; body++) {
+            hold(body);
+            grid.put(body, box[0], box[1], box[2], box[3]);
+        }
+    }
+
+    /** Writes the box that holds a body all the way. */
+    private void hold(int body) {
+        double size = bodies.size[body];
+        double x = legs.fromX[body];
+        double z = legs.fromZ[body];
+        box[0] = x;
+        box[1] = z;
+        box[2] = x;
+        box[3] = z;
+        for (int leg = legs.first[body]; leg >= 0; leg = legs.next[leg]) {
+            box[0] = Math.min(box[0], legs.x[leg]);
+            box[1] = Math.min(box[1], legs.z[leg]);
+            box[2] = Math.max(box[2], legs.x[leg]);
+            box[3] = Math.max(box[3], legs.z[leg]);
+        }
+        double most = Math.max(Math.max(-box[0], box[2]), Math.max(-box[1], box[3]));
+        double around = size + 4 * Passing.slack(2 * Math.abs(most) + size);
+        box[0] -= around;
+        box[1] -= around;
+        box[2] += around;
+        box[3] += around;
+    }
+
+    private boolean passesAllStill(int body) {
+        hold(body);
+        CellGrid still = scene.stillGrid;
+        still.find(box[0], box[1], box[2], box[3]);
+        for (int k = 0; k < still.foundCount; k++) {
+            if (!passing.isClearOf(legs, body, scene.firstStill + still.found[k])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void findOthers(int body) {
+        hold(body);
+        grid.find(box[0], box[1], box[2], box[3]);
+        for (int k = 0; k < grid.foundCount; k++) {
+            int other = grid.found[k];
+            // Each pair of bodies that both go is found twice.
+            if (other != body && (other < body || legs.first[other] < 0)) {
+                add(body, other);
+            }
+        }
+    }
+
+    private void add(int body, int other) {
+        if (pairs == a.length) {
+            a = Arrays.copyOf(a, 2 * pairs);
+            b = Arrays.copyOf(b, 2 * pairs);
+            links = Arrays.copyOf(links, 4 * pairs);
+        }
+        int pair = pairs++;
+        a[pair] = body;
+        b[pair] = other;
+        links[2 * pair] = heads[body];
+        heads[body] = 2 * pair;
+        links[2 * pair + 1] = heads[other];
+        heads[other] = 2 * pair + 1;
+    }
+
+    private boolean passes(int one, int other) {
+        return passing.isClear(legs, one, goes[one], other, goes[other]);
+    }
+
+    private void letWait(int body) {
+        if (goes[body]) {
+            goes[body] = false;
+            waiting[waitingCount++] = body;
+        }
+    }
+
+    /** Lets those wait that cannot be proved to pass one who stays where it is. */
+    private void askNeighbours(int body) {
+        for (int link = heads[body]; link >= 0; link = links[link]) {
+            int other = (link & 1) == 0 ? b[link >> 1] : a[link >> 1];
+            if (goes[other] && !passes(other, body)) {
+                letWait(other);
+            }
+        }
+    }
+}
