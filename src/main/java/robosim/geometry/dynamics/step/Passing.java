@@ -54,7 +54,9 @@ final class Passing {
             double nextBx = shareB == 0 ? bx : bx + shareB * (legs.x[legB] - bx);
             double nextBz = shareB == 0 ? bz : bz + shareB * (legs.z[legB] - bz);
             double nextAngleB = shareB == 0 ? angleB : angleB + shareB * (legs.angle[legB] - angleB);
-            if (!isFar(ax - bx, az - bz, nextAx - nextBx, nextAz - nextBz, bodies.size[a] + bodies.size[b])) {
+            double sizes = bodies.size[a] + bodies.size[b];
+            double most = Math.max(span(ax, az, bx, bz), span(nextAx, nextAz, nextBx, nextBz));
+            if (!isFar(ax - bx, az - bz, nextAx - nextBx, nextAz - nextBz, sizes + slack(2 * (most + sizes)))) {
                 for (int p = bodies.firstPiece[a]; p < bodies.firstPiece[a] + bodies.pieces[a]; p++) {
                     for (int q = bodies.firstPiece[b]; q < bodies.firstPiece[b] + bodies.pieces[b]; q++) {
                         if (!isClear(
@@ -112,6 +114,10 @@ final class Passing {
     /** The share of a leg, from a time on, that is over at another one: exactly 1 at its end, 0 where there is none. */
     private static double share(Legs legs, int leg, double time, double until) {
         return leg < 0 ? 0 : legs.time[leg] == until ? 1 : (until - time) / (legs.time[leg] - time);
+    }
+
+    private static double span(double ax, double az, double bx, double bz) {
+        return Math.max(Math.max(Math.abs(ax), Math.abs(az)), Math.max(Math.abs(bx), Math.abs(bz)));
     }
 
     /** Whether the offset of two discs, which goes straight from one to another, stays longer than the sum of their radii. */
