@@ -100,7 +100,8 @@ public final class SideBySide {
             tunnelled += left ? 1 : 0;
         }
         // A rounding is not growth.
-        return new Run((double) nanos / count, deepest, tunnelled, stopped, grown < 1e-12 ? 0 : grown, energy / first - 1);
+        return new Run(
+                (double) nanos / count, deepest, tunnelled, stopped, grown < 1e-12 ? 0 : grown, energy / first - 1);
     }
 
     private static int cell(SideScene scene, GeometryObject body) {
@@ -173,27 +174,28 @@ public final class SideBySide {
                 300);
         Files.writeString(REPORT.resolve("steps.svg"), figure.svg());
         StringBuilder page = new StringBuilder("# Steps beside dyn4j\n\n");
-        page.append(String.format(
-                Locale.ROOT,
-                """
+        page.append(String.format(Locale.ROOT, """
                 The same planar scenes, here and by dyn4j 6.0.0 at its defaults, each for %.0f simulated seconds at several \
                 lengths of a step: medians of %d rounds in turns in one JVM, on one core. Only ratios within a run carry over \
                 to another machine.
 
-                """,
-                seconds,
-                rounds));
+                """, seconds, rounds));
         rows.stream()
                 .map(Row::scene)
                 .distinct()
-                .forEach(scene -> page.append("- *").append(scene.name).append("*: ").append(scene.text).append(".\n"));
+                .forEach(scene -> page.append("- *")
+                        .append(scene.name)
+                        .append("*: ")
+                        .append(scene.text)
+                        .append(".\n"));
         page.append("""
 
                 An overlap is looked for after every step, by code that neither engine shares; where it is within a rounding \
                 of touching, the exact question decides. A body is tunnelled if it has been in another cell than that in which \
-                it began, or outside. Stopped are bodies that this module could not carry where they were to go, each time that it happened: they \
-                lose their energy. Energy may shrink in collisions; what it \
-                grew by is the most in one step, as a share.
+                it began, or outside.
+
+                Stopped are bodies that this module could not carry where they were to go, each time that it happened: they \
+                lose their energy. Energy may shrink in collisions; what it grew by is the most in one step, as a share.
 
                 ![Speed against overlap](steps.svg)
 
