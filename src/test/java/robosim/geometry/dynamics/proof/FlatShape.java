@@ -13,7 +13,7 @@ import robosim.geometry.model.SphereObject;
  * What upright boxes, cylinders and spheres, and groups of these, are as seen from above: convex outlines with a radius
  * around each. Plain doubles and no code of the product, but the question that decides what these leave in doubt.
  */
-final class FlatShape {
+public final class FlatShape {
     /** Farther apart than so much is certain: coordinates here are below 100, so their rounding errors are below 1e-13. */
     private static final double CERTAIN = 1e-12;
 
@@ -28,7 +28,8 @@ final class FlatShape {
         isKnown = add(object);
     }
 
-    static FlatShape of(GeometryObject object) {
+    /** The shape of an object. */
+    public static FlatShape of(GeometryObject object) {
         return new FlatShape(object);
     }
 
@@ -68,12 +69,12 @@ final class FlatShape {
     }
 
     /** Whether two touch or overlap: by a line that parts them, found with doubles, or by the exact question. */
-    static boolean overlap(FlatShape a, FlatShape b) {
+    public static boolean overlap(FlatShape a, FlatShape b) {
         return depth(a, b) > -CERTAIN && CollisionDetection.intersects(a.object, b.object);
     }
 
     /** How deep two are in each other at least along some direction looked at; below 0 if they are certainly apart. */
-    static double depth(FlatShape a, FlatShape b) {
+    public static double depth(FlatShape a, FlatShape b) {
         if (!a.isKnown || !b.isKnown) {
             return Double.POSITIVE_INFINITY;
         }
