@@ -2,6 +2,7 @@ package robosim.geometry.dynamics.proof;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -26,5 +27,12 @@ class StepFamiliesTest {
         StepProof together = new StepProof(StepProof.all(), 1000, false).run(3);
         assertThat(together.digest.get()).isEqualTo(alone.digest.get());
         assertThat(Long.toHexString(alone.digest.get())).isEqualTo("6396dcf065419cb9");
+    }
+
+    /** Of a lying cylinder the rims are lines, whose hull was once cut short: it went into a wall. */
+    @Test
+    void aLyingCylinderKeepsOutOfAWall() {
+        StepProof proof = new StepProof(List.of(StepFamily.SHAPES), 1, false);
+        assertThat(proof.run(StepFamily.SHAPES, 168839)).isNull();
     }
 }
