@@ -92,10 +92,11 @@ final class Meetings {
 
     /**
      * An edge that turns about a corner which it touches meets it again at once, however often that is solved: each time the
-     * pair is left alone for longer, so that it has few collisions in a step.
+     * pair is left alone for longer, so that it has few collisions in a step. So is at once one that has met and did not
+     * approach.
      */
-    void pause(int pair, double now) {
-        int times = ++pairs.slowMeetings[pair] - PATIENCE;
+    void pause(int pair, double now, boolean isChanged) {
+        int times = ++pairs.slowMeetings[pair] - (isChanged ? PATIENCE : 0);
         if (times > 0) {
             pairs.pause[pair] = now + end * FIRST_PAUSE * (1L << (2 * Math.min(times, 16)));
         }

@@ -317,7 +317,7 @@ public final class Stepper {
         }
         pairs.solved[hit] = now;
         if (isSlow) {
-            meetings.pause(hit, now);
+            meetings.pause(hit, now, isChanged(hit));
         }
         again(hit, now);
     }
@@ -328,6 +328,11 @@ public final class Stepper {
         double nx = impact.separation.nx;
         double nz = impact.separation.nz;
         return bodies.vx[b] * nx + bodies.vz[b] * nz < 0 && bodies.vx[a] * nx + bodies.vz[a] * nz < 0;
+    }
+
+    private boolean isChanged(int pair) {
+        int other = pieces.body[pairs.b[pair]];
+        return solver.isChanged(pieces.body[pairs.a[pair]]) || (other >= 0 && solver.isChanged(other));
     }
 
     private void join(int body, double now) {

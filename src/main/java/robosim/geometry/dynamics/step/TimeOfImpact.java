@@ -160,7 +160,7 @@ final class TimeOfImpact {
         return separation.along();
     }
 
-    /** The last time found at which the two are still apart by more than the gap, by the Illinois method (Dowell and Jarratt 1971). */
+    /** A time at which the two are apart by the gap, or the last one found at which they are still by more, by the Illinois method (Dowell and Jarratt 1971). */
     private double root(int a, int b, double target, double t, double from, double atFrom, double to, double atTo) {
         double low = from;
         double high = to;
@@ -168,24 +168,25 @@ final class TimeOfImpact {
         double below = atTo;
         int side = 0;
         for (int k = 0; k < MOST_ROUNDS && above > 0; k++) {
-            double mid = k % 8 == 7 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
+            // Along a bent function one end would stay for long.
+            double mid = Math.abs(side) > 2 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
             if (!(mid > low && mid < high) || high - low < 0x1p-44 * (t + high)) {
                 break;
             }
             double there = along(a, b, t + mid) - target;
+            if (Math.abs(there) <= target * 0x1p-7) {
+                return mid;
+            }
             if (there >= 0) {
                 low = mid;
                 above = there;
-                below = side == 1 ? 0.5 * below : below;
-                side = 1;
-                if (there <= target * 0x1p-7) {
-                    break;
-                }
+                below = side > 0 ? 0.5 * below : below;
+                side = side < 0 || side > 2 ? 1 : side + 1;
             } else {
                 high = mid;
                 below = there;
-                above = side == -1 ? 0.5 * above : above;
-                side = -1;
+                above = side < 0 ? 0.5 * above : above;
+                side = side > 0 || side < -2 ? -1 : side - 1;
             }
         }
         return low;
