@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -68,6 +70,26 @@ class DynamicsTest {
                     + 0.5 * bodies.get(k).inertia() * w * w;
         }
         return sum;
+    }
+
+    /** Ways that cross all over the world: a long step is divided before all of its pairs fill the memory. */
+    @Test
+    void aLongStepOfManyFastBodiesKeepsFewPairs() {
+        Geometry world = world(200);
+        Dynamics dynamics = new Dynamics(world, new Surface(1, 0, 0));
+        for (int k = 0; k < 900; k++) {
+            world.addObject(disc("d" + k, 6 * (k % 30) - 87, 6 * (k / 30) - 87, 0.05));
+            dynamics.add("d" + k, Body.of(1, 1).withSurface(new Surface(1, 0, 0)));
+            dynamics.setVelocity("d" + k, new Twist(100 * StrictMath.cos(k), 0, 100 * StrictMath.sin(k), 0));
+        }
+        dynamics.advance(1e-3);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long id = Thread.currentThread().getId();
+        long before = threads.getThreadAllocatedBytes(id);
+        dynamics.advance(4);
+        // Nearly each of 404,550 pairs has boxes of ways that meet; a few hundred bytes for each are more than 100 MB.
+        assertThat(threads.getThreadAllocatedBytes(id) - before).isLessThan(60_000_000);
+        assertApart(world, "after 400 m");
     }
 
     /** On an arc, however long the steps, the end is that of the arc. */

@@ -12,6 +12,12 @@ import java.util.Arrays;
 final class AllAtOnce {
     private static final int FIRST = 32;
 
+    /** Most that a way may bulge, as a share of the size. */
+    private static final double MOST_BULGE = 0x1p-4;
+
+    /** So often bulges are made greater. */
+    private static final int BULGES = 6;
+
     private final Scene scene;
     private final Bodies bodies;
     private final Passing passing;
@@ -19,9 +25,11 @@ final class AllAtOnce {
     private final double[] box = new double[4];
     private Legs legs = new Legs();
     private boolean[] goes = new boolean[FIRST];
+    private double bulging;
 
     // Pairs of bodies whose ways come near, in a list for each body: a link is twice a pair, and one more for the
     // second.
+    // What stands still is told as -1 less its piece.
     private int pairs;
     private int[] a = new int[FIRST];
     private int[] b = new int[FIRST];
@@ -44,27 +52,33 @@ final class AllAtOnce {
         return goes[body];
     }
 
-    /** Finds who may go. */
+    /** Finds who may go along straight legs. */
     void find(Legs ways) {
-        legs = ways;
-        begin();
-        for (int body = 0; body < bodies.count; body++) {
-            if (legs.first[body] >= 0) {
-                goes[body] = passesAllStill(body);
-                if (!goes[body]) {
-                    waiting[waitingCount++] = body;
-                }
+        begin(ways, 0);
+        decide();
+    }
+
+    /** Finds who may go to the end of its only leg, along a parabola where something is in the way of the straight line. */
+    void findBulging(Legs ways) {
+        begin(ways, MOST_BULGE);
+        boolean isChanged = true;
+        for (int round = 0; round < BULGES && isChanged; round++) {
+            isChanged = false;
+            for (int pair = 0; pair < pairs; pair++) {
+                int other = b[pair] < 0 || !goes[b[pair]] ? -1 : b[pair];
+                isChanged |= !passes(pair) && passing.bulge(a[pair], other, MOST_BULGE);
             }
         }
-        for (int body = 0; body < bodies.count; body++) {
-            if (legs.first[body] >= 0) {
-                findOthers(body);
-            }
-        }
+        decide();
+    }
+
+    private void decide() {
         for (int pair = 0; pair < pairs; pair++) {
-            if ((goes[a[pair]] || goes[b[pair]]) && !passes(a[pair], b[pair])) {
+            if ((goes[a[pair]] || (b[pair] >= 0 && goes[b[pair]])) && !passes(pair)) {
                 letWait(a[pair]);
-                letWait(b[pair]);
+                if (b[pair] >= 0) {
+                    letWait(b[pair]);
+                }
             }
         }
         while (waitingCount > 0) {
@@ -72,16 +86,18 @@ final class AllAtOnce {
         }
     }
 
-    private void begin() {
+    private void begin(Legs ways, double bulge) {
+        legs = ways;
+        bulging = bulge;
         int count = bodies.count;
         if (goes.length < count) {
             goes = new boolean[2 * count];
             heads = new int[2 * count];
             waiting = new int[2 * count];
         }
+        passing.begin();
         pairs = 0;
         waitingCount = 0;
-        Arrays.fill(goes, 0, count, false);
         Arrays.fill(heads, 0, count, -1);
         double size = 0;
         for (int body = 0; body < count; body++) {
@@ -89,8 +105,17 @@ final class AllAtOnce {
         }
         grid.clear(count, size > 0 ? 1.5 * size / count : 1);
         for (int body = 0; body < count; body++) {
+            goes[body] = legs.first[body] >= 0;
             hold(body);
             grid.put(body, box[0], box[1], box[2], box[3]);
+            if (goes[body]) {
+                findStill(body);
+            }
+        }
+        for (int body = 0; body < count; body++) {
+            if (goes[body]) {
+                findOthers(body);
+            }
         }
     }
 
@@ -110,23 +135,19 @@ final class AllAtOnce {
             box[3] = Math.max(box[3], legs.z[leg]);
         }
         double most = Math.max(Math.max(-box[0], box[2]), Math.max(-box[1], box[3]));
-        double around = size + 4 * Passing.slack(2 * Math.abs(most) + size);
+        double around = size * (1 + bulging) + 4 * Passing.slack(2 * Math.abs(most) + size);
         box[0] -= around;
         box[1] -= around;
         box[2] += around;
         box[3] += around;
     }
 
-    private boolean passesAllStill(int body) {
-        hold(body);
+    private void findStill(int body) {
         CellGrid still = scene.stillGrid;
         still.find(box[0], box[1], box[2], box[3]);
         for (int k = 0; k < still.foundCount; k++) {
-            if (!passing.isClearOf(legs, body, scene.firstStill + still.found[k])) {
-                return false;
-            }
+            add(body, -1 - (scene.firstStill + still.found[k]));
         }
-        return true;
     }
 
     private void findOthers(int body) {
@@ -152,12 +173,18 @@ final class AllAtOnce {
         b[pair] = other;
         links[2 * pair] = heads[body];
         heads[body] = 2 * pair;
-        links[2 * pair + 1] = heads[other];
-        heads[other] = 2 * pair + 1;
+        if (other >= 0) {
+            links[2 * pair + 1] = heads[other];
+            heads[other] = 2 * pair + 1;
+        }
     }
 
-    private boolean passes(int one, int other) {
-        return passing.isClear(legs, one, goes[one], other, goes[other]);
+    private boolean passes(int pair) {
+        int one = a[pair];
+        int other = b[pair];
+        return other < 0
+                ? passing.isClearOf(legs, one, -1 - other)
+                : passing.isClear(legs, one, goes[one], other, goes[other]);
     }
 
     private void letWait(int body) {
@@ -171,7 +198,7 @@ final class AllAtOnce {
     private void askNeighbours(int body) {
         for (int link = heads[body]; link >= 0; link = links[link]) {
             int other = (link & 1) == 0 ? b[link >> 1] : a[link >> 1];
-            if (goes[other] && !passes(other, body)) {
+            if (other >= 0 && goes[other] && !passes(link >> 1)) {
                 letWait(other);
             }
         }

@@ -253,6 +253,9 @@ final class ContactSolver {
                             + Math.abs(bodies.w[body]) * bodies.size[body]);
         }
         double rest = RESTS * scale;
+        if (count == 1) {
+            guess(isRubbing);
+        }
         int rounds = Math.min(MOST_ROUNDS, ROUNDS + ROUNDS_EACH * count);
         double theta = 1;
         momentum = 0;
@@ -312,6 +315,43 @@ final class ContactSolver {
         if (count > PART) {
             bodies.breath.run();
         }
+    }
+
+    /** Begins with what is the answer of a single contact mostly: it sticks, or slides the way that it would have to be held. */
+    private void guess(boolean isRubbing) {
+        int one = a[0];
+        int second = b[0];
+        double light = bodies.lightness[one] + (second < 0 ? 0 : bodies.lightness[second]);
+        double easeA = bodies.ease[one];
+        double easeB = second < 0 ? 0 : bodies.ease[second];
+        double soft = light + (easeA * leverA[0] * leverA[0] + easeB * leverB[0] * leverB[0]);
+        double closing = goal[0] - parting(0);
+        if (!(soft > 0 && closing > 0)) {
+            return;
+        }
+        double pushed = closing / soft;
+        double rubbed = 0;
+        if (isRubbing && still[0] > 0) {
+            double coupled = easeA * leverA[0] * asideA[0] + easeB * leverB[0] * asideB[0];
+            double softAside = light + (easeA * asideA[0] * asideA[0] + easeB * asideB[0] * asideB[0]);
+            double aside = speed(one, -nz[0], nx[0], asideA[0]) - speed(second, -nz[0], nx[0], asideB[0]);
+            double both = soft * softAside - coupled * coupled;
+            pushed = (closing * softAside + aside * coupled) / both;
+            rubbed = -(aside * soft + closing * coupled) / both;
+            if (!(pushed > 0 && Math.abs(rubbed) <= still[0] * pushed)) {
+                double drag = Math.copySign(sliding[0], rubbed);
+                pushed = closing / (soft + drag * coupled);
+                rubbed = drag * pushed;
+            }
+            if (!(pushed > 0 && pushed < Double.POSITIVE_INFINITY)) {
+                return;
+            }
+        }
+        push[0] = pushed;
+        rub[0] = rubbed;
+        lastPush[0] = pushed;
+        lastRub[0] = rubbed;
+        give(0, pushed, rubbed, false);
     }
 
     /** Changes the impulse of a contact as the velocities ask; answers by how much the speeds there change. */

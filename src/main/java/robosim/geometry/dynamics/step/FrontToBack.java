@@ -30,6 +30,7 @@ final class FrontToBack {
     private final double gap;
 
     private final Legs legs = new Legs();
+    private final Legs shortened = new Legs();
     private final AllAtOnce allAtOnce;
 
     // By body: its next leg, and where it was to be at the time to which it has been carried.
@@ -133,10 +134,10 @@ final class FrontToBack {
         }
         if (carrier.isExact()) {
             allAtOnce.find(legs);
-            for (int b = 0; b < bodies.count; b++) {
-                if (allAtOnce.goes(b)) {
-                    put(b);
-                }
+            putAll();
+            boolean isOn = true;
+            for (int round = 0; round < ROUNDS && isOn; round++) {
+                isOn = isLeft() && putWaiting();
             }
         }
         carryStraight(order);
@@ -168,6 +169,41 @@ final class FrontToBack {
                 isOn |= firstLeg[b] >= 0 && !(round > 0 && isStuck(b)) && isCarriedStraight(b);
             }
         }
+    }
+
+    /** Puts all that may go; answers whether any could. */
+    private boolean putAll() {
+        boolean isAny = false;
+        for (int b = 0; b < bodies.count; b++) {
+            if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
+                put(b);
+                isAny = true;
+            }
+        }
+        return isAny;
+    }
+
+    private boolean isLeft() {
+        for (int b = 0; b < bodies.count; b++) {
+            if (firstLeg[b] >= 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Lets those that wait go to where they end, not by their legs but at once, past those that have gone. */
+    private boolean putWaiting() {
+        shortened.makeRoom(bodies.count);
+        for (int b = 0; b < bodies.count; b++) {
+            shortened.begin(b, atX[b], atZ[b], atAngle[b]);
+            if (firstLeg[b] >= 0) {
+                int leg = legs.last[b];
+                shortened.add(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg]);
+            }
+        }
+        allAtOnce.findBulging(shortened);
+        return putAll();
     }
 
     /** Puts a body where it ends, which is known to be free with all that is on the way. */

@@ -25,20 +25,35 @@ final class Legs {
     int[] last = new int[FIRST];
     double[] fromX = new double[FIRST];
     double[] fromZ = new double[FIRST];
+    double[] fromAngle = new double[FIRST];
 
-    /** Begins with all bodies where they stand. */
+    /** Begins with all bodies where they are. */
     void begin(Bodies bodies) {
+        makeRoom(bodies.count);
+        for (int b = 0; b < bodies.count; b++) {
+            begin(b, bodies.x[b], bodies.z[b], bodies.angle[b]);
+        }
+    }
+
+    /** Begins with a body that stands at a place; has to be called for all. */
+    void begin(int b, double startX, double startZ, double startAngle) {
+        first[b] = -1;
+        fromX[b] = startX;
+        fromZ[b] = startZ;
+        fromAngle[b] = startAngle;
+    }
+
+    /** Empties it and makes room for a number of bodies. */
+    void makeRoom(int bodies) {
         count = 0;
-        if (first.length < bodies.count) {
-            int room = 2 * bodies.count;
+        if (first.length < bodies) {
+            int room = 2 * bodies;
             first = new int[room];
             last = new int[room];
             fromX = new double[room];
             fromZ = new double[room];
+            fromAngle = new double[room];
         }
-        Arrays.fill(first, 0, bodies.count, -1);
-        System.arraycopy(bodies.x, 0, fromX, 0, bodies.count);
-        System.arraycopy(bodies.z, 0, fromZ, 0, bodies.count);
     }
 
     /** Adds where a body is at the time it has come to; calls are in the order of times. */
@@ -48,6 +63,11 @@ final class Legs {
         if (bodies.time[b] == 0 || (isStill && bodies.isStill(b))) {
             return;
         }
+        add(b, bodies.time[b], bodies.x[b], bodies.z[b], bodies.angle[b]);
+    }
+
+    /** Adds a leg of a body. */
+    void add(int b, double until, double toX, double toZ, double toAngle) {
         if (count == body.length) {
             int room = 2 * count;
             body = Arrays.copyOf(body, room);
@@ -59,10 +79,10 @@ final class Legs {
         }
         int leg = count++;
         body[leg] = b;
-        time[leg] = bodies.time[b];
-        x[leg] = bodies.x[b];
-        z[leg] = bodies.z[b];
-        angle[leg] = bodies.angle[b];
+        time[leg] = until;
+        x[leg] = toX;
+        z[leg] = toZ;
+        angle[leg] = toAngle;
         next[leg] = -1;
         if (first[b] < 0) {
             first[b] = leg;

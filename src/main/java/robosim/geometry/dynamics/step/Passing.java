@@ -1,27 +1,60 @@
 package robosim.geometry.dynamics.step;
 
+import java.util.Arrays;
+
 /**
- * Proves that two bodies stay apart on their ways, each going straight and turning evenly from place to place, both at once.
+ * Proves that two bodies stay apart on their ways, each going straight and turning evenly from place to place, both at once;
+ * or going along a parabola, which leaves the straight line by at most a bulge, in the middle.
  *
- * <p>Between two times, along any fixed direction n the gap of two convex pieces is at least
- * (1 - s) g0 + s g1 - K s (1 - s), where s runs from 0 to 1, g0 and g1 are the gaps at both ends, and
- * K = (r_a t_a^2 + r_b t_b^2) / 2 for turns by t of corners at a distance of at most r from the centre: the second derivative
- * of a corner's way is at most r t^2. The directions tried are those across which the two are furthest apart at either end;
- * where neither will do, the time is halved. Two discs are solved in closed form. All that is left has to exceed
- * {@link #slack}, many times what is lost in rounding, here and when places are stored.
+ * <p>Between two times, along a direction n, the gap of two convex pieces is at least
+ * (1 - s) g0 + s g1 - K s (1 - s), where s runs from 0 to 1, g0 and g1 are the gaps at both ends, and 2 K is a bound of the
+ * second derivative. Where n stands still and corners turn by t at a distance of at most r from their centre, that is the sum
+ * of r t^2 less eight times the bulge along n. Where n turns with the one body by t, it is d t^2 + 2 v t for an offset of the
+ * other of at most d that changes by v, and r u^2 for what that turns by u against the one. The directions tried are those
+ * across which the two are furthest apart at either end; where none will do, the time is halved. Two discs on straight ways are
+ * solved in closed form. All that is left has to exceed {@link #slack}, many times what is lost in rounding, here and when
+ * places are stored.
  */
 final class Passing {
     /** Most times that a time is halved. */
     private static final int MOST_HALVES = 6;
 
+    /** By body: how far its way leaves the straight line in the middle, along X and Z. */
+    double[] bulgeX = new double[8];
+
+    double[] bulgeZ = new double[8];
+
     private final Pieces pieces;
     private final Bodies bodies;
     private final Separation from = new Separation();
     private final Separation to = new Separation();
+    private final Turned turned = new Turned();
+
+    // The bulges of the two that are asked about.
+    private double bulgeAx;
+    private double bulgeAz;
+    private double bulgeBx;
+    private double bulgeBz;
+
+    /** By how much more the two have to bulge apart so that they pass, as far as one direction tells; and that direction. */
+    private double missing;
+
+    private double missingX;
+    private double missingZ;
 
     Passing(Pieces pieces, Bodies bodies) {
         this.pieces = pieces;
         this.bodies = bodies;
+    }
+
+    /** Lets no body bulge. */
+    void begin() {
+        if (bulgeX.length < bodies.count) {
+            bulgeX = new double[2 * bodies.count];
+            bulgeZ = new double[2 * bodies.count];
+        }
+        Arrays.fill(bulgeX, 0, bodies.count, 0);
+        Arrays.fill(bulgeZ, 0, bodies.count, 0);
     }
 
     /**
@@ -36,12 +69,17 @@ final class Passing {
     boolean isClear(Legs legs, int a, boolean aGoes, int b, boolean bGoes) {
         int legA = aGoes ? legs.first[a] : -1;
         int legB = bGoes ? legs.first[b] : -1;
+        bulgeAx = legA < 0 ? 0 : bulgeX[a];
+        bulgeAz = legA < 0 ? 0 : bulgeZ[a];
+        bulgeBx = legB < 0 ? 0 : bulgeX[b];
+        bulgeBz = legB < 0 ? 0 : bulgeZ[b];
+        double radii = bodies.size[a] + bodies.size[b] + Math.abs(bulgeAx - bulgeBx) + Math.abs(bulgeAz - bulgeBz);
         double ax = legs.fromX[a];
         double az = legs.fromZ[a];
-        double angleA = 0;
+        double angleA = legs.fromAngle[a];
         double bx = legs.fromX[b];
         double bz = legs.fromZ[b];
-        double angleB = 0;
+        double angleB = legs.fromAngle[b];
         double time = 0;
         while (legA >= 0 || legB >= 0) {
             double until = legA < 0 ? legs.time[legB] : legs.time[legA];
@@ -54,9 +92,8 @@ final class Passing {
             double nextBx = shareB == 0 ? bx : bx + shareB * (legs.x[legB] - bx);
             double nextBz = shareB == 0 ? bz : bz + shareB * (legs.z[legB] - bz);
             double nextAngleB = shareB == 0 ? angleB : angleB + shareB * (legs.angle[legB] - angleB);
-            double sizes = bodies.size[a] + bodies.size[b];
-            double most = Math.max(span(ax, az, bx, bz), span(nextAx, nextAz, nextBx, nextBz));
-            if (!isFar(ax - bx, az - bz, nextAx - nextBx, nextAz - nextBz, sizes + slack(2 * (most + sizes)))) {
+            double far = radii + slack(Math.abs(ax) + Math.abs(az) + Math.abs(nextAx) + Math.abs(nextAz) + radii);
+            if (!isFar(ax - bx, az - bz, nextAx - nextBx, nextAz - nextBz, far)) {
                 for (int p = bodies.firstPiece[a]; p < bodies.firstPiece[a] + bodies.pieces[a]; p++) {
                     for (int q = bodies.firstPiece[b]; q < bodies.firstPiece[b] + bodies.pieces[b]; q++) {
                         if (!isClear(
@@ -95,9 +132,13 @@ final class Passing {
 
     /** Whether a body that goes its way stays apart from a piece that stands still. */
     boolean isClearOf(Legs legs, int body, int still) {
+        bulgeAx = bulgeX[body];
+        bulgeAz = bulgeZ[body];
+        bulgeBx = 0;
+        bulgeBz = 0;
         double x = legs.fromX[body];
         double z = legs.fromZ[body];
-        double angle = 0;
+        double angle = legs.fromAngle[body];
         for (int leg = legs.first[body]; leg >= 0; leg = legs.next[leg]) {
             for (int p = bodies.firstPiece[body]; p < bodies.firstPiece[body] + bodies.pieces[body]; p++) {
                 if (!isClear(p, x, z, angle, legs.x[leg], legs.z[leg], legs.angle[leg], still, 0, 0, 0, 0, 0, 0, 0)) {
@@ -111,24 +152,46 @@ final class Passing {
         return true;
     }
 
+    /**
+     * Lets a body, and another one that goes too, bulge apart by what was missing when they were asked about last.
+     *
+     * @param other a body that goes, or -1
+     * @param most no bulge may be greater than this share of the size
+     */
+    boolean bulge(int body, int other, double most) {
+        if (!(missing > 0 && missing < Double.POSITIVE_INFINITY)) {
+            return false;
+        }
+        double light = bodies.ownLightness[body] + (other < 0 ? 0 : bodies.ownLightness[other]);
+        double share = other < 0 || light == 0 ? 1 : bodies.ownLightness[body] / light;
+        return bulge(body, share * missing, most) && (other < 0 || bulge(other, (share - 1) * missing, most));
+    }
+
+    private boolean bulge(int body, double by, double most) {
+        double x = bulgeX[body] + by * missingX;
+        double z = bulgeZ[body] + by * missingZ;
+        if (x * x + z * z > most * most * bodies.size[body] * bodies.size[body]) {
+            return false;
+        }
+        bulgeX[body] = x;
+        bulgeZ[body] = z;
+        return true;
+    }
+
     /** The share of a leg, from a time on, that is over at another one: exactly 1 at its end, 0 where there is none. */
     private static double share(Legs legs, int leg, double time, double until) {
         return leg < 0 ? 0 : legs.time[leg] == until ? 1 : (until - time) / (legs.time[leg] - time);
     }
 
-    private static double span(double ax, double az, double bx, double bz) {
-        return Math.max(Math.max(Math.abs(ax), Math.abs(az)), Math.max(Math.abs(bx), Math.abs(bz)));
-    }
-
-    /** Whether the offset of two discs, which goes straight from one to another, stays longer than the sum of their radii. */
-    private static boolean isFar(double x, double z, double toX, double toZ, double radii) {
+    /** Whether an offset, which goes straight from one to another, stays longer than a length. */
+    private static boolean isFar(double x, double z, double toX, double toZ, double length) {
         double dx = toX - x;
         double dz = toZ - z;
         double square = dx * dx + dz * dz;
         double s = square == 0 ? 0 : Math.max(0, Math.min(1, -(x * dx + z * dz) / square));
         double nearX = x + s * dx;
         double nearZ = z + s * dz;
-        return Math.sqrt(nearX * nearX + nearZ * nearZ) > radii;
+        return Math.sqrt(nearX * nearX + nearZ * nearZ) > length;
     }
 
     private boolean isClear(
@@ -149,37 +212,52 @@ final class Passing {
             int halves) {
         from.put(pieces, a, ax, az, angleA, b, bx, bz, angleB);
         to.put(pieces, a, toAx, toAz, toAngleA, b, toBx, toBz, toAngleB);
+        double share = 1.0 / (1 << (2 * halves));
+        double bulge = share * (Math.abs(bulgeAx) + Math.abs(bulgeAz) + Math.abs(bulgeBx) + Math.abs(bulgeBz));
         double slack = slack(from.span() + to.span());
-        if (from.an == 1 && from.bn == 1 && pieces.reach[a] == 0 && (pieces.reach[b] == 0 || pieces.body[b] < 0)) {
+        boolean areDiscs = from.an == 1 && from.bn == 1 && pieces.reach[a] == 0;
+        if (areDiscs && bulge == 0 && (pieces.reach[b] == 0 || pieces.body[b] < 0)) {
             double x = from.ax[0] - from.bx[0];
             double z = from.az[0] - from.bz[0];
             return isFar(x, z, to.ax[0] - to.bx[0], to.az[0] - to.bz[0], from.radius + slack);
         }
-        double bend = 0.5 * (bend(a, toAngleA - angleA) + bend(b, toAngleB - angleB));
-        if (!(from.distance() > slack)) {
+        if (halves == 0) {
+            missing = Double.POSITIVE_INFINITY;
+        }
+        if (!(from.distance() > slack) || !(to.distance() > slack)) {
             return false;
         }
-        double nx = from.nx;
-        double nz = from.nz;
-        if (least(from.along(nx, nz), to.along(nx, nz), bend) > slack) {
+        double turnA = toAngleA - angleA;
+        double turnB = pieces.body[b] < 0 ? 0 : toAngleB - angleB;
+        double reachA = pieces.reach[a];
+        double reachB = pieces.body[b] < 0 ? 0 : pieces.reach[b];
+        if (isClearAlong(0, 0.5 * (reachA * turnA * turnA + reachB * turnB * turnB), share, slack, halves == 0)) {
             return true;
         }
-        if (!(to.distance() > slack)) {
-            return false;
-        }
-        nx = to.nx;
-        nz = to.nz;
-        if (least(from.along(nx, nz), to.along(nx, nz), bend) > slack) {
-            return true;
+        double offset = pieces.body[b] < 0
+                ? Math.max(from.farthest(ax, az), to.farthest(toAx, toAz))
+                : Math.max(length(ax - bx, az - bz), length(toAx - toBx, toAz - toBz));
+        double change = length((toAx - toBx) - (ax - bx), (toAz - toBz) - (az - bz)) + 4 * bulge;
+        double against = (turnA - turnB) * (turnA - turnB);
+        for (int side = 0; side < 2; side++) {
+            double turn = Math.abs(side == 0 ? turnA : turnB);
+            if (turn > 0) {
+                double other = side == 1 ? reachA : reachB;
+                double bend = turn * turn * (offset + bulge) + 2 * turn * change + other * against;
+                double turns = side == 0 ? turnA : turnB;
+                if (isClearAlong(turns, 0.5 * bend + 4 * bulge * turn, share, slack, halves == 0)) {
+                    return true;
+                }
+            }
         }
         if (halves == MOST_HALVES) {
             return false;
         }
-        double midAx = 0.5 * (ax + toAx);
-        double midAz = 0.5 * (az + toAz);
+        double midAx = 0.5 * (ax + toAx) + share * bulgeAx;
+        double midAz = 0.5 * (az + toAz) + share * bulgeAz;
         double midAngleA = 0.5 * (angleA + toAngleA);
-        double midBx = 0.5 * (bx + toBx);
-        double midBz = 0.5 * (bz + toBz);
+        double midBx = 0.5 * (bx + toBx) + share * bulgeBx;
+        double midBz = 0.5 * (bz + toBz) + share * bulgeBz;
         double midAngleB = 0.5 * (angleB + toAngleB);
         int next = halves + 1;
         return isClear(a, ax, az, angleA, midAx, midAz, midAngleA, b, bx, bz, angleB, midBx, midBz, midAngleB, next)
@@ -188,8 +266,40 @@ final class Passing {
                         toAngleB, next);
     }
 
-    private double bend(int piece, double turn) {
-        return pieces.reach[piece] * turn * turn;
+    /**
+     * Whether the two stay apart along one of the directions found at both ends, which turns by an angle from the one end to
+     * the other.
+     *
+     * @param bend what K is without a bulge
+     * @param share the share of the bulges that belongs to the time
+     */
+    private boolean isClearAlong(double turn, double bend, double share, double slack, boolean isMissingWanted) {
+        for (int side = 0; side < 2; side++) {
+            double nx = side == 0 ? from.nx : to.nx;
+            double nz = side == 0 ? from.nz : to.nz;
+            turned.by(side == 0 ? turn : -turn);
+            double otherX = nx * turned.cos + nz * turned.sin;
+            double otherZ = nz * turned.cos - nx * turned.sin;
+            double first = side == 0 ? from.along(nx, nz) : from.along(otherX, otherZ);
+            double last = side == 0 ? to.along(otherX, otherZ) : to.along(nx, nz);
+            if (first > slack && last > slack) {
+                double k = bend - 4 * share * ((bulgeAx - bulgeBx) * nx + (bulgeAz - bulgeBz) * nz);
+                if (least(first, last, k) > slack) {
+                    return true;
+                }
+                double more = 0.25 * (k - Math.abs(last - first)) * (1 + Math.abs(turn) + 0x1p-20);
+                if (isMissingWanted && more < missing) {
+                    missing = more;
+                    missingX = nx;
+                    missingZ = nz;
+                }
+            }
+        }
+        return false;
+    }
+
+    private static double length(double x, double z) {
+        return Math.sqrt(x * x + z * z);
     }
 
     /** The least of (1 - s) from + s to - bend s (1 - s). */

@@ -208,6 +208,15 @@ final class Separation {
         return most + radius;
     }
 
+    /** The distance of the furthest corner of b from a point. */
+    double farthest(double x, double z) {
+        double most = 0;
+        for (int j = 0; j < bn; j++) {
+            most = Math.max(most, (bx[j] - x) * (bx[j] - x) + (bz[j] - z) * (bz[j] - z));
+        }
+        return Math.sqrt(most);
+    }
+
     private double points(double dx, double dz) {
         double distance = Math.sqrt(dx * dx + dz * dz);
         nx = distance == 0 ? 1 : dx / distance;

@@ -163,7 +163,7 @@ public final class Stepper {
         before.clear();
     }
 
-    /** Lets everything go on for a time in seconds. */
+    /** Lets everything go on for a time in seconds; where too many may meet in it, for one half and then the other. */
     public void run(double seconds, Surfaces surfaces, Pushes byDrives) {
         pushes = byDrives;
         while (!scene.place()) {
@@ -174,10 +174,14 @@ public final class Stepper {
         end = seconds;
         meetings.begin(end);
         pairs.clear(bodies.count);
+        if (!neighbours.spread(end)) {
+            run(0.5 * seconds, surfaces, byDrives);
+            run(0.5 * seconds, surfaces, byDrives);
+            return;
+        }
         for (int b = 0; b < bodies.count; b++) {
             floor.slow(b, end);
         }
-        neighbours.spread(end);
         for (int p = 0; p < pairs.count; p++) {
             meetings.predict(p, 0);
         }

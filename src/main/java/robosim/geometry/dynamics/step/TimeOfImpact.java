@@ -154,7 +154,9 @@ final class TimeOfImpact {
 
     private double along(int a, int b, double t) {
         separation.putA(bodies, pieces, a, t);
-        separation.putB(bodies, pieces, b, t);
+        if (pieces.body[b] >= 0) { // else it is where it was when the two were measured
+            separation.putB(bodies, pieces, b, t);
+        }
         return separation.along();
     }
 
