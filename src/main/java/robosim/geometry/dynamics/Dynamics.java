@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.dynamics.step.Pushes;
 import robosim.geometry.dynamics.step.Stepper;
 import robosim.geometry.dynamics.step.Touches;
 import robosim.geometry.engine.motion.Carrier;
@@ -84,7 +83,7 @@ public final class Dynamics {
     /** The bodies by their index in the stepper; objects that only stand in the way come after them. */
     private final List<BodyState> order = new ArrayList<>();
 
-    private final Pushes pushes = this::push;
+    private final Stepper.Pushes pushes = this::push;
     private boolean isStale = true;
 
     /** Runs between two parts of the work. */
