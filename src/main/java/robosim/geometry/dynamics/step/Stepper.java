@@ -54,6 +54,9 @@ public final class Stepper {
     private int hitCount;
     private int[] bodyMark = new int[8];
 
+    /** How many collisions have been solved since the step began. */
+    int collisions;
+
     /** Whether a body had to be stopped. */
     boolean[] isStopped = new boolean[8];
 
@@ -156,6 +159,7 @@ public final class Stepper {
         touches = before;
         before = last;
         touches.clear();
+        collisions = 0;
         Arrays.fill(isStopped, 0, bodies.count, false);
     }
 
@@ -293,6 +297,7 @@ public final class Stepper {
 
     /** Solves a collision. */
     private void solve(int hit, double now) {
+        collisions++;
         gather(hit, now);
         int other = pieces.body[pairs.b[hit]];
         boolean isSwapped = other >= 0 && isFollowed(solver.bodyList[1], solver.bodyList[0], hit, now);
