@@ -167,7 +167,7 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int hits = 0;
         int misses = 0;
-        int steps = Effort.cases(900, 600);
+        int steps = 900;
         for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             if (step % 3 != 0) {
@@ -202,7 +202,7 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int inside = 0;
         int near = 0;
-        int steps = Effort.cases(900, 600);
+        int steps = 900;
         for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
@@ -242,7 +242,7 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int met = 0;
         int passedBy = 0;
-        int steps = Effort.cases(900, 600);
+        int steps = 900;
         for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
