@@ -12,11 +12,11 @@ import java.util.Arrays;
 final class AllAtOnce {
     private static final int FIRST = 32;
 
-    /** Most that a way may bulge, as a share of the size. */
-    private static final double MOST_BULGE = 0x1p-4;
+    /** So often those that do not pass each other are parted more. */
+    private static final int ROUNDS = 8;
 
-    /** So often bulges are made greater. */
-    private static final int BULGES = 6;
+    /** By how much ends may be shifted in all these rounds, as a share of the size; beyond the way may not go. */
+    private static final double MOST_SHIFT = 0x1p-3;
 
     private final Scene scene;
     private final Bodies bodies;
@@ -25,7 +25,6 @@ final class AllAtOnce {
     private final double[] box = new double[4];
     private Legs legs = new Legs();
     private boolean[] goes = new boolean[FIRST];
-    private double bulging;
 
     // Pairs of bodies whose ways come near, in a list for each body: a link is twice a pair, and one more for the
     // second.
@@ -58,15 +57,26 @@ final class AllAtOnce {
         decide();
     }
 
-    /** Finds who may go to the end of its only leg, along a parabola where something is in the way of the straight line. */
+    /**
+     * Finds who may go to the end of its only leg, along a parabola where something is in the way of the straight line; ends
+     * that are in each other are put apart.
+     */
     void findBulging(Legs ways) {
-        begin(ways, MOST_BULGE);
+        begin(ways, Passing.MOST_BULGE + MOST_SHIFT);
         boolean isChanged = true;
-        for (int round = 0; round < BULGES && isChanged; round++) {
+        for (int round = 0; round < ROUNDS && isChanged; round++) {
             isChanged = false;
             for (int pair = 0; pair < pairs; pair++) {
                 int other = b[pair] < 0 || !goes[b[pair]] ? -1 : b[pair];
-                isChanged |= !passes(pair) && passing.bulge(a[pair], other, MOST_BULGE);
+                isChanged |= !passes(pair) && passing.part(legs, a[pair], other);
+            }
+        }
+        for (int body = 0; body < bodies.count; body++) {
+            if (goes[body]) {
+                hold(body, Passing.MOST_BULGE);
+                if (!grid.holds(body, box[0], box[1], box[2], box[3])) {
+                    letWait(body); // shifted so far that there may be others of whom nobody has asked
+                }
             }
         }
         decide();
@@ -88,7 +98,6 @@ final class AllAtOnce {
 
     private void begin(Legs ways, double bulge) {
         legs = ways;
-        bulging = bulge;
         int count = bodies.count;
         if (goes.length < count) {
             goes = new boolean[2 * count];
@@ -106,7 +115,7 @@ final class AllAtOnce {
         grid.clear(count, size > 0 ? 1.5 * size / count : 1);
         for (int body = 0; body < count; body++) {
             goes[body] = legs.first[body] >= 0;
-            hold(body);
+            hold(body, bulge);
             grid.put(body, box[0], box[1], box[2], box[3]);
             if (goes[body]) {
                 findStill(body);
@@ -114,13 +123,13 @@ final class AllAtOnce {
         }
         for (int body = 0; body < count; body++) {
             if (goes[body]) {
-                findOthers(body);
+                findOthers(body, bulge);
             }
         }
     }
 
-    /** Writes the box that holds a body all the way. */
-    private void hold(int body) {
+    /** Writes the box that holds a body all the way, which may bulge by a share of the size. */
+    private void hold(int body, double bulge) {
         double size = bodies.size[body];
         double x = legs.fromX[body];
         double z = legs.fromZ[body];
@@ -135,7 +144,7 @@ final class AllAtOnce {
             box[3] = Math.max(box[3], legs.z[leg]);
         }
         double most = Math.max(Math.max(-box[0], box[2]), Math.max(-box[1], box[3]));
-        double around = size * (1 + bulging) + 4 * Passing.slack(2 * Math.abs(most) + size);
+        double around = size * (1 + bulge) + 4 * Passing.slack(2 * Math.abs(most) + size);
         box[0] -= around;
         box[1] -= around;
         box[2] += around;
@@ -150,8 +159,8 @@ final class AllAtOnce {
         }
     }
 
-    private void findOthers(int body) {
-        hold(body);
+    private void findOthers(int body, double bulge) {
+        hold(body, bulge);
         grid.find(box[0], box[1], box[2], box[3]);
         for (int k = 0; k < grid.foundCount; k++) {
             int other = grid.found[k];

@@ -5,16 +5,22 @@ import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.exact.Degrees;
 
 /**
- * Carries bodies in the world along the ways that were found for them, one after the other, each by swept motions that are
- * exact against where all others stand at that moment: so nothing ever overlaps and nothing passes through anything, whatever
- * was found. Where a body that has yet to move is in the way, it goes first, as far as it was to go by that time; what remains
- * blocked goes as far as is free and stops.
+ * Carries bodies in the world along the ways that were found for them. In an exact world all go at once whose ways are proved
+ * to keep apart ({@link AllAtOnce}); what is left goes as far as is free by a swept move that is exact, and stops.
+ *
+ * <p>Below exact, where objects collide as what stands for them, one goes after the other, each by swept moves against where
+ * all others stand at that moment. Where a body that has yet to move is in the way, it goes first, as far as it was to go by
+ * that time; what remains blocked goes as far as is free and stops. Either way nothing ever overlaps and nothing passes through
+ * anything, whatever was found.
  */
 final class FrontToBack {
     private static final int FIRST = 32;
 
     /** So often the straight ways are tried. */
     private static final int ROUNDS = 3;
+
+    /** So often those that wait are asked again, each time for half of their way if none could go. */
+    private static final int SHARES = 8;
 
     /** Most bodies that are let go first, for one that waits. */
     private static final int MOST_WAITING = 64;
@@ -64,7 +70,6 @@ final class FrontToBack {
     /** The body of an object of the world, by id; -1 for none. */
     private int[] bodyOf = new int[FIRST];
 
-    private final Stuck stuck;
     private int waiting;
 
     FrontToBack(Carrier carrier, Scene scene, double gap) {
@@ -72,7 +77,6 @@ final class FrontToBack {
         bodies = scene.bodies;
         allAtOnce = new AllAtOnce(scene);
         this.gap = gap;
-        stuck = new Stuck(carrier.objects);
     }
 
     /** Tells which objects of the world are bodies. */
@@ -85,7 +89,6 @@ final class FrontToBack {
         for (int b = 0; b < bodies.count; b++) {
             bodyOf[bodies.id[b]] = b;
         }
-        stuck.forget(bodies.count);
     }
 
     /** Begins with all bodies where they stand. */
@@ -133,24 +136,10 @@ final class FrontToBack {
             firstLeg[b] = legs.first[b];
         }
         if (carrier.isExact()) {
-            allAtOnce.find(legs);
-            putAll();
-            boolean isOn = true;
-            for (int round = 0; round < ROUNDS && isOn; round++) {
-                isOn = isLeft() && putWaiting();
-            }
+            carryAtOnce();
+        } else {
+            carryInTurns(order);
         }
-        carryStraight(order);
-        for (int b = 0; b < bodies.count; b++) {
-            isBlocked[b] = firstLeg[b] >= 0 && isStuck(b);
-        }
-        for (int leg = 0; leg < legs.count; leg++) {
-            int b = legs.body[leg];
-            if (!isLate[b] && !isBlocked[b] && done[b] < legs.time[leg]) {
-                isLate[b] = !bringAlone(b, legs.time[leg]);
-            }
-        }
-        carryStraight(order);
         for (int k = 0; k < bodies.count; k++) {
             int b = order[k];
             if (firstLeg[b] >= 0 && !isBlocked[b]) {
@@ -159,28 +148,22 @@ final class FrontToBack {
         }
     }
 
-    /** Carries those for which the straight way is free to where they end. */
-    private void carryStraight(int[] order) {
-        boolean isOn = true;
-        for (int round = 0; round < ROUNDS && isOn; round++) {
-            isOn = false;
-            for (int k = 0; k < bodies.count; k++) {
-                int b = order[k];
-                isOn |= firstLeg[b] >= 0 && !(round > 0 && isStuck(b)) && isCarriedStraight(b);
+    /** Lets all go at once that can; those that wait go when the others have gone, some a part of their way only. */
+    private void carryAtOnce() {
+        allAtOnce.find(legs);
+        put(legs, false);
+        double share = 1;
+        for (int round = 0; round < SHARES && isLeft(); round++) {
+            shortened.makeRoom(bodies.count);
+            for (int b = 0; b < bodies.count; b++) {
+                shortened.begin(b, atX[b], atZ[b], atAngle[b]);
+                if (firstLeg[b] >= 0) {
+                    shorten(b, share);
+                }
             }
+            allAtOnce.findBulging(shortened);
+            share = put(shortened, share < 1) ? share : 0.5 * share;
         }
-    }
-
-    /** Puts all that may go; answers whether any could. */
-    private boolean putAll() {
-        boolean isAny = false;
-        for (int b = 0; b < bodies.count; b++) {
-            if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
-                put(b);
-                isAny = true;
-            }
-        }
-        return isAny;
     }
 
     private boolean isLeft() {
@@ -192,27 +175,54 @@ final class FrontToBack {
         return false;
     }
 
-    /** Lets those that wait go to where they end, not by their legs but at once, past those that have gone. */
-    private boolean putWaiting() {
-        shortened.makeRoom(bodies.count);
-        for (int b = 0; b < bodies.count; b++) {
-            shortened.begin(b, atX[b], atZ[b], atAngle[b]);
-            if (firstLeg[b] >= 0) {
-                int leg = legs.last[b];
-                shortened.add(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg]);
-            }
-        }
-        allAtOnce.findBulging(shortened);
-        return putAll();
+    /** Gives a body one leg instead of those that it has, which ends after a share of what is left. */
+    private void shorten(int b, double share) {
+        int leg = legs.last[b];
+        double toX = share == 1 ? legs.x[leg] : atX[b] + share * (legs.x[leg] - atX[b]);
+        double toZ = share == 1 ? legs.z[leg] : atZ[b] + share * (legs.z[leg] - atZ[b]);
+        double toAngle = share == 1 ? legs.angle[leg] : atAngle[b] + share * (legs.angle[leg] - atAngle[b]);
+        shortened.add(b, legs.time[leg], toX, toZ, toAngle);
     }
 
-    /** Puts a body where it ends, which is known to be free with all that is on the way. */
-    private void put(int b) {
-        int leg = legs.last[b];
-        double degrees = Degrees.toDegrees(legs.angle[leg] - atAngle[b]);
-        carrier.put(bodies.id[b], legs.x[leg] - atX[b], legs.z[leg] - atZ[b], degrees);
-        arrive(b, legs.time[leg], legs.x[leg], legs.z[leg], legs.angle[leg]);
-        firstLeg[b] = -1;
+    /** Puts all that may go where they end; answers whether any could. */
+    private boolean put(Legs of, boolean isShort) {
+        boolean isAny = false;
+        for (int b = 0; b < bodies.count; b++) {
+            if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
+                int leg = of.last[b];
+                double degrees = Degrees.toDegrees(of.angle[leg] - atAngle[b]);
+                carrier.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
+                arrive(b, of.time[leg], of.x[leg], of.z[leg], of.angle[leg]);
+                firstLeg[b] = -1;
+                isBlocked[b] = isShort;
+                isAny = true;
+            }
+        }
+        return isAny;
+    }
+
+    /** Carries all one after the other. */
+    private void carryInTurns(int[] order) {
+        carryStraight(order);
+        for (int leg = 0; leg < legs.count; leg++) {
+            int b = legs.body[leg];
+            if (!isLate[b] && !isBlocked[b] && done[b] < legs.time[leg]) {
+                isLate[b] = !bringAlone(b, legs.time[leg]);
+            }
+        }
+        carryStraight(order);
+    }
+
+    /** Carries those for which the straight way is free to where they end. */
+    private void carryStraight(int[] order) {
+        boolean isOn = true;
+        for (int round = 0; round < ROUNDS && isOn; round++) {
+            isOn = false;
+            for (int k = 0; k < bodies.count; k++) {
+                int b = order[k];
+                isOn |= firstLeg[b] >= 0 && isCarriedStraight(b);
+            }
+        }
     }
 
     /** Brings a body to where it was to be at a time, and then again those that it made go back. */
@@ -363,11 +373,6 @@ final class FrontToBack {
         return true;
     }
 
-    private boolean isStuck(int b) {
-        int leg = legs.last[b];
-        return stuck.isStuck(b, bodies.id[b], legs.x[leg] - atX[b], legs.z[leg] - atZ[b], legs.angle[leg] - atAngle[b]);
-    }
-
     /** Lets a body go as far as it may, where it ends. */
     private void settle(int b) {
         bodies.breath.run();
@@ -376,16 +381,7 @@ final class FrontToBack {
         double dx = legs.x[leg] - atX[b];
         double dz = legs.z[leg] - atZ[b];
         double by = legs.angle[leg] - atAngle[b];
-        if (!carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap)) {
-            int last = legs.last[b];
-            stuck.keep(
-                    b,
-                    id,
-                    carrier.obstacle(),
-                    legs.x[last] - atX[b],
-                    legs.z[last] - atZ[b],
-                    legs.angle[last] - atAngle[b]);
-        }
+        carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap);
         isBlocked[b] = true;
     }
 }

@@ -145,32 +145,20 @@ final class Outlines {
         }
     }
 
-    /** The runs of occupied cells along a row, without those that are shut in, which nothing gets to. */
+    /** The runs of occupied cells along a row: all cells, as what is clear of them has to be clear of the grid. */
     private void addCells(GridObject grid) {
         for (int row = 0; row < grid.rows(); row++) {
             int from = -1;
             for (int column = 0; column <= grid.columns(); column++) {
-                boolean isOpen =
-                        column < grid.columns() && grid.isOccupied(column, row) && !isShutIn(grid, column, row);
-                if (isOpen && from < 0) {
+                boolean isOccupied = column < grid.columns() && grid.isOccupied(column, row);
+                if (isOccupied && from < 0) {
                     from = column;
-                } else if (!isOpen && from >= 0) {
+                } else if (!isOccupied && from >= 0) {
                     addRun(grid.box(from, row), grid.box(column - 1, row));
                     from = -1;
                 }
             }
         }
-    }
-
-    private static boolean isShutIn(GridObject grid, int column, int row) {
-        return column > 0
-                && row > 0
-                && column + 1 < grid.columns()
-                && row + 1 < grid.rows()
-                && grid.isOccupied(column - 1, row)
-                && grid.isOccupied(column + 1, row)
-                && grid.isOccupied(column, row - 1)
-                && grid.isOccupied(column, row + 1);
     }
 
     private void addRun(BoxObject first, BoxObject last) {

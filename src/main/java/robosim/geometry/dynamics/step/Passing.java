@@ -6,18 +6,24 @@ import java.util.Arrays;
  * Proves that two bodies stay apart on their ways, each going straight and turning evenly from place to place, both at once;
  * or going along a parabola, which leaves the straight line by at most a bulge, in the middle.
  *
- * <p>Between two times, along a direction n, the gap of two convex pieces is at least
+ * <p>Between two times, along a direction n that turns evenly by an angle t, the gap of two convex pieces is at least
  * (1 - s) g0 + s g1 - K s (1 - s), where s runs from 0 to 1, g0 and g1 are the gaps at both ends, and 2 K is a bound of the
- * second derivative. Where n stands still and corners turn by t at a distance of at most r from their centre, that is the sum
- * of r t^2 less eight times the bulge along n. Where n turns with the one body by t, it is d t^2 + 2 v t for an offset of the
- * other of at most d that changes by v, and r u^2 for what that turns by u against the one. The directions tried are those
- * across which the two are furthest apart at either end; where none will do, the time is halved. Two discs on straight ways are
- * solved in closed form. All that is left has to exceed {@link #slack}, many times what is lost in rounding, here and when
- * places are stored.
+ * second derivative: seen in axes that turn with n, that of a corner at a distance of at most r from the centre of a body that
+ * turns by u is at most r (u - t)^2, and that of the offset of the two bodies, at most d and changing by v, is at most
+ * d t^2 + 2 v t, less eight times the bulge along n. The directions begin or end with that across which the two are furthest
+ * apart; they stand still, turn with the one body or the other, or turn from the first to the last; where none will do, the
+ * time is halved. Two discs on straight ways are solved in closed form. All that is left has to exceed {@link #slack}, many
+ * times what is lost in rounding, here and when places are stored.
  */
 final class Passing {
     /** Most times that a time is halved. */
     private static final int MOST_HALVES = 6;
+
+    /** Most that a way may bulge, as a share of the size. */
+    static final double MOST_BULGE = 0x1p-4;
+
+    /** Most that an end may be shifted in one go, as a share of the size. */
+    private static final double MOST_SHIFT = 1e-2;
 
     /** By body: how far its way leaves the straight line in the middle, along X and Z. */
     double[] bulgeX = new double[8];
@@ -36,8 +42,13 @@ final class Passing {
     private double bulgeBx;
     private double bulgeBz;
 
-    /** By how much more the two have to bulge apart so that they pass, as far as one direction tells; and that direction. */
+    /**
+     * By how much more the two have to bulge apart so that they pass, or to end apart, as far as one direction tells; and that
+     * direction.
+     */
     private double missing;
+
+    private boolean isMissingAtEnd;
 
     private double missingX;
     private double missingZ;
@@ -153,24 +164,38 @@ final class Passing {
     }
 
     /**
-     * Lets a body, and another one that goes too, bulge apart by what was missing when they were asked about last.
+     * Lets a body, and another one that goes too, bulge apart or end apart by what was missing when they were asked about last.
      *
      * @param other a body that goes, or -1
-     * @param most no bulge may be greater than this share of the size
      */
-    boolean bulge(int body, int other, double most) {
+    boolean part(Legs legs, int body, int other) {
         if (!(missing > 0 && missing < Double.POSITIVE_INFINITY)) {
             return false;
         }
         double light = bodies.ownLightness[body] + (other < 0 ? 0 : bodies.ownLightness[other]);
         double share = other < 0 || light == 0 ? 1 : bodies.ownLightness[body] / light;
-        return bulge(body, share * missing, most) && (other < 0 || bulge(other, (share - 1) * missing, most));
+        double rest = share - 1;
+        if (isMissingAtEnd) {
+            return shift(legs, body, share * missing) && (other < 0 || shift(legs, other, rest * missing));
+        }
+        return bulge(body, share * missing) && (other < 0 || bulge(other, rest * missing));
     }
 
-    private boolean bulge(int body, double by, double most) {
+    private boolean shift(Legs legs, int body, double by) {
+        if (Math.abs(by) > MOST_SHIFT * bodies.size[body]) {
+            return false;
+        }
+        int leg = legs.last[body];
+        legs.x[leg] += by * missingX;
+        legs.z[leg] += by * missingZ;
+        return true;
+    }
+
+    private boolean bulge(int body, double by) {
         double x = bulgeX[body] + by * missingX;
         double z = bulgeZ[body] + by * missingZ;
-        if (x * x + z * z > most * most * bodies.size[body] * bodies.size[body]) {
+        double most = MOST_BULGE * bodies.size[body];
+        if (x * x + z * z > most * most) {
             return false;
         }
         bulgeX[body] = x;
@@ -219,35 +244,47 @@ final class Passing {
         if (areDiscs && bulge == 0 && (pieces.reach[b] == 0 || pieces.body[b] < 0)) {
             double x = from.ax[0] - from.bx[0];
             double z = from.az[0] - from.bz[0];
-            return isFar(x, z, to.ax[0] - to.bx[0], to.az[0] - to.bz[0], from.radius + slack);
+            if (isFar(x, z, to.ax[0] - to.bx[0], to.az[0] - to.bz[0], from.radius + slack)) {
+                return true;
+            }
         }
         if (halves == 0) {
             missing = Double.POSITIVE_INFINITY;
+            isMissingAtEnd = false;
         }
-        if (!(from.distance() > slack) || !(to.distance() > slack)) {
+        if (!(from.distance() > slack)) {
+            return false;
+        }
+        double atEnd = to.distance();
+        if (!(atEnd > slack)) {
+            if (halves == 0) {
+                missing = Math.max(Meetings.GAP, 8 * slack) - atEnd;
+                missingX = to.nx;
+                missingZ = to.nz;
+                isMissingAtEnd = true;
+            }
             return false;
         }
         double turnA = toAngleA - angleA;
         double turnB = pieces.body[b] < 0 ? 0 : toAngleB - angleB;
         double reachA = pieces.reach[a];
         double reachB = pieces.body[b] < 0 ? 0 : pieces.reach[b];
-        if (isClearAlong(0, 0.5 * (reachA * turnA * turnA + reachB * turnB * turnB), share, slack, halves == 0)) {
-            return true;
-        }
         double offset = pieces.body[b] < 0
                 ? Math.max(from.farthest(ax, az), to.farthest(toAx, toAz))
                 : Math.max(length(ax - bx, az - bz), length(toAx - toBx, toAz - toBz));
         double change = length((toAx - toBx) - (ax - bx), (toAz - toBz) - (az - bz)) + 4 * bulge;
-        double against = (turnA - turnB) * (turnA - turnB);
-        for (int side = 0; side < 2; side++) {
-            double turn = Math.abs(side == 0 ? turnA : turnB);
-            if (turn > 0) {
-                double other = side == 1 ? reachA : reachB;
-                double bend = turn * turn * (offset + bulge) + 2 * turn * change + other * against;
-                double turns = side == 0 ? turnA : turnB;
-                if (isClearAlong(turns, 0.5 * bend + 4 * bulge * turn, share, slack, halves == 0)) {
-                    return true;
-                }
+        double sine = to.nx * from.nz - to.nz * from.nx;
+        for (int k = 0; k < 4; k++) {
+            double turn = k == 0 ? 0 : k == 1 ? turnA : k == 2 ? turnB : sine;
+            if (k > 0 && turn == 0) {
+                continue;
+            }
+            double bend = turn * turn * (offset + bulge)
+                    + 2 * Math.abs(turn) * change
+                    + reachA * (turnA - turn) * (turnA - turn)
+                    + reachB * (turnB - turn) * (turnB - turn);
+            if (isClearAlong(turn, 0.5 * bend + 4 * bulge * Math.abs(turn), share, slack, halves == 0)) {
+                return true;
             }
         }
         if (halves == MOST_HALVES) {
