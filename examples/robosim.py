@@ -33,9 +33,9 @@ from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Se
 
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
-    "pinhole", "directions", "sense", "poses", "edges", "pose", "place", "add", "remove", "go", "world", "Move", "Sonar",
-    "Moves", "Went", "Change", "Pose", "World", "LeftOut", "Scan", "Error", "NotDone", "ProtocolFault",
-    "RequestError",
+    "pinhole", "directions", "sense", "poses", "edges", "pose", "place", "add", "remove", "go", "world", "named", "body",
+    "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Change", "Pose", "World", "LeftOut", "Scan", "Velocity",
+    "Body", "Contact", "Step", "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
 
 Json = Dict[str, Any]
@@ -61,7 +61,7 @@ class RequestError(Error):
 class LeftOut(NamedTuple):
     """An object of an init that is not in the world."""
 
-    index: int
+    index: int  # -1 for one that `load` could not read
     name: str  # empty for an object without one
     reason: str
 
@@ -137,6 +137,44 @@ class Sonar(NamedTuple):
     min: float = 0.0
     max: float = math.inf
     width: float = 0.0
+
+
+class Velocity(NamedTuple):
+    """Along an object's own axes, world units a second, and a turn about its own Y, radians a second to the left."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    ry: float = 0.0
+
+
+class Body(NamedTuple):
+    """Where a body is after a step, and its velocity."""
+
+    center: List[float]
+    heading: float
+    velocity: Velocity
+    rotation: Optional[List[float]] = None  # nine numbers, for a body that does not stand upright
+
+
+class Contact(NamedTuple):
+    """A body and what it touches or has collided with in a step, or has parted from; one for each two."""
+
+    name: str
+    other: Optional[str]  # None for an object without a name, and for the border; `named` gives all of them one
+    point: List[float]  # of several touches in the step that of the greatest impulse
+    normal: List[float]  # at that point, towards the body
+    impulse: float  # the sum over the step, newton seconds; 0 where they only touch, or part
+    phase: str  # "BEGIN"; "LAST" for a contact that lasts from the step before, and goes on; "END"
+
+
+class Step(NamedTuple):
+    """What became of a step."""
+
+    bodies: Dict[str, Body]  # all that the world has, by their names
+    contacts: List[Contact]
+    stopped: List[str]  # whose motion could not be decided; they stand still
+    refused: Dict[int, str]  # why bodies, counted first, and commands were left out, by their index
 
 
 class Picture(NamedTuple):
@@ -245,6 +283,70 @@ def grid(center: Vector, cell: float, height: float, rows: Sequence[Sequence[Any
             occupied[k >> 3] |= 1 << (k & 7)
     return _object("grid", {"center": center, "cell": cell, "height": height, "columns": columns, "rows": len(rows),
                             "occupied": base64.b64encode(bytes(occupied)).decode("ascii")}, rest)
+
+
+def named(objects: Iterable[Json]) -> List[Json]:
+    """The same objects, of which those without a name are given one by their kind and index, as in "box 3": an answer
+    can then tell what is in the way, and what a body touches."""
+    given = list(objects)
+    taken = {thing["name"] for thing in given if "name" in thing}
+    made = []
+    for k, thing in enumerate(given):
+        name = f"{thing['kind']} {k}"
+        while "name" not in thing and name in taken:
+            name += "'"
+        made.append(thing if "name" in thing else {**thing, "name": name})
+        taken.add(made[-1]["name"])
+    return made
+
+
+# Bodies, their drives and commands: what Module.step takes. Units are SI, a world unit is a metre. Fields may be written
+# as in docs/protocol.md, maxSpeed, or as max_speed.
+
+_BODY = ("mass", "inertia", "restitution", "staticFriction", "slidingFriction", "damping", "turnDamping", "maxSpeed",
+         "maxTurn", "floorFriction")
+_LIMITS = ("base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration")
+_DRIVES = {"DIFFERENTIAL": _LIMITS[:3], "OMNIDIRECTIONAL": _LIMITS[1:], "ACKERMANN": _LIMITS[:4], "VELOCITY": (),
+           "FORCE": ()}
+
+
+def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
+    told = {}
+    for field, value in given.items():
+        first, *rest = field.split("_")
+        wire = first + "".join(word.capitalize() for word in rest)
+        if wire not in known:
+            raise TypeError(f"{what} has no {field}; it may have: {', '.join(known) or 'nothing'}")
+        if value != math.inf:  # no limit is a field that is left out
+            told[wire] = value
+    return told
+
+
+def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[Sequence[float]] = None,
+         **fields: float) -> Json:
+    """A body for a moveable object: mass and inertia, restitution, static_friction and sliding_friction, floor_friction,
+    damping and turn_damping, max_speed and max_turn; of a static object the surface alone. A drive is the name of its kind
+    or of `drive_settings`; a velocity has x, y, z and ry."""
+    told = {"objectName": name, **_fields("a body", fields, _BODY)}
+    if drive is not None:
+        told["drive"] = drive_settings(drive) if isinstance(drive, str) else drive
+    if velocity is not None:
+        told["velocity"] = Velocity(*velocity)._asdict()
+    return told
+
+
+def drive_settings(kind: str, **limits: float) -> Json:
+    """A drive: "differential", "omnidirectional", "ackermann", "velocity" or "force"; with base, max_speed,
+    max_acceleration, max_turn and max_turn_acceleration, as far as its kind has them."""
+    word = kind.upper()
+    if word not in _DRIVES:
+        raise TypeError(f"a drive must be one of {', '.join(_DRIVES)}, in small letters too (got: {kind})")
+    return {"kind": word, **_fields(f"a drive of kind {word}", limits, _DRIVES[word])}
+
+
+def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
+    """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right."""
+    return {"objectName": name, "forward": forward, "right": right, "turn": turn}
 
 
 # The beams of a sensor.
@@ -422,6 +524,50 @@ class Module:
         settings = {name: value for name, value in given.items() if value is not None}
         self.send({"type": "init", "objects": list(objects), "settings": settings, "answer": True})
         return self._one(world(), self.receive("answers"))
+
+    def load(self, path: str, **settings: Any) -> World:
+        """A new world from a file of docs/world-format.md, with its bodies; objects without a name are given one, as by
+        `named`. worldfile.py must be beside this file. Settings are those of `init`, and come before the file's."""
+        import worldfile  # a program that makes its own objects need not have it
+        read = worldfile.World(path)
+        size = dict(zip(("width", "height", "length"), read.size))
+        told = self.init(named(read.objects), **{**size, **read.settings, **settings})
+        if read.bodies:
+            refused = self.step(0, read.bodies).refused
+            if refused:
+                raise RequestError(f"{path}: " + "; ".join(refused.values()))
+        left = [LeftOut(-1, name, reason) for name, reason in read.notes]
+        return told._replace(left_out=told.left_out + left)
+
+    def step(self, seconds: float, bodies: Iterable[Json] = (), commands: Iterable[Json] = ()) -> Step:
+        """Gives bodies and commands, as `body` and `command` make them, and lets time pass. Robots keep their commands:
+        `module.step(0.1)` goes on with them. A step of 0 seconds moves nothing, and tells where all bodies are."""
+        message = {"type": "step", "seconds": seconds, "bodies": list(bodies), "commands": list(commands)}
+        for given in message["bodies"]:
+            # The module would close the connection on a field that it does not know.
+            rest = {field: value for field, value in given.items() if field not in ("objectName", "drive", "velocity")}
+            _fields("a body", rest, _BODY)
+            if "drive" in given:
+                drive_settings(**given["drive"])
+        for given in message["commands"]:
+            _fields("a command", given, ("objectName", "forward", "right", "turn"))
+        answer = self.ask(message, "bodies")[0]
+        try:
+            return Step({b["objectName"]: Body(b["center"], b["heading"], Velocity(**b["velocity"]), b.get("rotation"))
+                         for b in answer["bodies"]},
+                        [Contact(c["objectName"], c.get("other"), c["point"], c["normal"], c["impulse"], c["phase"])
+                         for c in answer["contacts"]],
+                        answer["stopped"], {problem["index"]: problem["reason"] for problem in answer["refused"]})
+        except (KeyError, TypeError) as e:
+            raise ProtocolFault(f"bodies must have their fields (got: {str(answer)[:100]}): {e!r}") from None
+
+    def drive(self, name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Body:
+        """Tells a robot what to do from now on; it moves with the next `step`. One without a body gets one, of a robot
+        with two wheels."""
+        told = self.step(0, commands=[command(name, forward, turn, right)])
+        if told.refused:
+            raise RequestError(told.refused[0])
+        return told.bodies[name]
 
     def moves(self, moves: Iterable[Move]) -> Moves:
         """Several moves in order, each in the world that the earlier ones left."""

@@ -26,7 +26,8 @@ import robosim.geometry.narrow.Scratch;
  * ObjectSearch search = geometry.search();
  * GeometryObject crate = new BoxObject(new Point(4, 0, 0), 1, 1, 1);
  * search.firstTouching(crate).get().name();                       // "wall"
- * search.inTheWay("robot", new Point(3.8, 0, 0), 90).size();      // 1
+ * search.inTheWay("robot", new Point(3.8, 0, 0), 90).size();      // 1: the wall
+ * search.inTheWay("robot", new Point(6, 0, 0), 90).size();        // 0: at that place, not on the way there
  * search.inBox(new Point(0, 0, 0), 10, 5, 10).size();             // 2
  * search.nearest("robot", 1, 10).get(0).distance();               // 3.6
  * }</pre>
@@ -62,8 +63,9 @@ public final class ObjectSearch {
     }
 
     /**
-     * All objects that a moveable object would touch or overlap, itself left out, if it stood upright at a point: what is
-     * in the way of {@link Geometry#placeObject}.
+     * All objects that a moveable object would touch or overlap, itself left out, if it stood upright at a point: at that
+     * place, not on a way to it. It is what is in the way of {@link Geometry#placeObject}; what blocks a way is the obstacle
+     * of a {@link Geometry#move}.
      *
      * @param heading degrees about the vertical
      */

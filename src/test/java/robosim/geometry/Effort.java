@@ -1,8 +1,8 @@
 package robosim.geometry;
 
 /**
- * How many random cases a test asks. The numbers in the tests are those of a full run, which {@code .ci/run} makes on its last
- * JDK; one build asks half as many, as the pom says, and {@code -Dtest.effort=4} four times as many everywhere.
+ * How many random cases a test asks. The numbers in the tests are those of a full run, {@code
+ * -Dtest.effort=1}; an ordinary build asks a quarter, as the pom says, and {@code .ci/run} half of them on its last JDK.
  */
 public final class Effort {
     private static final double TIMES = Double.parseDouble(System.getProperty("test.effort", "1"));
@@ -12,5 +12,15 @@ public final class Effort {
     /** So many cases in a full run. */
     public static int cases(int full) {
         return Math.max(1, (int) Math.round(full * TIMES));
+    }
+
+    /** So many cases in a full run, and never fewer than what a test needs in order to say anything. */
+    public static int cases(int full, int least) {
+        return Math.max(least, cases(full));
+    }
+
+    /** The step through the numbers below a count: 1 in a full run, else odd, so that evens and odds are both asked. */
+    public static int stride(int full) {
+        return TIMES >= 1 ? 1 : Math.min(full, (int) Math.round(1 / TIMES) | 1);
     }
 }

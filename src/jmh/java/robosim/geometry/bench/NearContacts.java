@@ -63,7 +63,7 @@ final class NearContacts {
             across(way);
         }
         if (variant < 5) {
-            shift(kindA, a, -1, way);
+            LeafRows.shift(kindA, a, -1, way);
             double far = variant % 2 == 0 ? 1 : 2;
             for (int k = 0; k < 3; k++) {
                 way[k] *= far;
@@ -77,7 +77,7 @@ final class NearContacts {
         fill(kind, a);
         scaleAndMove(kind, a, kind, b);
         direction(kind, a, kind, a, planar);
-        support(kind, a, n, p);
+        LeafRows.support(kind, a, n, p);
         for (int k = 0; k < 3; k++) {
             way[k] = coarse ? random.nextInt(-4, 5) : random.nextDouble(-1, 1);
         }
@@ -115,7 +115,7 @@ final class NearContacts {
         int axis = random.nextInt(3);
         Arrays.fill(n, 0);
         n[axis] = a[axis] > 0 ? 1 : -1;
-        support(kind, a, n, p);
+        LeafRows.support(kind, a, n, p);
         Arrays.fill(way, 0x1p60);
         double half = Math.abs(p[axis]);
         way[axis] = 2 * (half + random.nextInt(-3, 4) * Math.ulp(half));
@@ -124,10 +124,10 @@ final class NearContacts {
     /** The largest magnitude among the coordinates and sizes of two leaves, or of the first and a ray's start. */
     double size(LeafKind kindA, LeafKind kindB, boolean isRay) {
         double size = isRay ? Math.max(Math.abs(start[0]), Math.max(Math.abs(start[1]), Math.abs(start[2]))) : 0;
-        for (int k = 0; k < places(kindA); k++) {
+        for (int k = 0; k < LeafRows.places(kindA); k++) {
             size = Math.max(size, Math.abs(a[k]));
         }
-        for (int k = 0; k < places(kindB) && !isRay; k++) {
+        for (int k = 0; k < LeafRows.places(kindB) && !isRay; k++) {
             size = Math.max(size, Math.abs(b[k]));
         }
         return size;
@@ -137,7 +137,8 @@ final class NearContacts {
     double sum(LeafKind kindA, LeafKind kindB) {
         double sum = Math.abs(way[0]) + Math.abs(way[1]) + Math.abs(way[2]);
         for (int k = 0; k < 10; k++) {
-            sum += (k < places(kindA) ? Math.abs(a[k]) : 0) + (k < places(kindB) ? Math.abs(b[k]) : 0);
+            sum += (k < LeafRows.places(kindA) ? Math.abs(a[k]) : 0)
+                    + (k < LeafRows.places(kindB) ? Math.abs(b[k]) : 0);
         }
         return sum;
     }
@@ -145,7 +146,7 @@ final class NearContacts {
     /** How far apart the leaves are in space after a share of the way. */
     double gap(LeafKind kindA, LeafKind kindB, double share, Scratch scratch) {
         double[] moved = a.clone();
-        shift(kindA, moved, share, way);
+        LeafRows.shift(kindA, moved, share, way);
         return SpatialDistance.between(kindA, moved, 0, kindB, b, 0, scratch);
     }
 
@@ -153,12 +154,7 @@ final class NearContacts {
         random = source;
         coarse = random.nextInt(3) == 0;
         scale = 1;
-        set(n, 1, 0, 0); // what is not made to touch asks for a direction too, and not for the last question's
-    }
-
-    // What of a row is a length, the first numbers.
-    private static int places(LeafKind kind) {
-        return kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.PRISM ? 10 : 6;
+        LeafRows.set(n, 1, 0, 0); // what is not made to touch asks for a direction too, and not for the last question's
     }
 
     private double coordinate(double reach) {
@@ -253,43 +249,25 @@ final class NearContacts {
         int variant = random.nextInt(10);
         scale = variant == 0 ? 0x1p-40 : variant == 1 ? 0x1p40 : 1;
         for (int k = 0; k < 10; k++) {
-            first[k] *= k < places(kindA) ? scale : 1;
-            second[k] *= k < places(kindB) ? scale : 1;
+            first[k] *= k < LeafRows.places(kindA) ? scale : 1;
+            second[k] *= k < LeafRows.places(kindB) ? scale : 1;
         }
         if (variant == 2) {
             double[] offset = {random.nextDouble(-1e6, 1e6), random.nextDouble(-1e3, 1e3), random.nextDouble(-1e9, 1e9)
             };
-            shift(kindA, first, 1, offset);
-            shift(kindB, second, 1, offset);
-        }
-    }
-
-    private static void shift(LeafKind kind, double[] row, double sign, double[] by) {
-        double x = sign * by[0];
-        double y = sign * by[1];
-        double z = sign * by[2];
-        if (kind == LeafKind.PRISM) {
-            double[] offsets = {x, x, z, z, x + z, x + z, x - z, x - z, y, y};
-            for (int k = 0; k < 10; k++) {
-                row[k] += offsets[k];
-            }
-            return;
-        }
-        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
-            row[k] += x;
-            row[k + 1] += y;
-            row[k + 2] += z;
+            LeafRows.shift(kindA, first, 1, offset);
+            LeafRows.shift(kindB, second, 1, offset);
         }
     }
 
     /** Moves b so that the two touch along a direction, but for rounding, and aside by as much as may be. */
     private void touch(LeafKind kindA, LeafKind kindB, boolean planar) {
         direction(kindA, a, kindB, b, planar);
-        support(kindA, a, n, p);
+        LeafRows.support(kindA, a, n, p);
         for (int k = 0; k < 3; k++) {
             n[k] = -n[k];
         }
-        support(kindB, b, n, q);
+        LeafRows.support(kindB, b, n, q);
         double[] aside = new double[3];
         if (random.nextInt(4) > 0) {
             double reach = random.nextBoolean() ? 0.3 * scale : scale;
@@ -308,7 +286,7 @@ final class NearContacts {
         if (planar) {
             by[1] = 0;
         }
-        shift(kindB, b, 1, by);
+        LeafRows.shift(kindB, b, 1, by);
     }
 
     // Takes out of a vector what it has along n.
@@ -333,7 +311,7 @@ final class NearContacts {
             System.arraycopy(v, 0, n, 0, 3);
         } else if (variant < 4) {
             double[] other = planar ? new double[] {0, 1, 0} : v;
-            cross(variant == 2 ? u : v, variant == 2 ? other : planar ? other : u, n);
+            LeafRows.cross(variant == 2 ? u : v, variant == 2 ? other : planar ? other : u, n);
         } else {
             anywhere(n);
         }
@@ -363,15 +341,15 @@ final class NearContacts {
         switch (kind) {
             case UPRIGHT_BOX, BOX -> {
                 int k = Leaf.ROTATION + random.nextInt(3);
-                set(v, row[k], row[k + 3], row[k + 6]);
+                LeafRows.set(v, row[k], row[k + 3], row[k + 6]);
             }
             case CYLINDER -> {
                 if (random.nextBoolean()) {
-                    set(v, row[7], row[10], row[13]);
+                    LeafRows.set(v, row[7], row[10], row[13]);
                 } else {
                     double[] away = new double[3];
                     anywhere(away);
-                    cross(new double[] {row[7], row[10], row[13]}, away, v);
+                    LeafRows.cross(new double[] {row[7], row[10], row[13]}, away, v);
                 }
             }
             case TRIANGLE -> {
@@ -385,13 +363,13 @@ final class NearContacts {
                 if (random.nextBoolean()) {
                     System.arraycopy(e, 0, v, 0, 3);
                 } else {
-                    cross(e, f, v);
+                    LeafRows.cross(e, f, v);
                 }
             }
             case SPHERE -> anywhere(v);
             default -> {
                 if (random.nextBoolean()) {
-                    set(v, 0, 1, 0);
+                    LeafRows.set(v, 0, 1, 0);
                 } else {
                     anywhere(v);
                     v[1] = 0;
@@ -400,63 +378,7 @@ final class NearContacts {
         }
         double size = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         if (size > 0) {
-            set(v, v[0] / size, v[1] / size, v[2] / size);
+            LeafRows.set(v, v[0] / size, v[1] / size, v[2] / size);
         }
-    }
-
-    private static void set(double[] v, double x, double y, double z) {
-        v[0] = x;
-        v[1] = y;
-        v[2] = z;
-    }
-
-    private static void cross(double[] u, double[] v, double[] out) {
-        set(out, u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-    }
-
-    /** The point of a leaf that is farthest along a direction, to rounding. */
-    private static void support(LeafKind kind, double[] row, double[] n, double[] out) {
-        switch (kind) {
-            case TRIANGLE -> {
-                int best = 0;
-                for (int k = 3; k < 9; k += 3) {
-                    best = along(row, k, n) > along(row, best, n) ? k : best;
-                }
-                System.arraycopy(row, best, out, 0, 3);
-            }
-            case PRISM -> {
-                double x = row[n[0] > 0 ? 1 : 0];
-                double z = n[0] > 0 ? (n[2] > 0 ? row[5] - x : x - row[7]) : n[2] > 0 ? x - row[6] : row[4] - x;
-                set(out, x, row[n[1] > 0 ? 9 : 8], z);
-            }
-            case UPRIGHT_BOX, BOX -> {
-                System.arraycopy(row, 0, out, 0, 3);
-                for (int k = 0; k < 3; k++) {
-                    int r = Leaf.ROTATION + k;
-                    double side = n[0] * row[r] + n[1] * row[r + 3] + n[2] * row[r + 6] > 0 ? row[3 + k] : -row[3 + k];
-                    for (int m = 0; m < 3; m++) {
-                        out[m] += side * row[r + 3 * m];
-                    }
-                }
-            }
-            case SPHERE -> round(row, 0, 0, 0, n, out);
-            case UPRIGHT_CYLINDER -> round(row, 0, 1, 0, n, out);
-            default -> round(row, row[7], row[10], row[13], n, out);
-        }
-    }
-
-    private static double along(double[] row, int at, double[] n) {
-        return row[at] * n[0] + row[at + 1] * n[1] + row[at + 2] * n[2];
-    }
-
-    private static void round(double[] row, double ax, double ay, double az, double[] n, double[] out) {
-        double axial = n[0] * ax + n[1] * ay + n[2] * az;
-        double x = n[0] - axial * ax;
-        double y = n[1] - axial * ay;
-        double z = n[2] - axial * az;
-        double size = Math.sqrt(x * x + y * y + z * z);
-        double share = size > 1e-9 ? row[3] / size : 0;
-        double up = axial > 0 ? row[4] : -row[4];
-        set(out, row[0] + up * ax + share * x, row[1] + up * ay + share * y, row[2] + up * az + share * z);
     }
 }

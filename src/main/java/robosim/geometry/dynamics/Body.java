@@ -29,6 +29,9 @@ import robosim.geometry.model.Twist;
  * @param floorFriction sliding friction on the floor of a PLANAR world: what slides over it without a drive slows by
  *                    {@code floorFriction * g} until it rests, and turns more slowly as a disc of its mass and inertia does;
  *                    0 for none
+ * @param inertiaX    moment of inertia about the own X, for a SPATIAL world, where {@code inertia} is about the own Y; 0 for
+ *                    that of a solid of the object's shape which has {@code inertia} about the own Y
+ * @param inertiaZ    the same about the own Z
  */
 public record Body(
         double mass,
@@ -38,7 +41,9 @@ public record Body(
         double turnDamping,
         double maxSpeed,
         double maxTurn,
-        double floorFriction) {
+        double floorFriction,
+        double inertiaX,
+        double inertiaZ) {
     /** Standard gravity, m/s<sup>2</sup>: 9.80665. */
     public static final double GRAVITY = 9.80665;
 
@@ -52,6 +57,21 @@ public record Body(
         maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
         maxTurn = Quantity.limit("maxTurn", maxTurn);
         floorFriction = Quantity.atLeastZero("floorFriction", floorFriction);
+        inertiaX = Quantity.atLeastZero("inertiaX", inertiaX);
+        inertiaZ = Quantity.atLeastZero("inertiaZ", inertiaZ);
+    }
+
+    /** A body of which one moment of inertia is given. */
+    public Body(
+            double mass,
+            double inertia,
+            Surface surface,
+            double damping,
+            double turnDamping,
+            double maxSpeed,
+            double maxTurn,
+            double floorFriction) {
+        this(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, 0, 0);
     }
 
     /** A body on a floor without friction. */
@@ -163,22 +183,41 @@ public record Body(
 
     /** This body with another surface. */
     public Body withSurface(Surface other) {
-        return new Body(mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
+        return new Body(
+                mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ);
     }
 
     /** This body with other dampings: shares of the speed and of the speed of turning, each second. */
     public Body withDamping(double ofSpeed, double ofTurn) {
-        return new Body(mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction);
+        return new Body(mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ);
     }
 
     /** This body with other limits: m/s and degrees a second. */
     public Body withLimits(double speed, double turn) {
-        return new Body(mass, inertia, surface, damping, turnDamping, speed, turn, floorFriction);
+        return new Body(mass, inertia, surface, damping, turnDamping, speed, turn, floorFriction, inertiaX, inertiaZ);
     }
 
     /** This body with sliding friction on the floor of a PLANAR world. */
     public Body withFloorFriction(double friction) {
-        return new Body(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, friction);
+        return new Body(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, friction, inertiaX, inertiaZ);
+    }
+
+    /**
+     * This body with other moments of inertia, kg m<sup>2</sup>: about the own axes of the object, which have to be its
+     * principal axes. A PLANAR world uses {@code aboutY} alone.
+     */
+    public Body withInertia(double aboutX, double aboutY, double aboutZ) {
+        return new Body(
+                mass,
+                aboutY,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                Quantity.positive("aboutX", aboutX),
+                Quantity.positive("aboutZ", aboutZ));
     }
 
     /** By how much the floor slows it, m/s<sup>2</sup>. */

@@ -9,17 +9,19 @@ import robosim.geometry.model.Point;
  * @param body    the name of a body
  * @param other   the name of what it met: another body or another object; null for an object without a name and for the
  *                world's bounds
- * @param point   where they met, at the height of the body's centre
+ * @param point   where they met, in a PLANAR world at the height of the body's centre; of several touches in the step, that
+ *                of the greatest impulse
  * @param normal  unit normal at the contact, towards {@code body}
- * @param impulse what {@code body} was given along the normal in this step, newton seconds; 0 where they only touch
- * @param phase   whether the contact has begun in this step, has lasted from the one before, or has ended
+ * @param impulse what {@code body} was given along the normals, newton seconds, the sum over the step; 0 where they only
+ *                touch
+ * @param phase   whether the contact has begun in this step, goes on since the one before, or has ended
  */
 public record BodyContact(String body, @Nullable String other, Point point, Point normal, double impulse, Phase phase) {
     /** How a contact stands to the step before. */
     public enum Phase {
         /** There was none in the step before. */
         BEGIN,
-        /** There was one already. */
+        /** It lasts: there was one in the step before, and it goes on. Not the final one, which is {@link #END}. */
         LAST,
         /** There was one in the step before, and is none any more. */
         END

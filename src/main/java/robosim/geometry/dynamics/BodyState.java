@@ -6,6 +6,11 @@ import robosim.geometry.model.Twist;
 
 /** A body, what drives it, and its velocity between steps. */
 final class BodyState {
+    private static final Twist STILL = new Twist(0, 0, 0, 0);
+
+    /** A drive does not push for less than this share of its speed. */
+    private static final double LITTLE = 1e-7;
+
     final String name;
     final Body body;
 
@@ -16,6 +21,19 @@ final class BodyState {
     double vx;
     double vz;
     double w;
+
+    // What it goes on with for a time, likewise, and what the drive aims at for the end of that.
+    double goesX;
+    double goesZ;
+    double turns;
+    private Twist aim = STILL;
+
+    // For how long the drive may still push at its greatest acceleration, and whether something was in its way before.
+    private double left;
+    private boolean isHindered;
+
+    /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
+    final double[] spatial = new double[6];
 
     BodyState(String name, Body body) {
         this.name = name;
@@ -37,29 +55,119 @@ final class BodyState {
         w = Degrees.toRadians(velocity.ry());
     }
 
-    boolean isStill() {
-        return vx == 0 && vz == 0 && w == 0;
-    }
-
-    /** The velocity before a step: what the drive makes of it, or what damping and the limits leave. */
-    void begin(double heading, double seconds) {
+    /**
+     * Works out the velocity that it keeps for a time but for collisions, and whether that is any: what the drive makes of it
+     * halfway, along the chord of its arc, or what damping and the limits leave of it.
+     */
+    boolean begin(double heading, double seconds) {
         Drive driven = drive;
         if (driven != null) {
-            setVelocity(heading, driven.next(velocity(heading), body, seconds));
-            return;
+            Twist now = velocity(heading);
+            aim = driven.next(now, body, seconds);
+            left = seconds - spent(driven, now, aim, seconds);
+            // What is pressed against something is not to lose the speed that it would have gained in the first half.
+            Twist halfway = isHindered ? aim : driven.next(now, body, 0.5 * seconds);
+            turns = Degrees.toRadians(halfway.ry());
+            double half = 0.5 * turns * seconds;
+            double chord = chord(half);
+            go(heading + 0.5 * halfway.ry() * seconds, halfway.x() * chord, halfway.z() * chord);
+        } else {
+            // One step of the implicit Euler method, as of ForceDrive.
+            double slower = 1 + body.damping() * seconds;
+            goesX = vx / slower;
+            goesZ = vz / slower;
+            turns = w / (1 + body.turnDamping() * seconds);
+            double speed = Math.sqrt(goesX * goesX + goesZ * goesZ);
+            if (speed > body.maxSpeed()) {
+                goesX *= body.maxSpeed() / speed;
+                goesZ *= body.maxSpeed() / speed;
+            }
+            if (body.maxTurn() < Double.POSITIVE_INFINITY) {
+                turns = Quantity.clamp(turns, Degrees.toRadians(body.maxTurn()));
+            }
         }
-        // One step of the implicit Euler method, as of ForceDrive.
-        double slower = 1 + body.damping() * seconds;
-        vx /= slower;
-        vz /= slower;
-        w /= 1 + body.turnDamping() * seconds;
-        double speed = Math.sqrt(vx * vx + vz * vz);
-        if (speed > body.maxSpeed()) {
-            vx *= body.maxSpeed() / speed;
-            vz *= body.maxSpeed() / speed;
+        return goesX != 0 || goesZ != 0 || turns != 0;
+    }
+
+    /** The chord of an arc as a share of the arc, which turns by twice an angle in radians. */
+    private static double chord(double half) {
+        return Math.abs(half) < 1e-4 ? 1 - half * half / 6 : Degrees.sin(Degrees.toDegrees(half)) / half;
+    }
+
+    private void go(double heading, double x, double z) {
+        double sin = Degrees.sin(heading);
+        double cos = Degrees.cos(heading);
+        goesX = x * cos + z * sin;
+        goesZ = z * cos - x * sin;
+    }
+
+    /**
+     * Takes the velocity that the time has left it with. Where that is the one it was given, nothing was in the way, and a
+     * body with a drive has at the end what its drive aimed at.
+     */
+    void end(double endX, double endZ, double endTurn, double heading) {
+        vx = endX;
+        vz = endZ;
+        w = endTurn;
+        isHindered = drive != null && (endX != goesX || endZ != goesZ || endTurn != turns);
+        if (drive != null && !isHindered) {
+            setVelocity(heading, aim);
         }
-        if (body.maxTurn() < Double.POSITIVE_INFINITY) {
-            w = Quantity.clamp(w, Degrees.toRadians(body.maxTurn()));
+    }
+
+    /** Lets the drive use the acceleration that it has left; answers whether that changes the velocity. */
+    boolean push(double heading) {
+        Drive driven = drive;
+        if (driven == null || left <= 0) {
+            return false;
         }
+        Twist now = velocity(heading);
+        Twist next = driven.next(now, body, left);
+        double change = Math.abs(next.x() - now.x())
+                + Math.abs(next.z() - now.z())
+                + Degrees.toRadians(Math.abs(next.ry() - now.ry()));
+        left -= spent(driven, now, next, left);
+        if (change <= LITTLE * (Math.abs(aim.x()) + Math.abs(aim.z()) + Degrees.toRadians(Math.abs(aim.ry())))) {
+            return false;
+        }
+        setVelocity(heading, next);
+        return true;
+    }
+
+    /** How long a drive needs for a change of the velocity, out of a time that it has. */
+    private static double spent(Drive drive, Twist from, Twist to, double seconds) {
+        double dx = to.x() - from.x();
+        double dz = to.z() - from.z();
+        double dTurn = to.ry() - from.ry();
+        if (drive instanceof DifferentialDrive of) {
+            return time(Math.abs(dx) + Degrees.toRadians(Math.abs(dTurn)) * (of.track() / 2), of.maxAcceleration());
+        }
+        if (drive instanceof AckermannDrive of) {
+            return time(Math.abs(dx), of.maxAcceleration());
+        }
+        if (drive instanceof OmnidirectionalDrive of) {
+            return Math.max(
+                    time(Math.sqrt(dx * dx + dz * dz), of.maxAcceleration()),
+                    time(Math.abs(dTurn), of.maxTurnAcceleration()));
+        }
+        return drive instanceof VelocityDrive ? 0 : seconds;
+    }
+
+    private static double time(double change, double acceleration) {
+        return change == 0 ? 0 : change / acceleration;
+    }
+
+    /** How fast it turns while nothing hits it, radians a second. */
+    double turning() {
+        return Math.abs(turns);
+    }
+
+    /** Whether a drive, damping or the floor changes its velocity. */
+    boolean isForced() {
+        return drive != null
+                || body.slowing() > 0
+                || body.spinSlowing() > 0
+                || body.damping() > 0
+                || body.turnDamping() > 0;
     }
 }

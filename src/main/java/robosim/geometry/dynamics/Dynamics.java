@@ -7,19 +7,22 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.step.Stepper;
 import robosim.geometry.dynamics.step.Touches;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
 
 /**
- * Bodies that move in a PLANAR world, push and bounce, and never overlap anything: each step goes from collision to collision.
+ * Bodies that move, push and bounce, and never overlap anything: each step goes from collision to collision. In a PLANAR world
+ * they drive and slide on the floor, in a SPATIAL one they fall, tip and roll.
  *
  * <pre>{@code
  * Geometry world = new Geometry(20, 5, 20, Dimension.PLANAR, Accuracy.EXACT);
@@ -37,12 +40,25 @@ import robosim.geometry.model.Twist;
  * and the others as far as swept moves that are exact let them, so that nothing overlaps and nothing passes through anything.
  * Bodies stop {@code 1e-10} metres before contact. What has no body stands still, moveable or not. The world may be changed
  * between steps. Not thread-safe, like the world.
+ *
+ * <p>In a SPATIAL world spheres, boxes, cylinders and capsules can be bodies, and gravity pulls them. A step goes by slices of
+ * a millisecond; what is decided along a way that turns, and how, is told in {@code docs/dynamics.md}.
+ *
+ * <pre>{@code
+ * Geometry room = new Geometry(20, 20, 20, Dimension.SPATIAL, Accuracy.EXACT);
+ * room.addObject(new BoxObject(new Point(0, -0.5, 0), 20, 1, 20).named("floor"));
+ * room.addObject(new SphereObject(new Point(0, 2, 0), 0.5).moveable("ball"));
+ * Dynamics falling = new Dynamics(room, new Surface(0.5, 0.5, 0.4));
+ * falling.add("ball", Body.ofMass(room.getObject("ball"), 1).withSurface(new Surface(0.5, 0.5, 0.4)));
+ * falling.step(10);
+ * Math.round(room.getObject("ball").center().y() * 1e6);  // 500000: at rest on the floor
+ * }</pre>
  */
 public final class Dynamics {
     /** Where the heading is in a place of the world. */
     private static final int HEADING = 12;
 
-    /** The floor's friction is worked out anew after so many seconds at most. */
+    /** Drives, damping and the floor's friction are worked out anew after so many seconds at most. */
     private static final double SLICE = 1.0 / 16;
 
     /** What is not round turns by no more than so many radians before it goes on. */
@@ -50,6 +66,8 @@ public final class Dynamics {
 
     /** Most parts of a step. */
     private static final int MOST_SLICES = 64;
+
+    private static final Point DOWN = new Point(0, -Body.GRAVITY, 0);
 
     private final Geometry world;
     private final Map<String, BodyState> bodies = new LinkedHashMap<>();
@@ -59,27 +77,51 @@ public final class Dynamics {
     private final Stepper stepper;
     private final SurfaceTable table;
 
+    /** Null in a PLANAR world. */
+    private final @Nullable Falling falling;
+
     /** The bodies by their index in the stepper; objects that only stand in the way come after them. */
     private final List<BodyState> order = new ArrayList<>();
 
+    private final Stepper.Pushes pushes = this::push;
     private boolean isStale = true;
+
+    /** Runs between two parts of the work. */
+    private Runnable breath = () -> {};
 
     /**
      * Bodies in a world, none so far.
      *
      * @param ground the surface of all that has no body
-     * @throws IllegalArgumentException if heights count in the world
+     * @throws IllegalArgumentException if heights count in the world and its accuracy is not {@code EXACT}
      */
     public Dynamics(Geometry world, Surface ground) {
+        this(world, ground, DOWN, Checks.present("world", world).dimension() == Dimension.SPATIAL);
+    }
+
+    /**
+     * Bodies in a SPATIAL world, none so far.
+     *
+     * @param ground  the surface of all that has no body
+     * @param gravity m/s<sup>2</sup> along the world's axes; where none is given, {@link Body#GRAVITY} downward
+     * @throws IllegalArgumentException if the world is PLANAR, or its accuracy is not {@code EXACT}
+     */
+    public Dynamics(Geometry world, Surface ground, Point gravity) {
+        this(world, ground, Checks.present("gravity", gravity), true);
+    }
+
+    private Dynamics(Geometry world, Surface ground, Point gravity, boolean falls) {
         this.world = Checks.present("world", world);
         Checks.present("ground", ground);
-        if (world.dimension() != Dimension.PLANAR) {
-            throw new IllegalArgumentException("world must be PLANAR (got: " + world.dimension() + ")");
+        if (falls && world.dimension() != Dimension.SPATIAL) {
+            throw new IllegalArgumentException(
+                    "world must be SPATIAL where gravity is given (got: " + world.dimension() + ")");
         }
         carrier = Carrier.of(world);
         objects = carrier.objects;
         stepper = new Stepper(world, world.width(), world.length());
         table = new SurfaceTable(ground);
+        falling = falls ? new Falling(world, carrier, table, gravity) : null;
     }
 
     /** Gives a moveable object of the world a body, at rest; or another body, which keeps its velocity. */
@@ -89,6 +131,9 @@ public final class Dynamics {
         if (!object.isMoveable()) {
             throw new IllegalArgumentException("name must be that of a moveable object (got: \"" + name + "\")");
         }
+        if (falling != null) {
+            Falling.check(object);
+        }
         BodyState state = new BodyState(name, body);
         BodyState before = bodies.put(name, state);
         if (before != null) {
@@ -96,6 +141,7 @@ public final class Dynamics {
             state.vz = before.vz;
             state.w = before.w;
             state.drive = before.drive;
+            System.arraycopy(before.spatial, 0, state.spatial, 0, before.spatial.length);
         }
         isStale = true;
     }
@@ -113,19 +159,61 @@ public final class Dynamics {
         isStale = true;
     }
 
-    /** Drives a body from now on. */
+    /**
+     * Drives a body from now on.
+     *
+     * @throws IllegalArgumentException if the world is SPATIAL
+     */
     public void drive(String name, Drive drive) {
+        if (falling != null) {
+            throw new IllegalArgumentException("drives need a PLANAR world (got: a SPATIAL one, for \"" + name + "\")");
+        }
         state(name).drive = Checks.present("drive", drive);
     }
 
     /** Sets the velocity of a body, along its own axes; a body with a drive gets that of the drive in the next step. */
     public void setVelocity(String name, Twist velocity) {
-        state(name).setVelocity(world.getObject(name).heading(), Checks.present("velocity", velocity));
+        BodyState state = state(name);
+        Checks.present("velocity", velocity);
+        if (falling != null) {
+            Falling.setTwist(state, world.getObject(name).pose(), velocity);
+        } else {
+            state.setVelocity(world.getObject(name).heading(), velocity);
+        }
     }
 
-    /** The velocity of a body, along its own axes. */
+    /**
+     * Sets the velocity of a body along and about the axes of the world.
+     *
+     * @throws IllegalArgumentException if the world is PLANAR
+     */
+    public void setSpatialVelocity(String name, SpatialVelocity velocity) {
+        Checks.present("velocity", velocity);
+        Falling.setVelocity(spatial(name), velocity);
+    }
+
+    /** The velocity of a body, along its own axes, and about its own Y alone. */
     public Twist velocity(String name) {
-        return state(name).velocity(world.getObject(name).heading());
+        BodyState state = state(name);
+        return falling != null
+                ? Falling.twist(state, world.getObject(name).pose())
+                : state.velocity(world.getObject(name).heading());
+    }
+
+    /**
+     * The velocity of a body along and about the axes of the world.
+     *
+     * @throws IllegalArgumentException if the world is PLANAR
+     */
+    public SpatialVelocity spatialVelocity(String name) {
+        return Falling.velocity(spatial(name));
+    }
+
+    private BodyState spatial(String name) {
+        if (falling == null) {
+            throw new IllegalArgumentException("a velocity in space needs a SPATIAL world (got: a PLANAR one)");
+        }
+        return state(name);
     }
 
     /** The names of all bodies, in the order in which they were added. */
@@ -146,6 +234,20 @@ public final class Dynamics {
         return state;
     }
 
+    /**
+     * Runs something between two parts of each step, very often in a long one: to give way to other work, or to end the step.
+     *
+     * @param between may throw, which ends the step where it is; nothing overlaps then either, but the bodies must not be moved
+     *     again
+     */
+    public void pausing(Runnable between) {
+        breath = Checks.present("between", between);
+        stepper.pausing(between);
+        if (falling != null) {
+            falling.pausing(between);
+        }
+    }
+
     /** Moves everything by a time in seconds. */
     public StepResult step(double seconds) {
         advance(seconds);
@@ -158,30 +260,68 @@ public final class Dynamics {
         if (bodies.isEmpty() && !isStale) {
             return;
         }
+        if (falling != null) {
+            falling.advance(bodies, surfaces, isStale, seconds);
+            isStale = false;
+            return;
+        }
         prepare();
+        stepper.begin();
+        int parts = parts(seconds);
+        for (int part = 0; part < parts; part++) {
+            run(seconds / parts);
+        }
+    }
+
+    /** Into how many parts a step is divided. */
+    private int parts(double seconds) {
+        boolean isMoving = false;
+        boolean isForced = false;
+        double turning = 0;
         double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            if (each.drive != null || !each.isStill()) {
-                each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds);
+            if (each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds)) {
+                isMoving = true;
+                turning = Math.max(turning, stepper.isRound(b) ? 0 : each.turning());
             }
-            boolean isFree = each.drive == null;
-            stepper.setVelocity(b, each.vx, each.vz, each.w);
-            stepper.setSlowing(b, isFree ? each.body.slowing() : 0, isFree ? each.body.spinSlowing() : 0);
+            isForced |= each.isForced();
         }
-        stepper.begin();
-        double parts = stepper.isSlowed() ? seconds / SLICE : 1;
-        parts = Math.max(parts, seconds * stepper.turning() / TURN);
-        int count = (int) Math.ceil(Math.min(MOST_SLICES, parts));
-        for (int part = 0; part < count; part++) {
-            stepper.run(seconds / count, table);
-        }
+        double parts = isMoving && isForced ? seconds / SLICE : 1;
+        return (int) Math.ceil(Math.min(MOST_SLICES, Math.max(parts, seconds * turning / TURN)));
+    }
+
+    /** Lets all go on for a part of a step, in which drives, damping and floors act once. */
+    private void run(double seconds) {
+        double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            each.vx = stepper.vx(b);
-            each.vz = stepper.vz(b);
-            each.w = stepper.w(b);
+            boolean isFree = each.drive == null;
+            each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds);
+            stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
+            stepper.setSlowing(b, isFree ? each.body.slowing() : 0, isFree ? each.body.spinSlowing() : 0);
         }
+        stepper.run(seconds, table, pushes);
+        places = objects.places();
+        for (int b = 0; b < order.size(); b++) {
+            double heading = places[objects.place(stepper.id(b)) + HEADING];
+            order.get(b).end(stepper.vx(b), stepper.vz(b), stepper.w(b), heading);
+        }
+    }
+
+    /** Lets a drive push on that a collision has slowed down. */
+    private boolean push(int b, double angle) {
+        BodyState each = order.get(b);
+        if (each.drive == null) {
+            return false;
+        }
+        each.vx = stepper.vx(b);
+        each.vz = stepper.vz(b);
+        each.w = stepper.w(b);
+        double heading = objects.places()[objects.place(stepper.id(b)) + HEADING];
+        boolean isPushed = each.push(heading + Degrees.toDegrees(angle));
+        stepper.setVelocity(b, each.vx, each.vz, each.w);
+        return isPushed;
     }
 
     /** Tells the stepper of all bodies again if any has come or gone, or anything else in the world. */
@@ -200,6 +340,7 @@ public final class Dynamics {
         });
         Set<Integer> moved = new HashSet<>();
         for (BodyState each : bodies.values()) {
+            breath.run();
             int id = carrier.mover(each.name);
             moved.add(id);
             order.add(each);
@@ -213,14 +354,19 @@ public final class Dynamics {
 
     /** What happened in the last step. */
     public StepResult last() {
+        if (falling != null) {
+            return falling.last();
+        }
         Touches now = stepper.touches();
         Touches before = stepper.before();
         List<BodyContact> contacts = new ArrayList<>(now.count);
         for (int k = 0; k < now.count; k++) {
+            breath.run();
             contacts.add(contact(now, k, before.find(now, k) < 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST));
         }
         List<BodyContact> ended = new ArrayList<>();
         for (int k = 0; k < before.count; k++) {
+            breath.run();
             if (now.find(before, k) < 0) {
                 ended.add(contact(before, k, BodyContact.Phase.END));
             }

@@ -1,7 +1,7 @@
 /**
  * What moves a robot: bodies with a mass and surfaces, drives that turn commands into velocities within their limits, and
  * odometry that is off as that of a real robot is;
- * and {@link robosim.geometry.dynamics.Dynamics}, which moves them all through a PLANAR world. All values are immutable and in SI units, with angles in degrees; a
+ * and {@link robosim.geometry.dynamics.Dynamics}, which moves them all through a PLANAR world, or lets them fall in a SPATIAL one. All values are immutable and in SI units, with angles in degrees; a
  * world unit is a metre. {@link robosim.geometry.Geometry} knows nothing of this package, and a world that uses none of it
  * pays nothing.
  *

@@ -38,6 +38,7 @@ public final class PageWriter {
     private List<GeometryObject> goals = List.of();
     private int from;
     private int to;
+    private String start = "";
 
     /** A page of all that a history has, which is at least a frame. */
     public PageWriter(StateHistory film) {
@@ -81,8 +82,14 @@ public final class PageWriter {
         return this;
     }
 
+    /** This, opened at its last step in place of its first. */
+    public PageWriter openedAtEnd() {
+        start = "step=" + to;
+        return this;
+    }
+
     /**
-     * Plays a conversation and writes its page.
+     * Plays a conversation and writes its page, which opens at the end.
      *
      * @param world lends colours and a unit; null for none
      */
@@ -92,6 +99,7 @@ public final class PageWriter {
                 .titled(scenario.header().title())
                 .described("", world == null ? "" : Pictures.unit(world))
                 .withGoals(goals)
+                .openedAtEnd()
                 .write(file);
     }
 
@@ -103,12 +111,12 @@ public final class PageWriter {
      */
     public List<String> write(Path file) throws IOException {
         PageData data = new PageData(film, from, to, new PageData.Labels(title, subtitle, unit), goals);
-        String page = page(title, data.toBytes());
+        String page = page(title, start, data.toBytes());
         AtomicFileWriter.write(file, out -> out.write(page.getBytes(StandardCharsets.UTF_8)));
         return data.coarse();
     }
 
-    static String page(String title, byte[] data) throws IOException {
+    static String page(String title, String start, byte[] data) throws IOException {
         StringBuilder script = new StringBuilder();
         for (String name : SCRIPTS) {
             script.append(dense(resource(name)));
@@ -117,6 +125,7 @@ public final class PageWriter {
                 .replace("%TITLE%", title.replace("&", "&amp;").replace("<", "&lt;"))
                 .replace("%STYLE%", resource("page.css"))
                 .replace("%SCRIPT%", script)
+                .replace("%START%", start)
                 .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
     }
 

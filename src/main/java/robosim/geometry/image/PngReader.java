@@ -12,17 +12,32 @@ import java.util.zip.Inflater;
 import robosim.geometry.exact.Checks;
 
 /**
- * Reads PNG (ISO/IEC 15948) as colour of 8 bits a channel: greys, colours and palettes of 1 to 16 bits, with or without
- * transparency, which is left out. Interlaced images are refused.
+ * Reads PNG (ISO/IEC 15948): greys, colours and palettes of 1 to 16 bits, with or without opacity, interlaced or not.
  *
- * <p>The size is checked before anything is allocated for it, no more is inflated than the size needs, and everything that
- * is wrong with a file is an {@link IOException} that says what.
+ * <p>No more is inflated than the size needs, and everything that is wrong with a file is an {@link IOException} that says
+ * what.
  */
 public final class PngReader {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
     /** The most bytes of a chunk that is looked at whole: a palette. */
     private static final int PALETTE = 3 * 256;
+
+    /** The most pixels of an image, whoever takes them. */
+    private static final int MOST_PIXELS = 1 << 28;
+
+    /** The most bytes of a row. */
+    private static final int MOST_BYTES = 1 << 27;
+
+    /** The most pixels that are given at once. */
+    private static final int PIECE = 4096;
+
+    /** The seven passes of an interlaced image (8.2): the first column and row of each, and the steps to the next. */
+    private static final int[][] PASSES = {
+        {0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}
+    };
+
+    private static final int[][] WHOLE = {{0, 0, 1, 1}};
 
     private static final int GREY = 0;
     private static final int COLOUR = 2;
@@ -36,7 +51,11 @@ public final class PngReader {
     private int height;
     private int bits;
     private int type;
+    private boolean isInterlaced;
     private int[] palette = new int[0];
+
+    /** Of a palette the opacity of each colour; else the samples of the one colour that is transparent; empty if none. */
+    private int[] transparent = new int[0];
 
     /** Bytes that the data chunk at hand still has. */
     private int left;
@@ -60,19 +79,31 @@ public final class PngReader {
     }
 
     /**
-     * Reads one image; what follows it in the stream may have been read too.
+     * Reads one image as colours of 8 bits a channel, without its opacity; what follows it in the stream may have been read
+     * too.
      *
-     * @throws IOException if it is no PNG, is broken, interlaced, or has more than {@link PngWriter#MAX_PIXELS} pixels
+     * @throws IOException if it is no PNG, is broken, or has more than {@link PngWriter#MAX_PIXELS} pixels
      */
     public static Pixels read(InputStream in) throws IOException {
+        RgbPixels pixels = new RgbPixels();
+        read(in, pixels);
+        return pixels.taken();
+    }
+
+    /**
+     * Reads one image piece by piece; what follows it in the stream may have been read too.
+     *
+     * @throws IOException if it is no PNG, is broken, or has more than 2^28 pixels
+     */
+    public static void read(InputStream in, PixelSink sink) throws IOException {
         try {
-            return new PngReader(Checks.present("in", in)).read();
+            new PngReader(Checks.present("in", in)).into(Checks.present("sink", sink));
         } catch (EOFException e) {
             throw new IOException("a PNG ends before it is complete", e);
         }
     }
 
-    private Pixels read() throws IOException {
+    private void into(PixelSink sink) throws IOException {
         byte[] start = new byte[SIGNATURE.length];
         in.readFully(start);
         if (!Arrays.equals(start, SIGNATURE)) {
@@ -87,7 +118,12 @@ public final class PngReader {
         if (type == INDEXED && palette.length == 0) {
             throw new IOException("a PNG of indexed colours must have a palette before its data (got: none)");
         }
-        return new Pixels(width, height, readData());
+        boolean hasOpacity = transparent.length > 0 || type == GREY_ALPHA || type == COLOUR_ALPHA;
+        int colours = type == GREY || type == GREY_ALPHA ? 1 : 3;
+        int white = type == INDEXED ? 255 : (1 << bits) - 1;
+        PixelSink.Format format = new PixelSink.Format(width, height, white, colours + (hasOpacity ? 1 : 0));
+        sink.begin(format);
+        readData(sink, format);
     }
 
     /** Begins the next chunk; one of another name is read to its end. Answers whether it has that name. */
@@ -106,6 +142,8 @@ public final class PngReader {
         }
         if (is.equals("PLTE")) {
             readPalette();
+        } else if (is.equals("tRNS")) {
+            readTransparency();
         } else {
             isOver = is.equals("IEND");
             if (!isOver && (found[0] & 0x20) == 0 && !is.equals("IDAT")) {
@@ -142,8 +180,8 @@ public final class PngReader {
         closeChunk();
         width = number(header, 0);
         height = number(header, 4);
-        if (width < 1 || height < 1 || (long) width * height > PngWriter.MAX_PIXELS) {
-            throw new IOException("an image must have 1 to " + PngWriter.MAX_PIXELS + " pixels (got: "
+        if (width < 1 || height < 1 || (long) width * height > MOST_PIXELS) {
+            throw new IOException("an image must have 1 to " + MOST_PIXELS + " pixels (got: "
                     + Integer.toUnsignedString(width) + " x " + Integer.toUnsignedString(height) + ")");
         }
         bits = header[8];
@@ -158,9 +196,23 @@ public final class PngReader {
             throw new IOException("a PNG must be of a kind that its standard has (got: colour type " + type + " of "
                     + bits + " bits)");
         }
-        if (header[12] != 0) {
-            throw new IOException("a PNG must not be interlaced; save it again without (got: interlaced)");
+        if (header[12] < 0 || header[12] > 1) {
+            throw new IOException(
+                    "a PNG must be interlaced in 7 passes or not at all (got: method " + header[12] + ")");
         }
+        isInterlaced = header[12] == 1;
+        if ((long) width * channels() * bits > 8L * MOST_BYTES) {
+            throw new IOException("a row of an image must have at most " + MOST_BYTES + " bytes (got: more)");
+        }
+    }
+
+    private int channels() {
+        return switch (type) {
+            case GREY, INDEXED -> 1;
+            case GREY_ALPHA -> 2;
+            case COLOUR -> 3;
+            default -> 4;
+        };
     }
 
     private static int number(byte[] b, int at) {
@@ -183,37 +235,65 @@ public final class PngReader {
         return (red & 0xff) << 16 | (green & 0xff) << 8 | (blue & 0xff);
     }
 
-    private int[] readData() throws IOException {
-        int channels = switch (type) {
-            case GREY, INDEXED -> 1;
-            case GREY_ALPHA -> 2;
-            case COLOUR -> 3;
-            default -> 4;
-        };
-        int length = (int) (((long) width * channels * bits + 7) / 8);
-        RowFilter filter = new RowFilter(length, Math.max(1, channels * bits / 8));
-        byte[] data = new byte[length];
-        byte[] kind = new byte[1];
+    private void readTransparency() throws IOException {
+        int need = type == GREY ? 2 : type == COLOUR ? 6 : 0;
+        if (type == INDEXED ? left > palette.length : left != need || need == 0) {
+            throw new IOException("a chunk tRNS must be as long as the colours need (got: " + left + " bytes)");
+        }
+        byte[] bytes = new byte[left];
+        read(bytes, left);
+        if (type == INDEXED) {
+            transparent = new int[palette.length];
+            Arrays.fill(transparent, 255);
+            for (int k = 0; k < bytes.length; k++) {
+                transparent[k] = bytes[k] & 0xff;
+            }
+        } else {
+            transparent = new int[need / 2];
+            for (int k = 0; k < transparent.length; k++) {
+                transparent[k] = (bytes[2 * k] & 0xff) << 8 | (bytes[2 * k + 1] & 0xff);
+            }
+        }
+    }
+
+    private void readData(PixelSink sink, PixelSink.Format format) throws IOException {
         Inflater inflater = new Inflater();
         try {
-            int[] pixels = null; // made once the data has begun to make sense
-            for (int row = 0; row < height; row++) {
-                inflate(inflater, kind, 1);
-                inflate(inflater, data, length);
-                if (kind[0] < 0 || kind[0] >= RowFilter.KINDS) {
-                    throw new IOException("a row's filter must be 0 to 4 (got: " + kind[0] + ")");
-                }
-                filter.restore(kind[0], data);
-                pixels = pixels == null ? new int[width * height] : pixels;
-                decode(filter.row(), channels, pixels, row * width);
-                filter.next();
+            for (int[] pass : isInterlaced ? PASSES : WHOLE) {
+                readPass(inflater, pass, sink, format);
             }
             finish();
-            return pixels == null ? new int[0] : pixels;
         } catch (DataFormatException e) {
             throw new IOException("the data of a PNG must be compressed by zlib (got: " + e.getMessage() + ")", e);
         } finally {
             inflater.end();
+        }
+    }
+
+    private void readPass(Inflater inflater, int[] pass, PixelSink sink, PixelSink.Format format)
+            throws IOException, DataFormatException {
+        int columns = (width - pass[0] + pass[2] - 1) / pass[2];
+        if (columns <= 0) {
+            return; // such a pass has no bytes, not even those that name the filters
+        }
+        int length = (int) (((long) columns * channels() * bits + 7) / 8);
+        RowFilter filter = new RowFilter(length, Math.max(1, channels() * bits / 8));
+        byte[] data = new byte[length];
+        byte[] kind = new byte[1];
+        int[] samples = new int[Math.min(columns, PIECE) * format.channels()];
+        for (int row = pass[1]; row < height; row += pass[3]) {
+            inflate(inflater, kind, 1);
+            inflate(inflater, data, length);
+            if (kind[0] < 0 || kind[0] >= RowFilter.KINDS) {
+                throw new IOException("a row's filter must be 0 to 4 (got: " + kind[0] + ")");
+            }
+            filter.restore(kind[0], data);
+            for (int from = 0; from < columns; from += PIECE) {
+                int count = Math.min(PIECE, columns - from);
+                decode(filter.row(), from, count, samples);
+                sink.pixels(row, pass[0] + from * pass[2], pass[2], count, samples);
+            }
+            filter.next();
         }
     }
 
@@ -250,28 +330,54 @@ public final class PngReader {
         }
     }
 
-    private void decode(byte[] row, int channels, int[] pixels, int at) throws IOException {
-        int bytes = bits / 8;
-        for (int k = 0; k < width; k++) {
-            if (type == COLOUR || type == COLOUR_ALPHA) {
-                int from = k * channels * bytes; // of 16 bits the higher byte
-                pixels[at + k] = rgb(row[from], row[from + bytes], row[from + 2 * bytes]);
-            } else if (type == INDEXED) {
-                int index = sample(row, k);
-                if (index >= palette.length) {
-                    throw new IOException(
-                            "an indexed colour must be in the palette of " + palette.length + " (got: " + index + ")");
-                }
-                pixels[at + k] = palette[index];
-            } else {
-                int grey = bits >= 8 ? row[k * channels * bytes] & 0xff : sample(row, k) * 255 / ((1 << bits) - 1);
-                pixels[at + k] = grey * 0x010101;
+    /** Turns the bytes of pixels into samples: a palette's into colours, and a transparent colour's into an opacity. */
+    private void decode(byte[] row, int from, int count, int[] samples) throws IOException {
+        if (type == INDEXED) {
+            decodeIndices(row, from, count, samples);
+            return;
+        }
+        int channels = channels();
+        int extra = transparent.length > 0 ? 1 : 0;
+        int at = 0;
+        for (int k = from * channels; k < (from + count) * channels; k += channels) {
+            boolean isTransparent = extra > 0;
+            for (int n = 0; n < channels; n++) {
+                int value = sample(row, k + n);
+                isTransparent = isTransparent && value == transparent[n];
+                samples[at++] = value;
+            }
+            if (extra > 0) {
+                samples[at++] = isTransparent ? 0 : (1 << bits) - 1;
             }
         }
     }
 
-    /** A sample of at most 8 bits. */
+    private void decodeIndices(byte[] row, int from, int count, int[] samples) throws IOException {
+        int at = 0;
+        for (int k = from; k < from + count; k++) {
+            int index = sample(row, k);
+            if (index >= palette.length) {
+                throw new IOException(
+                        "an indexed colour must be in the palette of " + palette.length + " (got: " + index + ")");
+            }
+            int colour = palette[index];
+            samples[at++] = colour >> 16;
+            samples[at++] = colour >> 8 & 0xff;
+            samples[at++] = colour & 0xff;
+            if (transparent.length > 0) {
+                samples[at++] = transparent[index];
+            }
+        }
+    }
+
+    /** The k-th sample of a row. */
     private int sample(byte[] row, int k) {
+        if (bits == 8) {
+            return row[k] & 0xff;
+        }
+        if (bits == 16) {
+            return (row[2 * k] & 0xff) << 8 | (row[2 * k + 1] & 0xff);
+        }
         int bit = k * bits;
         return (row[bit >> 3] & 0xff) >> (8 - bits - (bit & 7)) & ((1 << bits) - 1);
     }

@@ -12,7 +12,7 @@ final class RowFilter {
     private byte[] above;
 
     /** Behind the number of the filter; one row for each of the filters. */
-    private final byte[][] filtered;
+    private byte[][] filtered = {};
 
     /**
      * Begins above the first row.
@@ -24,7 +24,6 @@ final class RowFilter {
         this.step = step;
         row = new byte[length];
         above = new byte[length];
-        filtered = new byte[KINDS][length + 1];
     }
 
     /** Takes the next row. */
@@ -34,6 +33,9 @@ final class RowFilter {
 
     /** Filters the row that was written, with the number of its filter before it. */
     byte[] filtered() {
+        if (filtered.length == 0) { // a reader has no need of them
+            filtered = new byte[KINDS][row.length + 1];
+        }
         byte[] best = filtered[0];
         long least = Long.MAX_VALUE;
         for (int kind = 0; kind < KINDS; kind++) {
@@ -59,6 +61,10 @@ final class RowFilter {
 
     /** Turns a filtered row back into what it was. */
     void restore(int kind, byte[] data) {
+        if (kind == 0) {
+            System.arraycopy(data, 0, row, 0, row.length);
+            return;
+        }
         for (int k = 0; k < row.length; k++) {
             byte left = byteOr0(row, k - step);
             row[k] = (byte) (data[k] + guess(kind, left, above[k], byteOr0(above, k - step)));

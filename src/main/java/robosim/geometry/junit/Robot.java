@@ -201,7 +201,8 @@ public final class Robot {
     }
 
     /**
-     * The distance from its centre to the nearest surface in a cone; {@code +Infinity} if there is none.
+     * The distance from its centre, not from its rim, to the nearest surface of another object in a cone; {@code
+     * +Infinity} if there is none.
      *
      * @param width full opening angle in degrees, from 0 (a line) up to, not including, 180
      */
@@ -324,7 +325,8 @@ public final class Robot {
 
     /**
      * Fails if the robot touches an object now, or if either has run into the other so far, and from now on whenever
-     * that happens in this test. Since no move goes into another object, running into it means being stopped by it.
+     * that happens in this test. Since no move goes into another object, running into it means being stopped by it: also
+     * by a refused {@link #triesToDrive}.
      */
     public Robot neverTouches(String other) {
         Checks.present("other", other);

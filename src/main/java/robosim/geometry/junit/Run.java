@@ -128,9 +128,15 @@ final class Run {
         return talks;
     }
 
+    /** Names the moment as the message of the failure does: a conversation has several requests in a step of the clock. */
+    private String title() {
+        long steps = world == null ? 0 : world.clock().steps();
+        return name(context) + ", seed " + seed + (steps == 0 ? "" : ", step " + steps + " of the clock");
+    }
+
     /** Writes the evidence of a failure and returns the lines that name it. */
     String leave(String failure) {
-        return evidence(context).leave(failure, seed, world, talks, name(context) + ", seed " + seed);
+        return evidence(context).leave(failure, seed, world, talks, title());
     }
 
     /** Class, method and number of the invocation, as a valid folder name. */

@@ -97,7 +97,9 @@ final class Words {
         }
         String kind = object.kind().word();
         String name = object.name();
-        return kind + (name == null ? " without a name" : " " + Text.quoted(name)) + " at " + center(object);
+        String words = kind + (name == null ? " without a name" : " " + Text.quoted(name));
+        // The centre of a map says nothing about its walls.
+        return object.kind() == GeometryObject.Kind.GRID ? words : words + " at " + center(object);
     }
 
     static String steps(long count) {

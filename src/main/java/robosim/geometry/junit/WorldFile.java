@@ -39,8 +39,17 @@ final class WorldFile {
                 return WorldReader.read(in, name, null);
             }
         } catch (IOException | URISyntaxException | IllegalArgumentException e) {
-            throw new ExtensionConfigurationException("the world of @World cannot be had: " + e.getMessage(), e);
+            throw new ExtensionConfigurationException("the world of @World cannot be had: " + e.getMessage(), root(e));
         }
+    }
+
+    /** Where it began: what lies between has the same message, which a report would repeat each time. */
+    private static Throwable root(Throwable failure) {
+        Throwable root = failure;
+        while (root.getCause() != null) {
+            root = root.getCause();
+        }
+        return root;
     }
 
     private static @Nullable URL resource(String name, Class<?> test) {

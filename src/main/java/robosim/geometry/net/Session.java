@@ -34,7 +34,6 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
-import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
@@ -173,8 +172,8 @@ public final class Session {
     public @Nullable Reply reply(Bundle request) {
         if (request == null || request.isAnswer()) {
             throw new IllegalArgumentException(
-                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a StepBundle"
-                            + " (got: "
+                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle"
+                            + " or a StepBundle (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
@@ -211,10 +210,10 @@ public final class Session {
         complaints.forget();
         World made;
         try {
-            made = maker.make(settings(init));
+            made = maker.make(Extent.settings(init, options.dimension(), options.accuracy()));
         } catch (IllegalArgumentException e) {
-            complaints.warn("this world cannot be made, the previous one stays: " + reason(e));
-            about.failed(reason(e));
+            complaints.warn("this world cannot be made, the previous one stays: " + Reasons.of(e));
+            about.failed(Reasons.of(e));
             return;
         }
         about.begin(0);
@@ -233,22 +232,8 @@ public final class Session {
         motion = null;
     }
 
-    private WorldSettings settings(InitBundle init) {
-        WorldSettings given = init.settings() == null ? WorldSettings.NONE : init.settings();
-        if (given.isComplete()) {
-            return given;
-        }
-        double[] sizes = Extent.worldFor(init.objects());
-        return new WorldSettings(
-                given.width() > 0 ? given.width() : sizes[0],
-                given.height() > 0 ? given.height() : sizes[1],
-                given.length() > 0 ? given.length() : sizes[2],
-                given.dimension() == null ? options.dimension() : given.dimension(),
-                given.accuracy() == null ? options.accuracy() : given.accuracy());
-    }
-
     private boolean add(World made, GeometryObject object, int index, Set<String> names) {
-        String reason = refusal(made, object, names);
+        String reason = made.refusal(object, names);
         String name = object.name();
         if (reason != null) {
             String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
@@ -261,19 +246,6 @@ public final class Session {
             names.add(name);
         }
         return true;
-    }
-
-    /** Adds an object; returns why it was not added, or null. */
-    private static @Nullable String refusal(World made, GeometryObject object, Set<String> names) {
-        String name = object.name();
-        if (name != null && names.contains(name)) {
-            return "an earlier object has its name";
-        }
-        try {
-            return made.add(object) ? null : "it would leave the world";
-        } catch (IllegalArgumentException e) {
-            return reason(e);
-        }
     }
 
     private Reply move(MoveBundle bundle) {
@@ -304,9 +276,7 @@ public final class Session {
             double ry = Degrees.toDegrees(request.ry());
             result = world.move(name, new Move(request.x(), request.y(), request.z(), rx, ry));
         } catch (IllegalArgumentException e) {
-            String reason = reason(e);
-            complaints.warn("a move of object " + Text.quoted(name) + " is left out: " + reason);
-            return Problem.of(index, reason);
+            return logged(index, "a move of object " + Text.quoted(name) + " is left out", Reasons.of(e));
         }
         listener.tried(request, result);
         return result.allowed() ? null : Problem.of(index, () -> Reasons.of(result));
@@ -332,9 +302,7 @@ public final class Session {
         try {
             return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), degrees(beam));
         } catch (IllegalArgumentException e) {
-            String reason = reason(e);
-            complaints.warn("a distance of object " + Text.quoted(name) + " is NaN: " + reason);
-            problems.add(Problem.of(index, reason));
+            problems.add(logged(index, "a distance of object " + Text.quoted(name) + " is NaN", Reasons.of(e)));
             return Double.NaN;
         }
     }
@@ -365,9 +333,7 @@ public final class Session {
                     ? about.answer(geometry, asked, moveable, this::tried)
                     : batches.answer(world, request, breath);
         } catch (IllegalArgumentException e) {
-            String reason = reason(e);
-            complaints.warn("a batch of object " + Text.quoted(name) + " has no answer: " + reason);
-            problems.add(Problem.of(index, reason));
+            problems.add(logged(index, "a batch of object " + Text.quoted(name) + " has no answer", Reasons.of(e)));
             return new NoAnswer();
         }
     }
@@ -381,21 +347,24 @@ public final class Session {
         }
         breath.run();
         try {
-            motion = motion == null ? new Motion(geometry) : motion;
+            motion = motion == null ? new Motion(geometry, () -> breath.run()) : motion;
             return new Reply(motion.step(step, (index, reason) -> problems.add(leftOut(index, reason))), problems);
         } catch (IllegalArgumentException e) {
-            return new Reply(nothing, List.of(notStepped(reason(e))));
+            return new Reply(nothing, List.of(notStepped(Reasons.of(e))));
         }
     }
 
     private Problem leftOut(int index, String reason) {
-        complaints.warn("body or command " + index + " of a step is left out: " + reason);
-        return Problem.of(index, reason);
+        return logged(index, "body or command " + index + " of a step is left out", reason);
     }
 
     private Problem notStepped(String reason) {
-        complaints.warn("a step moves nothing: " + reason);
-        return Problem.of(0, reason);
+        return logged(0, "a step moves nothing", reason);
+    }
+
+    private Problem logged(int index, String what, String reason) {
+        complaints.warn(what + ": " + reason);
+        return Problem.of(index, reason);
     }
 
     private void tried(WorldRequest.Go go, MoveResult result) {
@@ -424,9 +393,5 @@ public final class Session {
                 : "no moveable object " + Text.quoted(name) + rest;
         complaints.warn(words.get() + ": " + consequence);
         return Problem.of(index, words); // reasons may be much larger than the bundle, so their text is not kept
-    }
-
-    private static String reason(IllegalArgumentException e) {
-        return e.getMessage() == null ? e.getClass().getSimpleName() : Text.line(e.getMessage());
     }
 }

@@ -36,7 +36,7 @@ import robosim.geometry.world.shared.FileProblem;
  * <p>In modes trinary and scale a cell is a wall if ROS gives it the value 100; in mode raw if its value is above 100
  * times {@code occupied_thresh}. The edges of the grid's cells are those of the map's, to within rounding.
  *
- * <p>Requires snakeyaml-engine on the class path, and the module java.desktop for PNG.
+ * <p>Requires snakeyaml-engine on the class path.
  */
 public final class RosMapReader {
     /** Height in metres of the walls of a map, which does not specify it: that of a door. */

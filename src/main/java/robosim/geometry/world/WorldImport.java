@@ -22,6 +22,7 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
+import robosim.geometry.world.stage.StageWorld;
 
 /**
  * A world from a file of any supported format, and a report on the file: what was read, what was ignored because it is
@@ -66,7 +67,8 @@ public record WorldImport(
     /**
      * Reads a file in the format given by the ending of its name: a world of this module ({@code .xml}), a ROS map
      * ({@code .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a
-     * model), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae}). A file with any other name is read as a world of this module.
+     * model), a world of Stage ({@code .world}), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae},
+     * {@code .ply}, {@code .glb}, {@code .gltf}). A file with any other name is read as a world of this module.
      *
      * @throws WorldException naming file, line and remedy, if the file cannot be read, is of no such format, or is
      *     SDFormat that yields no object
@@ -88,9 +90,10 @@ public record WorldImport(
             return read(file, ending, options);
         } catch (WorldException e) {
             String readAs = switch (ending) {
-                case "sdf", "world" -> "sdf";
+                case "world" -> FileKind.isStage(file) ? "stage" : "sdf";
+                case "sdf" -> "sdf";
                 case "yaml", "yml" -> "yaml";
-                case "obj", "stl", "dae", "urdf" -> ending;
+                case "obj", "stl", "dae", "ply", "glb", "gltf", "urdf" -> ending;
                 default -> "xml";
             };
             String other = e.source().equals(file.toString()) ? FileKind.other(file, readAs) : null;
@@ -116,24 +119,24 @@ public record WorldImport(
             case "pgm", "png" ->
                 throw new WorldException(new FileProblem(
                         file.toString(), 0, 0, "a map is read from its .yaml file, which gives the size of a cell"));
-            case "gltf", "glb", "fbx", "xacro", "gz", "zip" ->
+            case "fbx", "xacro", "gz", "zip" ->
                 throw new WorldException(new FileProblem(
                         file.toString(),
                         0,
                         0,
                         "files of this format are not supported; unpack this one, or export it as SDFormat,"
-                                + " COLLADA, OBJ or STL (got: ." + ending + ")"));
+                                + " glTF, COLLADA, OBJ or STL (got: ." + ending + ")"));
             default -> {}
         }
     }
 
-    /** Refuses SDFormat that yields no object: an empty world is not what the user wants. */
+    /** Refuses SDFormat or a world of Stage that yields no object: an empty world is not what the user wants. */
     private static WorldImport solid(Path file, WorldImport read) throws WorldException {
         if (!read.world.objects().isEmpty()) {
             return read;
         }
         List<String> reasons = new ArrayList<>();
-        shown(reasons, read.skipped.stream().map(Skipped::toString).toList(), MOST_REASONS);
+        shown(reasons, Skipped.joined(read.skipped), MOST_REASONS);
         shown(reasons, read.remarks, MOST_REASONS);
         throw new WorldException(new FileProblem(
                 file.toString(),
@@ -146,10 +149,13 @@ public record WorldImport(
 
     private static WorldImport read(Path file, String ending, ImportOptions options) throws WorldException {
         return switch (ending) {
-            case "sdf", "world", "urdf" -> solid(file, SdfReader.read(file, options.models()));
+            case "world" -> solid(file, FileKind.isStage(file) ? stage(file) : SdfReader.read(file, options.models()));
+            case "sdf", "urdf" -> solid(file, SdfReader.read(file, options.models()));
             case "obj" -> mesh(file, "Wavefront OBJ", options);
             case "stl" -> mesh(file, "STL", options);
             case "dae" -> mesh(file, "COLLADA", options);
+            case "ply" -> mesh(file, "PLY", options);
+            case "glb", "gltf" -> mesh(file, "glTF", options);
             case "yaml", "yml" -> RosMapReader.readImport(file, options);
             default -> {
                 try {
@@ -188,17 +194,47 @@ public record WorldImport(
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
+    /** A world of Stage, with a margin of at least a metre around its objects. */
+    private static WorldImport stage(Path file) throws WorldException {
+        try {
+            StageWorld found = StageWorld.read(file);
+            List<WorldObject> objects = new ArrayList<>();
+            for (StageWorld.Found each : found.objects) {
+                List<SonarRing> rings = each.rings().stream()
+                        .map(r -> new SonarRing((int) r[0], r[1], r[2], r[3], r[4], r[5]))
+                        .toList();
+                objects.add(new WorldObject(each.object(), null, rings));
+            }
+            double[] reach =
+                    Bounds.reach(objects.stream().map(WorldObject::object).toList());
+            World world = new World(
+                    2 * (reach[0] + 1),
+                    2 * (reach[1] + 1),
+                    2 * (reach[2] + 1),
+                    Unit.METRE,
+                    Dimension.SPATIAL,
+                    Accuracy.EXACT,
+                    objects);
+            List<Skipped> skipped = found.leftOut.stream().map(Skipped::of).toList();
+            return new WorldImport(world, "Stage", found.read, found.passedOver, skipped, found.remarks);
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        } catch (IllegalArgumentException e) {
+            throw new WorldException(new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e));
+        }
+    }
+
     /** A mesh at the origin of its own coordinates, in a world with a margin of a quarter of its size. */
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
         MeshObject mesh;
-        boolean isCollada = MeshFiles.isCollada(file.toString());
+        boolean isUpright = MeshFiles.isUpright(file.toString());
         List<LeftOut> leftOut = new ArrayList<>();
         try {
             mesh = MeshFiles.trimmed(MeshFiles.read(file, options.scale(), new TextureFiles(List.of(), leftOut)));
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
-        if (options.up() == ImportOptions.Up.Z && !isCollada) { // which says itself what is up
+        if (options.up() == ImportOptions.Up.Z && !isUpright) { // which says itself what is up
             mesh = mesh.turned(-90, 0);
         }
         Path last = file.getFileName();
@@ -211,7 +247,7 @@ public record WorldImport(
                 2 * (reach[0] + margin),
                 2 * (reach[1] + margin),
                 2 * (reach[2] + margin),
-                isCollada && options.scale() == 1 ? Unit.METRE : null,
+                isUpright && options.scale() == 1 ? Unit.METRE : null,
                 Dimension.SPATIAL,
                 Accuracy.EXACT,
                 objects);
@@ -225,7 +261,8 @@ public record WorldImport(
     }
 
     /**
-     * What was read and what was not, as lines for users: first what was left out, at most {@code most} items of it.
+     * What was read and what was not, as lines for users: first what was left out, at most {@code most} lines of it. If
+     * it is more, parts that were left out for the same reason share a line.
      */
     public List<String> lines(int most) {
         List<String> lines = new ArrayList<>();
@@ -233,7 +270,8 @@ public record WorldImport(
         if (!passedOver.isEmpty()) {
             lines.add("Ignored, as irrelevant to solid geometry: " + counted(passedOver));
         }
-        shown(lines, skipped.stream().map(Skipped::toString).toList(), most);
+        boolean isAll = most >= skipped.size();
+        shown(lines, isAll ? skipped.stream().map(Skipped::toString).toList() : Skipped.joined(skipped), most);
         shown(lines, remarks, most);
         return lines;
     }

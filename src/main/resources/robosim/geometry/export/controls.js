@@ -252,9 +252,9 @@ function listen(player) {
   return dark;
 }
 
-/** Settings in the address: #step=120&camera=eye&robot=drum 1&dark=1&sonars=0&trails=0&names=1&speed=10&play=1 */
+/** Settings in the address, or else those of the writer of the page: #step=120&camera=eye&robot=drum 1&dark=1&sonars=0&trails=0&names=1&speed=10&play=1 */
 function fromAddress(player, dark) {
-  const given = new URLSearchParams(location.hash.slice(1)), number = (name, then) => { if (/^\d+$/.test(given.get(name) || '')) then(+given.get(name)); };
+  const given = new URLSearchParams(location.hash.slice(1) || '%START%'), number = (name, then) => { if (/^\d+$/.test(given.get(name) || '')) then(+given.get(name)); };
   number('step', v => player.seek(v - 1 - player.data.first));
   const robot = player.movers().findIndex(id => player.data.objects[id].name === given.get('robot'));
   if (robot >= 0) player.robot = robot;

@@ -20,7 +20,7 @@ import robosim.geometry.Effort;
  * many plain and how many adversarial cases a kernel is asked, {@code census.seed} where they start, {@code census.kernels} a regular expression of names.
  */
 class CensusTest {
-    private static final long CASES = Long.getLong("census.cases", Effort.cases(800));
+    private static final long CASES = Long.getLong("census.cases", Math.max(400, Effort.cases(800)));
 
     /** Fewer cases than this, plain and adversarial together, are no test of a regime. Of few the scatter is larger. */
     private static final long LEAST = CASES / (CASES < 800 ? 16 : 12);

@@ -5,18 +5,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
+import robosim.geometry.world.WorldWriter;
 
 @Timeout(60)
 class AddCommandTest extends CommandRun {
@@ -91,6 +97,38 @@ class AddCommandTest extends CommandRun {
         Path whole = folder.resolve("whole.xml");
         assertThat(run("convert", map(), whole, "--robot", "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
         assertThat(WorldReader.read(xml)).isEqualTo(WorldReader.read(whole));
+    }
+
+    /** An include names only what is below it; elsewhere the new world has all that the map has. */
+    @Test
+    void theNewWorldMayBeAnywhere() throws IOException {
+        Path map = map();
+        Path xml = Files.createDirectory(folder.resolve("elsewhere")).resolve("world.xml");
+        assertThat(run("add", map, xml, "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
+        assertThat(out.toString()).contains("Wrote " + xml + ", with a copy of what is in " + map);
+        Path whole = folder.resolve("whole.xml");
+        assertThat(run("convert", map, whole, "--robot", "disc:0.3@1,2")).isEqualTo(ExitCodes.FINE);
+        assertThat(xml).hasSameTextualContentAs(whole);
+    }
+
+    /** A mesh is hollow, so nothing touches a robot in a bed, which it can never leave. */
+    @Test
+    void aRobotInAClosedSurfaceIsWarnedOf() throws IOException {
+        Path in = folder.resolve("in.xml");
+        MeshObject bed = new MeshObject(
+                List.of(new Point(-1, -1, -1), new Point(1, -1, -1), new Point(0, -1, 1), new Point(0, 1, 0)),
+                new int[][] {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+        World world = new World(
+                20, 4, 20, null, Dimension.SPATIAL, Accuracy.EXACT, List.of(new WorldObject(bed.named("bed"))));
+        WorldWriter.write(world, in);
+        Path xml = folder.resolve("world.xml");
+        for (String command : List.of("add", "convert")) {
+            String option = command.equals("add") ? "--sonars=0" : "--robot";
+            assertThat(run(command, in, xml, option, "disc:0.1x0.2@0,0")).isEqualTo(ExitCodes.FINE);
+            assertThat(err.toString()).contains("warning: \"robot\" is inside the closed surface \"bed\"");
+            assertThat(run(command, in, xml, option, "disc:0.1x0.2@2,0")).isEqualTo(ExitCodes.FINE);
+            assertThat(err.toString()).isEmpty();
+        }
     }
 
     @ParameterizedTest

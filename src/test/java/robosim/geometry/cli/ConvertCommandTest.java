@@ -84,7 +84,8 @@ class ConvertCommandTest extends CommandRun {
                 .startsWith(sdf + ": nothing in it is solid, so the world would be empty; ")
                 .contains(
                         sdf + ":1: left out <include> of model://inner_walls: there is no such file or folder below ",
-                        "give the folder that contains the model (got: model://inner_walls)");
+                        "give the folder that contains the model: --models DIR, or ImportOptions.withModels"
+                                + " (got: model://inner_walls)");
         assertThat(run("convert", sdf, xml, "--models", FILES.resolve("sdf"))).isZero();
         assertThat(WorldReader.read(xml).objects()).hasSize(7);
     }
@@ -102,7 +103,12 @@ class ConvertCommandTest extends CommandRun {
         StringBuilder text = new StringBuilder("<sdf version='1.7'><world name='w'>");
         text.append("<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere>"
                 + "</geometry></collision></link></model>");
-        text.append("<actor name='a'/>".repeat(30)).append("</world></sdf>");
+        // Each for a reason of its own, else they would share a line.
+        for (int k = 0; k < 30; k++) {
+            text.append(
+                    "<model name='m" + k + "'><link name='l'><pose relative_to='no'>0 0 0 0 0 0</pose></link></model>");
+        }
+        text.append("</world></sdf>");
         Path sdf = Files.writeString(folder.resolve("w.sdf"), text);
         Path xml = folder.resolve("w.xml");
         assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.PARTIAL);

@@ -119,7 +119,7 @@ class PagesTest {
     /** The command, and each of its options as far as the line goes. */
     private static @Nullable String command(String line) {
         List<String> words = List.of(line.split("\\s+"));
-        CommandLine command = new CommandLine(Commands.class).getSubcommands().get(words.get(0));
+        CommandLine command = Commands.line(false).getSubcommands().get(words.get(0));
         if (command == null) {
             return "there is no such command";
         }

@@ -39,7 +39,7 @@ class PythonClientTest {
     @Test
     void everyMessageIsAnswered() throws Exception {
         try (GeometryServer server = new GeometryServer(0)) {
-            assertThat(run(TESTS, "127.0.0.1:" + server.port())).isEqualToIgnoringNewLines("all done");
+            assertThat(run(TESTS, "127.0.0.1:" + server.port(), "worlds")).isEqualToIgnoringNewLines("all done");
         }
     }
 

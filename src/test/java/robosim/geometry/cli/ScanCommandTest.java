@@ -59,6 +59,28 @@ class ScanCommandTest {
         assertThat(Files.readString(pcd, StandardCharsets.ISO_8859_1)).startsWith("# .PCD v0.7");
     }
 
+    /** A static model carries nothing, so its own box is in the way. */
+    @Test
+    void aSensorInsideAStaticModelIsWarnedOf() throws IOException {
+        String sdf = "<sdf version='1.7'><world name='w'><model name='post'><static>%s</static><pose>0 0 1 0 0 0</pose>"
+                + "<link name='l'><collision name='c'><geometry><box><size>.1 .1 .1</size></box></geometry></collision>"
+                + "<sensor name='laser' type='gpu_lidar'><lidar><scan><horizontal><samples>90</samples>"
+                + "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><min>.2</min><max>9</max>"
+                + "</range></lidar></sensor></link></model></world></sdf>";
+        Path npy = folder.resolve("a.npy");
+        for (boolean isStatic : new boolean[] {true, false}) {
+            Path world = Files.writeString(folder.resolve("w.sdf"), sdf.formatted(isStatic));
+            out.getBuffer().setLength(0);
+            assertThat(run("scan", world.toString(), "--sensor", "laser", "-o", npy.toString()))
+                    .isZero();
+            if (isStatic) {
+                assertThat(out.toString()).contains("warning: the sensor post::l::laser is inside box \"post\"");
+            } else {
+                assertThat(out.toString()).doesNotContain("warning");
+            }
+        }
+    }
+
     @Test
     void sensorsOfAWorldInSdf() throws IOException {
         Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);
@@ -123,7 +145,9 @@ class ScanCommandTest {
                     .isZero();
             files[k] = Files.readAllBytes(npy);
         }
-        assertThat(out.toString()).contains("1 x 1081 ranges");
+        assertThat(out.toString())
+                .contains(
+                        "1 x 1081 ranges; column 0 points -135 degrees from ahead, column 1 -134.75, the last 135, counter");
         assertThat(files[0]).isEqualTo(files[1]).isNotEqualTo(files[2]).isNotEqualTo(files[3]);
         assertThat(files[0].length).isEqualTo(128 + 8 * 1081);
         double noisy = ByteBuffer.wrap(files[0]).order(ByteOrder.LITTLE_ENDIAN).getDouble(128);

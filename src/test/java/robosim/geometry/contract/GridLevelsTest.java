@@ -22,7 +22,7 @@ import robosim.geometry.model.Ray;
 class GridLevelsTest {
     private static final double SIZE = 64;
     private static final double SPREAD = 5;
-    private static final int WORLDS = Effort.cases(24);
+    private static final int WORLDS = Effort.cases(24, 12);
     private static final int QUESTIONS = 60;
 
     /** More than distances are rounded by. */

@@ -38,7 +38,7 @@ import robosim.geometry.model.Point;
 /** Worlds made of a snapshot answer to the bit as the one it is of, share what stands still, and keep changes to themselves. */
 class SnapshotTest {
     private static final double SIZE = 64;
-    private static final int QUESTIONS = Math.max(300, Effort.cases(300));
+    private static final int QUESTIONS = Effort.cases(300, 300);
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** Of all objects; one in so many moves. */

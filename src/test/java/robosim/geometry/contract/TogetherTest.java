@@ -140,7 +140,7 @@ class TogetherTest {
         int inside = 0;
         int beams = 0;
         long before = unsure();
-        for (int round = 0; round < Effort.cases(40); round++) {
+        for (int round = 0; round < Effort.cases(40, 20); round++) {
             Geometry world = world(dimension, count, oneIn);
             Snapshot snapshot = world.snapshot();
             Geometry copy = snapshot.toGeometry();
@@ -185,7 +185,7 @@ class TogetherTest {
             }
         }
         long asked = unsure() - before;
-        assertThat(beams).isGreaterThan(Effort.cases(20_000));
+        assertThat(beams).isGreaterThan(Effort.cases(20_000, 10_000));
         if (count > 1) {
             assertThat(hits).isBetween(beams / 10, beams * 99 / 100);
             assertThat(inside).isGreaterThan(beams / 1000);
@@ -213,7 +213,7 @@ class TogetherTest {
         int beams = 0;
         int hits = 0;
         long before = unsure();
-        for (int round = 0; round < Effort.cases(30); round++) {
+        for (int round = 0; round < Effort.cases(30, 15); round++) {
             Pose pose = Pose.of(new Point(random.nextDouble(-9, 9), random.nextDouble(-9, 9), 9.3), 31)
                     .turned(11, 7);
             world.sense(pose, camera, SenseOptions.range(0, 100), out);
@@ -242,7 +242,7 @@ class TogetherTest {
         scale = Math.scalb(1.0, power);
         int hits = 0;
         int beams = 0;
-        for (int round = 0; round < Effort.cases(30); round++) {
+        for (int round = 0; round < Effort.cases(30, 15); round++) {
             Geometry world = world(dimension, count, round % 2 == 0 ? 3 : 30);
             if (round % 5 == 4) {
                 crowd(world);

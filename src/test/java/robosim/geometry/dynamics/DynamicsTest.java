@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
@@ -67,6 +70,86 @@ class DynamicsTest {
                     + 0.5 * bodies.get(k).inertia() * w * w;
         }
         return sum;
+    }
+
+    /** Ways that cross all over the world: a long step is divided before all of its pairs fill the memory. */
+    @Test
+    void aLongStepOfManyFastBodiesKeepsFewPairs() {
+        Geometry world = world(200);
+        Dynamics dynamics = new Dynamics(world, new Surface(1, 0, 0));
+        for (int k = 0; k < 900; k++) {
+            world.addObject(disc("d" + k, 6 * (k % 30) - 87, 6 * (k / 30) - 87, 0.05));
+            dynamics.add("d" + k, Body.of(1, 1).withSurface(new Surface(1, 0, 0)));
+            dynamics.setVelocity("d" + k, new Twist(100 * StrictMath.cos(k), 0, 100 * StrictMath.sin(k), 0));
+        }
+        dynamics.advance(1e-3);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long id = Thread.currentThread().getId();
+        long before = threads.getThreadAllocatedBytes(id);
+        dynamics.advance(4);
+        // Nearly each of 404,550 pairs has boxes of ways that meet; a few hundred bytes for each are more than 100 MB.
+        assertThat(threads.getThreadAllocatedBytes(id) - before).isLessThan(60_000_000);
+        assertApart(world, "after 400 m");
+    }
+
+    /** On an arc, however long the steps, the end is that of the arc. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.05, 0.2, 1})
+    void aCurveIsAnArc(double seconds) {
+        Geometry world = world(60);
+        world.addObject(disc("cart", 0, 0, 0.3));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("cart", Body.of(10, 1));
+        double turn = StrictMath.toDegrees(0.5);
+        dynamics.drive("cart", new DifferentialDrive(0.5, 2, Double.POSITIVE_INFINITY).driving(0.5, turn));
+        int steps = (int) Math.round(6 / seconds);
+        for (int k = 0; k < steps; k++) {
+            dynamics.step(seconds);
+        }
+        // A circle of a radius of 1 m, to the left: -Z.
+        Point end = world.getObject("cart").center();
+        assertThat(end.x()).isCloseTo(StrictMath.sin(3), within(1e-9));
+        assertThat(end.z()).isCloseTo(-(1 - StrictMath.cos(3)), within(1e-9));
+        assertThat(dynamics.velocity("cart").x()).isCloseTo(0.5, within(1e-12));
+        assertThat(dynamics.velocity("cart").z()).isCloseTo(0, within(1e-12));
+    }
+
+    /** The way while it gains speed is that of a constant acceleration, however long the steps. */
+    @ParameterizedTest
+    @CsvSource({"0.01, 1e-9", "0.05, 1e-9", "0.25, 1e-9", "1, 1e-9"})
+    void speedIsGainedEvenly(double seconds, double bound) {
+        Geometry world = world(60);
+        world.addObject(disc("cart", 0, 0, 0.3));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("cart", Body.of(10, 1));
+        dynamics.drive("cart", new DifferentialDrive(0.5, 2, 2).driving(1, 0));
+        for (int k = 0; k < Math.round(1 / seconds); k++) {
+            dynamics.step(seconds);
+        }
+        assertThat(world.getObject("cart").center().x()).isCloseTo(0.75, within(bound));
+    }
+
+    /** Steps of 0.5 s and of 10 ms agree about what a robot pushes that the floor slows. */
+    @Test
+    void pushingDoesNotDependOnTheLengthOfAStep() {
+        double[] places = new double[3];
+        double[] lengths = {0.01, 1.0 / 16, 0.5};
+        for (int k = 0; k < 3; k++) {
+            Geometry world = world(60);
+            world.addObject(disc("cart", 0, 0, 0.5));
+            world.addObject(disc("crate", 2, 0, 0.5));
+            Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+            dynamics.add("cart", Body.of(40, 5));
+            dynamics.add("crate", Body.of(10, 1).withFloorFriction(0.5));
+            dynamics.drive("cart", new DifferentialDrive(0.5, 2, 2).driving(1, 0));
+            for (int step = 0; step < Math.round(10 / lengths[k]); step++) {
+                dynamics.step(lengths[k]);
+            }
+            places[k] = world.getObject("crate").center().x();
+            assertThat(dynamics.velocity("crate").x()).isCloseTo(1, within(1e-5));
+        }
+        assertThat(places[1]).isCloseTo(places[0], within(0.03));
+        assertThat(places[2]).isCloseTo(places[1], within(1e-9));
     }
 
     /** Two discs of any masses on a line: the velocities after an impact of any restitution, and the places. */
@@ -171,7 +254,7 @@ class DynamicsTest {
     void momentumIsKeptAndEnergyNeverGrows(double restitution) {
         SplittableRandom random = new SplittableRandom(3);
         int met = 0;
-        for (int run = 0; run < Effort.cases(8); run++) {
+        for (int run = 0; run < Effort.cases(8, 4); run++) {
             Geometry world = world(4000);
             Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
             List<String> names = new ArrayList<>();
@@ -375,7 +458,8 @@ class DynamicsTest {
         world.addObject(disc("a", 0, 0, 1));
         world.addObject(new BoxObject(new Point(4, 0, 0), 1, 1, 1).named("wall"));
         Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
-        assertThatThrownBy(() -> new Dynamics(new Geometry(), Surface.SMOOTH)).hasMessageStartingWith("world ");
+        assertThatThrownBy(() -> new Dynamics(world, Surface.SMOOTH, new Point(0, -1, 0)))
+                .hasMessageStartingWith("world ");
         assertThatThrownBy(() -> dynamics.add("wall", Body.of(1, 1))).hasMessageStartingWith("name ");
         assertThatThrownBy(() -> dynamics.velocity("a")).hasMessageStartingWith("name ");
         assertThatThrownBy(() -> dynamics.step(0)).hasMessageStartingWith("seconds ");

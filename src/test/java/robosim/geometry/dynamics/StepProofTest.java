@@ -19,7 +19,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
 
-/** What a step promises; {@code -Ddynamics.steps=N} for N random steps of nine bodies instead of a few hundred. */
+/** What a step promises; {@code StepFamiliesTest} makes millions of steps. */
 class StepProofTest {
     private static Geometry world(double size) {
         return new Geometry(size, 5, size, Dimension.PLANAR, Accuracy.EXACT);
@@ -32,7 +32,7 @@ class StepProofTest {
     /** Bodies of all sizes and speeds in a closed cell with a wedge: no overlap, nobody out, and a thin wall keeps its sides. */
     @Test
     void nothingOverlapsAndNothingPassesThrough() {
-        long asked = Long.getLong("dynamics.steps", 300);
+        long asked = 300;
         SplittableRandom random = new SplittableRandom(21);
         long met = 0;
         for (long steps = 0; steps < asked; ) {

@@ -10,6 +10,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
 import robosim.geometry.bench.Answers;
 import robosim.geometry.bench.Questions;
 import robosim.geometry.bench.Questions.Family;
@@ -36,7 +37,7 @@ class FilterTest {
             Subject.PRODUCTS,
             Subject.BORDER
         };
-        int count = 150;
+        int count = Effort.cases(150, 40);
         List<Family> families = Questions.families(subjects);
         double[] here = Answers.here(families, SEED, count);
         double[] there = Answers.forked(filter(mode), families, SEED, count);

@@ -292,7 +292,7 @@ class PageDataTest {
         Path script = Path.of("src/test/resources/robosim/geometry/export/decode.js");
         for (StateHistory film : films) {
             byte[] data = data(film);
-            Path file = Files.writeString(folder.resolve("page.html"), PageWriter.page("a <title>", data));
+            Path file = Files.writeString(folder.resolve("page.html"), PageWriter.page("a <title>", "", data));
             Program.Said said = Program.run(folder, 60, Map.of(), List.of("node", script.toString(), file.toString()));
             assertThat(said.err()).isEmpty();
             assertThat(said.code()).isZero();

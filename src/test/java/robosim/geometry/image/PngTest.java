@@ -158,13 +158,20 @@ class PngTest {
         byte[] bomb = colour(20, 10, picture(20, 10, 1));
         ByteBuffer.wrap(bomb).putInt(16, 1 << 20).putInt(20, 1 << 20);
         seal(bomb);
-        refused(bomb, "1 to 67108864 pixels (got: 1048576 x 1048576)");
+        refused(bomb, "1 to 268435456 pixels (got: 1048576 x 1048576)");
         ByteBuffer.wrap(bomb).putInt(16, 8192).putInt(20, 8192);
         seal(bomb);
         refused(bomb, "must fill all its rows");
         bomb[28] = 1;
         seal(bomb);
-        refused(bomb, "must not be interlaced");
+        refused(bomb, "must fill all its rows");
+        bomb[28] = 2;
+        seal(bomb);
+        refused(bomb, "must be interlaced in 7 passes or not at all (got: method 2)");
+        ByteBuffer.wrap(bomb).putInt(16, 16384).putInt(20, 8192);
+        bomb[28] = 0;
+        seal(bomb);
+        refused(bomb, "1 to 67108864 pixels (got: 16384 x 8192)");
     }
 
     private static void seal(byte[] png) {

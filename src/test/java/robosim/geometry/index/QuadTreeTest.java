@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.regions.Regions;
 import robosim.geometry.index.tiles.OrientedRectangle;
@@ -90,7 +91,8 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int found = 0;
         int asked = 0;
-        for (int step = 0; step < 3000; step++) {
+        int steps = Effort.cases(3000, 600);
+        for (int step = 0; step < steps; step++) {
             int id = random.nextInt(boxes.length);
             churn(tree, boxes, id, scene, random, step);
             if (step % 4 == 0) {
@@ -117,7 +119,8 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int found = 0;
         int asked = 0;
-        for (int step = 0; step < 3000; step++) {
+        int steps = Effort.cases(3000, 600);
+        for (int step = 0; step < steps; step++) {
             int id = random.nextInt(boxes.length);
             churn(tree, boxes, id, scene, random, step);
             if (step % 4 == 0) {
@@ -164,7 +167,8 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int hits = 0;
         int misses = 0;
-        for (int step = 0; step < 900; step++) {
+        int steps = 900;
+        for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             if (step % 3 != 0) {
                 continue;
@@ -198,7 +202,8 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int inside = 0;
         int near = 0;
-        for (int step = 0; step < 900; step++) {
+        int steps = 900;
+        for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
             double limit = random.nextInt(4) == 0 ? 0 : random.nextDouble(scene == Scene.OUTSIDE ? 1e8 : 300);
@@ -237,7 +242,8 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int met = 0;
         int passedBy = 0;
-        for (int step = 0; step < 900; step++) {
+        int steps = 900;
+        for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
             double aim = random.nextInt(4) == 0 ? random.nextInt(8) * 45 : random.nextDouble(360);

@@ -104,8 +104,8 @@ class DrivingTest {
                 .hasDrive(new DifferentialDrive(0.5, 1, 0.5))
                 .drives(9, 0)
                 .forSeconds(2);
-        // v of each step is 0.05 k: 0.05 * 0.1 * (1 + ... + 20).
-        world.robot("drum").endsNear(-6 + 0.005 * 210, 5, 1e-9);
+        // 1/2 a t^2.
+        world.robot("drum").endsNear(-6 + 0.5 * 0.5 * 4, 5, 1e-9);
         world.robot("crate")
                 .hasDrive(new OmnidirectionalDrive(1, 100, 90, 100))
                 .drives(0, 1, 0)

@@ -119,6 +119,9 @@ class LastMomentsTest {
     void aPageIsBesideIt(@TempDir Path folder) throws Exception {
         Path page = run(Doomed.Failing.class, "lost", folder).resolve("last-moments.html");
         assertThat(page).content().contains("<!DOCTYPE html>", "<title>").contains("Failing.lost, seed ");
+        // It opens at the last of its steps, and is named after the step of the clock that the message has.
+        assertThat(page).content().containsPattern("\\|\\|'step=[0-9]+'").doesNotContain("%START%");
+        assertThat(page).content().containsPattern("<title>[^<]*Failing.lost, seed [-0-9]+, step [0-9]+ of the clock");
         assertThat(run(Doomed.Talking.class, "talks", folder).resolve("connection-1.html"))
                 .content()
                 .contains("<!DOCTYPE html>");

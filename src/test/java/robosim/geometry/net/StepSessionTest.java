@@ -2,7 +2,9 @@ package robosim.geometry.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Objects;
@@ -22,6 +24,8 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.pace.CpuTurn;
+import robosim.geometry.net.session.LogBudget;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
@@ -198,5 +202,69 @@ class StepSessionTest {
         double mass = 200 * Math.PI * 0.25;
         assertThat(answer.bodies().get(0).velocity().x())
                 .isCloseTo(100 * 0.5 / mass, org.assertj.core.data.Offset.offset(1e-12));
+    }
+
+    @Test
+    void bodiesFallWhereHeightsCount() {
+        Session session = new Session();
+        session.reply(new InitBundle(
+                List.of(
+                        new BoxObject(new Point(0, -0.5, 0), 10, 1, 10).named("floor"),
+                        new BoxObject(new Point(0, 2, 0), 1, 0.5, 0.5)
+                                .turned(0, 40)
+                                .moveable("crate"),
+                        new CylinderObject(new Point(3, 0.5001, 0), 0.5, 1).moveable("cart")),
+                new WorldSettings(40, 20, 40, Dimension.SPATIAL, Accuracy.EXACT)));
+        int[] breaths = new int[1];
+        session.pausing(() -> breaths[0]++, new LogBudget(System::nanoTime));
+        StepBundle.Answer fallen =
+                step(session, new StepBundle(2, List.of(BodyRequest.of("crate"), BodyRequest.of("cart")), List.of()));
+        assertThat(fallen.bodies().get(0).center().y()).isCloseTo(0.25, within(1e-6));
+        assertThat(breaths[0]).as("parts of the step").isGreaterThan(100);
+        assertThat(fallen.contacts().get(0).other()).isEqualTo("floor");
+        Reply refused = reply(session, new StepBundle(0.1, List.of(), List.of(new DriveCommand("cart", 1, 0, 0))));
+        assertThat(refused.problems().get(0).reason()).startsWith("drives need a PLANAR world");
+    }
+
+    /** However many bodies a step has and however long it is, others wait for no more than a part of it. */
+    @Test
+    void aStepIsDoneInParts() {
+        Session session = new Session();
+        List<GeometryObject> discs = new ArrayList<>();
+        List<BodyRequest> bodies = new ArrayList<>();
+        for (int k = 0; k < 400; k++) {
+            Point place = new Point(k % 20 - 10, 0, k / 20 - 10);
+            discs.add(new CylinderObject(place, 0.3, 1).moveable("disc " + k));
+            bodies.add(BodyRequest.of("disc " + k)
+                    .withFloorFriction(0)
+                    .withVelocity(new Velocity(Math.cos(k), 0, Math.sin(k), 0)));
+        }
+        session.reply(new InitBundle(discs, PLANE));
+        int[] breaths = new int[1];
+        session.pausing(() -> breaths[0]++, new LogBudget(System::nanoTime));
+        step(session, new StepBundle(0, bodies, List.of()));
+        assertThat(breaths[0]).as("bodies are given, and told").isGreaterThanOrEqualTo(2 * 400);
+        breaths[0] = 0;
+        StepBundle.Answer answer = step(session, new StepBundle(2, List.of(), List.of()));
+        // Each is paired up with others, meets some of them, is carried in the world, and told.
+        assertThat(answer.contacts()).hasSizeGreaterThan(100);
+        assertThat(breaths[0]).isGreaterThan(5 * 400);
+    }
+
+    /** A server that closes does not wait for the end of a step. */
+    @Test
+    void aStepEndsWhereItsSessionIsCutOff() {
+        Session session = session();
+        step(session, new StepBundle(0, List.of(BodyRequest.of("ball")), List.of(new DriveCommand("ball", 1, 0))));
+        int[] left = {5};
+        session.pausing(
+                () -> {
+                    if (--left[0] < 0) {
+                        throw new CpuTurn.CutOff();
+                    }
+                },
+                new LogBudget(System::nanoTime));
+        StepBundle hour = new StepBundle(3600, List.of(), List.of());
+        assertThatThrownBy(() -> session.reply(hour)).isInstanceOf(CpuTurn.CutOff.class);
     }
 }

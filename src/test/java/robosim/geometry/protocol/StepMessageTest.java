@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.Point;
@@ -119,6 +120,23 @@ class StepMessageTest {
         assertThatThrownBy(() -> JsonLines.readRequest("{\"type\":\"step\",\"seconds\":1,\"speed\":2}"))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("speed");
+    }
+
+    /** World files have them in small letters, the wire in capitals. */
+    @Test
+    void kindsOfDrivesAreReadInCapitalsAndInSmallLetters() throws ProtocolException {
+        String step =
+                "{\"type\":\"step\",\"seconds\":0,\"bodies\":[{\"objectName\":\"b\",\"drive\":{\"kind\":\"%s\"}}]}";
+        for (Kind kind : Kind.values()) {
+            StepBundle expected =
+                    new StepBundle(0, List.of(BodyRequest.of("b").withDrive(DriveSettings.of(kind))), List.of());
+            assertThat(JsonLines.readRequest(step.formatted(kind))).isEqualTo(expected);
+            assertThat(JsonLines.readRequest(step.formatted(kind.name().toLowerCase(Locale.ROOT))))
+                    .isEqualTo(expected);
+        }
+        assertThatThrownBy(() -> JsonLines.readRequest(step.formatted("Force")))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("/bodies/0/drive/kind: must be one of [DIFFERENTIAL, ");
     }
 
     /** Wrote the stored bytes; whoever changes what is written adds a file and leaves this one alone. */

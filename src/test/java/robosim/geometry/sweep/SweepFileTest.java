@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -52,11 +53,15 @@ class SweepFileTest {
     void aSecondRunIsKeptAway() throws Exception {
         Path file = folder.resolve("mine.jsonl");
         AtomicLong done = new AtomicLong(-1);
+        CountDownLatch others = new CountDownLatch(1);
         ExecutorService pool = Executors.newSingleThreadExecutor();
         try {
-            Future<SweepResults> running = pool.submit(() -> SweepRun.of(Sweeps.wander(150), file)
+            Future<SweepResults> running = pool.submit(() -> SweepRun.of(Sweeps.wander(10), file)
                     .threads(2)
-                    .progress(done::set)
+                    .progress(count -> {
+                        done.set(count);
+                        awaitFrom(4, count, others);
+                    })
                     .run());
             while (done.get() < 4) {
                 assertThat(running.isDone()).isFalse();
@@ -72,11 +77,23 @@ class SweepFileTest {
             assertThat(running.isDone()).as("it had no chance to meet").isFalse();
             assertThat(child.exitValue()).isNotZero();
             assertThat(Files.readString(told)).contains("another process must not write to it");
+            others.countDown();
             assertThat(running.get().size()).isEqualTo(160);
         } finally {
             pool.shutdownNow();
         }
         assertThat(SweepRun.of(Sweeps.wander(0), file).resume().run().size()).isEqualTo(160);
+    }
+
+    /** Keeps a run from its end until others have tried. */
+    private static void awaitFrom(long first, long count, CountDownLatch others) {
+        try {
+            if (count >= first) {
+                others.await();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** A pipe in the place of the half-written file shows the run while it writes its file anew. */

@@ -10,12 +10,14 @@ import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.SplittableRandom;
+import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -420,6 +422,9 @@ class RosMapReaderTest {
         }
         assertThat(refused).isBetween(100, 300);
         png[17] = 0x7f; // the width: 8 million
+        CRC32 sum = new CRC32();
+        sum.update(png, 12, 17);
+        ByteBuffer.wrap(png).putInt(29, (int) sum.getValue());
         Path yaml = map(png, 0, "trinary");
         assertThatThrownBy(() -> RosMapReader.read(yaml))
                 .isInstanceOf(WorldException.class)

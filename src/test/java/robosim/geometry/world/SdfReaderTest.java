@@ -311,7 +311,7 @@ class SdfReaderTest {
                 <custom:thing xmlns:custom="urn:x" name="y"><model name="hidden"/></custom:thing>
                 <include><uri>model://sun</uri></include>
                 <model name="m"><static>1</static><link name="l"><collision name="c"><geometry>
-                <heightmap><uri>h.png</uri></heightmap></geometry></collision>
+                <image><uri>h.png</uri></image></geometry></collision>
                 <collision name="e"><geometry><empty/></geometry></collision></link></model>
                 """);
         assertThat(read.world().objects()).isEmpty();
@@ -323,7 +323,7 @@ class SdfReaderTest {
                         "4 <state>: the poses of a saved state are not read; models are placed by their own <pose>",
                         "5 <colision>: SDFormat has no <colision> in <world>; check the spelling",
                         "6 <custom:thing> \"y\": an extension of SDFormat of unknown meaning",
-                        "9 <heightmap> of m::l::c: this shape is not supported; use boxes, cylinders or a mesh");
+                        "9 <image> of m::l::c: this shape is not supported; use boxes, cylinders or a mesh");
         assertThat(read.remarks())
                 .singleElement()
                 .asString()

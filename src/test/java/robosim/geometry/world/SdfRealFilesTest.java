@@ -295,7 +295,8 @@ class SdfRealFilesTest {
                                 .startsWith(
                                         file + ":2: left out <include> of model://inner_walls: there is no such file"
                                                 + " or folder below ")
-                                .endsWith("check the name, or give the folder that contains the model"
+                                .endsWith("check the name, or give the folder that contains the model: --models DIR,"
+                                        + " or ImportOptions.withModels"
                                         + " (got: model://inner_walls)"),
                         second -> assertThat(second)
                                 .startsWith(

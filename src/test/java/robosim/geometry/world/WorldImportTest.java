@@ -161,10 +161,10 @@ class WorldImportTest {
                 "map.pgm| a map is read from its .yaml file, which gives the size of a cell",
                 "map.PNG| a map is read from its .yaml",
                 "robot.urdf|1:1: this is not well-formed XML",
-                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, COLLADA,"
-                        + " OBJ or STL (got: .xacro)",
+                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, glTF,"
+                        + " COLLADA, OBJ or STL (got: .xacro)",
                 "world.sdf.gz| files of this format are not supported; unpack this one",
-                "model.glb| files of this format are not supported",
+                "model.fbx| files of this format are not supported",
                 "mesh.dae|1:1: this is not well-formed XML",
                 "notes.txt|1:1: this is not well-formed XML",
                 "empty.sdf|1:1: this is not well-formed XML",
@@ -179,6 +179,22 @@ class WorldImportTest {
         assertThatThrownBy(() -> WorldReader.read(file))
                 .isInstanceOf(WorldException.class)
                 .hasMessageStartingWith(file + ":" + line.substring(line.indexOf('|') + 1));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "# a world\ninclude \"map.inc\"\n",
+                "define floorplan model\n(\n  color \"gray30\"\n)\n",
+                "interval_sim 100  # milliseconds\n",
+                "resolution 0.02\n",
+                "floorplan( name \"cave\" bitmap \"cave.png\" )\n"
+            })
+    void aWorldOfStageIsToldByItsName(String text) throws IOException {
+        Path file = Files.writeString(folder.resolve("simple.sdf"), text);
+        assertThatThrownBy(() -> WorldReader.read(file))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("this is a world of Stage; give it a name that ends in .world (got: simple.sdf)");
     }
 
     @Test
@@ -213,6 +229,59 @@ class WorldImportTest {
         assertThat(read.lines(2).get(2))
                 .startsWith(
                         FILES.resolve("sdf/shapes.sdf") + ":36: left out <plane> of ground_plane::link::collision: ");
+    }
+
+    /** A package for Gazebo has its models beside its worlds. */
+    @Test
+    void modelsBesideWorldsAreFound() throws IOException {
+        Path world = Files.createDirectories(folder.resolve("worlds")).resolve("w.world");
+        Files.writeString(
+                world,
+                "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
+        Path model = Files.createDirectories(folder.resolve("models/inner_walls"));
+        for (String name : List.of("model.config", "model.sdf")) {
+            Files.copy(FILES.resolve("sdf/inner_walls").resolve(name), model.resolve(name));
+        }
+        WorldImport read = WorldImport.read(world, ImportOptions.DEFAULT);
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.world().objects()).hasSize(7);
+        assertThat(read.read()).containsEntry("model", 1);
+        // Only beside a folder of that name: of any other file the folders around it are not opened.
+        Path other = Files.createDirectories(folder.resolve("arenas")).resolve("w.world");
+        Files.copy(world, other);
+        assertThatThrownBy(() -> WorldImport.read(other, ImportOptions.DEFAULT))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("there is no such file or folder below "
+                        + other.toRealPath().getParent());
+    }
+
+    /** Eighty models that are not found have one reason and one remedy. */
+    @Test
+    void partsLeftOutForTheSameReasonShareALine() throws IOException {
+        StringBuilder includes = new StringBuilder();
+        for (int k = 0; k < 80; k++) {
+            includes.append("<include><uri>model://chair_").append(k).append("</uri></include>\n");
+        }
+        Path file = Files.writeString(
+                folder.resolve("w.sdf"), "<sdf version='1.7'><world name='w'>" + includes + "</world></sdf>");
+        assertThatThrownBy(() -> WorldImport.read(file, ImportOptions.DEFAULT))
+                .isInstanceOf(WorldException.class)
+                .message()
+                .containsOnlyOnce("--models DIR")
+                .contains(":1: left out <include> of model://chair_0, <include> of model://chair_1, <include> of"
+                        + " model://chair_2 and 77 more: there is no such file or folder below ")
+                .hasSizeLessThan(700);
+        Path box = Files.writeString(
+                folder.resolve("b.sdf"),
+                Files.readString(file)
+                        .replace(
+                                "<world name='w'>",
+                                "<world name='w'><model name='m'><static>1</static><link name='l'><collision name='c'>"
+                                        + "<geometry><box><size>1 1 1</size></box></geometry></collision></link></model>"));
+        WorldImport read = WorldImport.read(box, ImportOptions.DEFAULT);
+        assertThat(read.skipped()).hasSize(80);
+        assertThat(read.lines(10)).hasSize(2).last().asString().contains(" and 77 more: ");
+        assertThat(read.lines(Integer.MAX_VALUE)).hasSize(81);
     }
 
     /** Bounds of turned things, against their surfaces as triangles: never less, and hardly more. */

@@ -142,6 +142,69 @@ def together(module):
     assert 0 < module.ping() < 60
 
 
+def drives(module, folder):
+    """Velocities over time, and a world from a file."""
+    thing = box([1, 0, 1], 1, 1, 1)
+    same([o["name"] for o in robosim.named([thing, {**thing, "name": "box 2"}, thing])], ["box 0", "box 2", "box 2'"])
+    told = module.load(folder + "/pushing.xml")
+    same((told.added, told.left_out, told.dimension), (11, [], "PLANAR"))
+    same(module.step(0).bodies["drum"].velocity, robosim.Velocity())
+    same(sorted(module.step(0).bodies), ["ball", "cart", "crate 1", "crate 2", "drum", "mule"])
+    same(module.drive("cart", forward=0.8).center, [-4, -1, 0])
+    after = module.step(1)
+    near(after.bodies["cart"].velocity.x, 0.8)
+    assert -3.4 < after.bodies["cart"].center[0] < -3.1, after  # it gains 2 m/s each second at most
+    same((after.contacts, after.stopped, after.refused), ([], [], {}))
+    met = module.step(3).contacts
+    same([(c.name, c.other, c.phase) for c in met], [("cart", "crate 1", "BEGIN")])
+    assert met[0].impulse > 0 and met[0].normal[0] < 0, met
+    said = module.step(0, [robosim.body("cart", mass=9, max_turn=2, velocity=(1, 0, 0, 0), drive="velocity"),
+                           robosim.body("nobody", inertia=1), robosim.body("pillar", restitution=0.5)],
+                       [robosim.command("cart", 0.1, 0.2), robosim.command("pillar", 1)])
+    same(sorted(said.refused), [1, 4])
+    same(said.refused[1], 'no object "nobody"')
+    small = {"objectName": "cart", "drive": {"kind": "omnidirectional", "maxSpeed": 1}}
+    same(module.ask({"type": "step", "seconds": 0, "bodies": [small]}, "bodies")[0]["refused"], [])
+    refused(lambda: module.drive("nobody", 1), 'no object "nobody"')
+    for wrong, words in ((lambda: robosim.body("cart", weight=3), "a body has no weight; it may have: mass,"),
+                         (lambda: module.step(1, [{"objectName": "cart", "Mass": 3}]), "a body has no Mass"),
+                         (lambda: module.step(1, [], [{"objectName": "cart", "speed": 3}]), "a command has no speed"),
+                         (lambda: robosim.drive_settings("diff"), "a drive must be one of DIFFERENTIAL,"),
+                         (lambda: robosim.drive_settings("force", base=1), "a drive of kind FORCE has no base")):
+        try:
+            wrong()
+        except TypeError as e:
+            assert words in str(e), e
+        else:
+            raise AssertionError(f"expected a TypeError: {words}")
+    told = module.load(folder + "/meshes.xml")
+    same([(o.index, o.name) for o in told.left_out], [(-1, "wall with a hole")])
+    same(module.load(folder + "/rooms.xml", accuracy="OBB").accuracy, "OBB")
+    wanted = module.move(module_robot(folder), x=100).obstacle
+    assert wanted != "", "every object must have a name"
+
+
+def steps(module):
+    module.init([box([3, 0, 0], 0.2, 2, 4, name="wall"),
+                 cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True)])
+    wheels = robosim.drive_settings("differential", max_speed=1)
+    step = module.step(0.5, [robosim.body("robot", mass=9, drive=wheels), robosim.body("rover")],
+                       [robosim.command("robot", 2)])
+    same(step.bodies["robot"].center, [0.5, 0, 0])
+    same(step.bodies["robot"].velocity.x, 1)
+    same((step.refused, step.contacts, step.stopped), ({1: 'no object "rover"'}, [], []))
+    met = module.step(5)
+    same([(c.name, c.other, c.phase) for c in met.contacts], [("robot", "wall", "BEGIN")])
+    same(met.contacts[0].normal, [-1, 0, 0])
+    assert 2.649 < met.bodies["robot"].center[0] < 2.65, met
+    same([c.phase for c in module.step(0.1, [], [robosim.command("robot", -1)]).contacts], ["END"])
+
+
+def module_robot(folder):
+    import worldfile
+    return worldfile.World(folder + "/rooms.xml").robots[0][0]["name"]
+
+
 def main():
     with robosim.connect(sys.argv[1], timeout=60) as module:
         assert module.version.startswith("robosim-geometry"), module.version
@@ -153,6 +216,8 @@ def main():
         changes(module)
         sensors(module)
         together(module)
+        steps(module)
+        drives(module, sys.argv[2])
         try:
             module.add({"kind": "cone"})
         except robosim.NotDone as e:

@@ -17,7 +17,10 @@ import robosim.geometry.net.GeometryServer;
 /** Serves environments that dial in, until the process is ended. */
 @Command(
         name = "serve",
-        description = "Serves environment modules that dial in, until it is ended.",
+        description = {
+            "Serves environment modules that dial in, until it is ended.",
+            "It holds no world: each connection sends its own, as robosim.load of examples/robosim.py does with a file."
+        },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,

@@ -32,7 +32,8 @@ import robosim.geometry.world.WorldWriter;
         description = {
             "Writes a copy of a world file with one more robot, or several, on the floor of the scene. A world of this"
                     + " module keeps its text, comments included; a map, SDFormat or a mesh is included by a small new"
-                    + " world, and stays the file that it is.",
+                    + " world, and stays the file that it is; if OUT is not in its folder or in one around it, OUT has a"
+                    + " copy of it.",
             "",
             "X and Z are those of the world; a point (x, y) of a ROS map is X = x, Z = -y."
         },
@@ -75,6 +76,8 @@ public final class AddCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
+    private String note = "";
+
     private AddCommand() {}
 
     @Override
@@ -89,6 +92,7 @@ public final class AddCommand implements Callable<Integer> {
         try {
             for (String robot : robots) {
                 world = RobotSpec.add(world, robot, sonars);
+                RobotSpec.warn(world, spec.commandLine().getErr());
             }
         } catch (IllegalArgumentException e) {
             throw refused(String.valueOf(e.getMessage()), e);
@@ -99,7 +103,7 @@ public final class AddCommand implements Callable<Integer> {
         AtomicFileWriter.write(out, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
         PrintWriter printer = spec.commandLine().getOut();
         added.forEach(each -> printer.println("Added " + each.object()));
-        printer.println("Wrote " + out);
+        printer.println("Wrote " + out + note);
         return ExitCodes.FINE;
     }
 
@@ -125,11 +129,9 @@ public final class AddCommand implements Callable<Integer> {
         }
         Path folder = out.toAbsolutePath().normalize().resolveSibling("");
         Path file = in.toAbsolutePath().normalize();
-        if (!file.startsWith(folder)) {
-            throw refused(
-                    "OUT must be in the folder of IN or in one around it, since it includes IN; convert makes a world"
-                            + " that needs no other file (got: " + out + ")",
-                    null);
+        if (!file.startsWith(folder)) { // which an include could not name
+            note = ", with a copy of what is in " + in + ", which is not in its folder or in one below";
+            return WorldWriter.toXml(world);
         }
         String name = folder.relativize(file).toString().replace('\\', '/');
         String begin = own.substring(0, own.length() - elements.length() - END.length() - 1);

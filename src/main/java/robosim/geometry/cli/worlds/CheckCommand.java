@@ -41,7 +41,7 @@ import robosim.geometry.world.check.WorldCheck;
                     + " its start did not finish, it is unknown whether the robot is shut in; this is not a finding.",
             "",
             "Needs: up to 600 places, with moves and sonar readings of the robots, from a fixed seed, tried with each of the"
-                    + " ten settings until it answers otherwise; a setting is enough if it answers all of them as EXACT does in the world's own dimension."
+                    + " ten settings until it answers otherwise, and until no setting could still be recommended; a setting is enough if it answers all of them as EXACT does in the world's own dimension."
                     + " Without a robot a stand-in on the floor is asked. Unknown if no robot has room for 50 moves and distances, or if nothing was"
                     + " hit.",
             "",

@@ -68,8 +68,8 @@ public final class ConvertCommand implements Callable<Integer> {
             index = "0",
             paramLabel = "IN",
             description =
-                    "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), a robot (.urdf),"
-                            + " or a mesh (.obj, .stl, .dae)")
+                    "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), Stage (.world), a robot (.urdf),"
+                            + " or a mesh (.obj, .stl, .dae, .ply, .glb, .gltf)")
     private Path in = Path.of("");
 
     @Parameters(
@@ -100,7 +100,7 @@ public final class ConvertCommand implements Callable<Integer> {
             paramLabel = "AXIS",
             defaultValue = "y",
             completionCandidates = Axes.class,
-            description = "which axis of a mesh points up: y or z (default: ${DEFAULT-VALUE})")
+            description = "which axis of an OBJ, STL or PLY mesh points up: y or z (default: ${DEFAULT-VALUE})")
     private ImportOptions.Up up = ImportOptions.Up.Y;
 
     @Mixin
@@ -190,6 +190,7 @@ public final class ConvertCommand implements Callable<Integer> {
         try {
             for (String robot : robots) {
                 world = RobotSpec.add(world, robot, 0);
+                RobotSpec.warn(world, spec.commandLine().getErr());
             }
             return world;
         } catch (IllegalArgumentException e) {

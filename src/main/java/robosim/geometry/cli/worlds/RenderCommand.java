@@ -39,7 +39,8 @@ import robosim.geometry.world.WorldException;
             "The picture shows heights, also of a PLANAR world, and lays a floor under what stands lowest. An orbit is a"
                     + " series of pictures, FILE with a number before its ending.",
             "",
-            "Of a recording it takes a picture of each step, FILE with a number before its ending, of which other programs"
+            "Of a recording (*.scenario.jsonl, or a folder with the demo's to-module.bin and from-module.bin) it takes a"
+                    + " picture of each step, FILE with a number before its ending, of which other programs"
                     + " make a video: ffmpeg -i frame-%%03d.png film.mp4"
         },
         mixinStandardHelpOptions = true,

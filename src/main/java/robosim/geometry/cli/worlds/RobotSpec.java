@@ -1,5 +1,6 @@
 package robosim.geometry.cli.worlds;
 
+import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -9,10 +10,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -78,6 +83,46 @@ final class RobotSpec {
                 world.dimension(),
                 world.accuracy(),
                 objects);
+    }
+
+    /**
+     * The closed surfaces around the last object of a world, which is free to move since a mesh is hollow unless its file
+     * says that it is solid: the inside of a bed, or that of a house.
+     */
+    static List<String> around(World world) {
+        List<GeometryObject> all =
+                world.objects().stream().map(WorldObject::object).toList();
+        GeometryObject robot = all.get(all.size() - 1);
+        List<String> found = new ArrayList<>();
+        for (GeometryObject object : all.subList(0, all.size() - 1)) {
+            if (object instanceof MeshObject mesh && !mesh.isSolid() && contains(mesh, robot)) {
+                found.add(String.valueOf(object.name()));
+            }
+        }
+        return found;
+    }
+
+    private static boolean contains(MeshObject mesh, GeometryObject robot) {
+        Bounds a = mesh.bounds();
+        Bounds b = robot.bounds();
+        if (a.maxX() < b.minX() || b.maxX() < a.minX() || a.maxZ() < b.minZ() || b.maxZ() < a.minZ()) {
+            return false;
+        }
+        try {
+            return CollisionDetection.intersects(mesh.solid(), robot);
+        } catch (IllegalArgumentException e) {
+            return false; // it is open
+        }
+    }
+
+    /** Warns of robots that are put inside something hollow. */
+    static void warn(World world, PrintWriter err) {
+        String robot = String.valueOf(
+                world.objects().get(world.objects().size() - 1).object().name());
+        for (String each : around(world)) {
+            err.println("warning: " + Text.quoted(robot) + " is inside the closed surface " + Text.quoted(each)
+                    + ", which it cannot leave; put it elsewhere unless that is a room");
+        }
     }
 
     private static double number(@Nullable String text, double otherwise) {

@@ -20,10 +20,14 @@ import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Lidar;
@@ -38,6 +42,7 @@ import robosim.geometry.sensor.file.PlyWriter;
 import robosim.geometry.sensor.file.SdfSensors;
 import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 
 /** Scans a world with a lidar. */
 @Command(
@@ -187,6 +192,9 @@ public final class ScanCommand implements Callable<Integer> {
         }
     }
 
+    /** Of a direction. */
+    private static final int DIGITS = 6;
+
     private ScanCommand() {}
 
     @Override
@@ -215,7 +223,7 @@ public final class ScanCommand implements Callable<Integer> {
                         lidar.options().min() / metres, lidar.options().max() / metres);
                 what = scan(snapshot, lidar, noise > 0 ? Noise.gaussian(noise / metres) : Noise.NONE, name, progress);
             } else {
-                what = scan(snapshot, described, name, progress);
+                what = scan(read, snapshot, described, name, progress);
             }
         }
         spec.commandLine().getOut().println("Wrote " + output + ": " + what);
@@ -223,8 +231,10 @@ public final class ScanCommand implements Callable<Integer> {
     }
 
     /** Scans with a sensor that the world's file describes. */
-    private String scan(Snapshot snapshot, String described, String name, Progress progress) throws Exception {
+    private String scan(World read, Snapshot snapshot, String described, String name, Progress progress)
+            throws Exception {
         SdfReader.Sensor found = world.sensor("--sensor", described);
+        warn(read, found);
         try {
             Noise its = SdfSensors.noise(found).and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
             return switch (SdfSensors.kind(found)) {
@@ -233,7 +243,7 @@ public final class ScanCommand implements Callable<Integer> {
                     DepthCamera camera = SdfSensors.depthCamera(found);
                     DepthFrame frame = new DepthFrame();
                     read(camera.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
-                    yield write(frame, frame.depths(), name, new PointCloud());
+                    yield write(frame, camera.pattern(), frame.depths(), name, new PointCloud());
                 }
                 case SEGMENTATION, NORMALS, COLOR, OTHER ->
                     throw refused("--sensor must be a lidar or a depth camera (got: " + found.name() + " of type "
@@ -241,6 +251,23 @@ public final class ScanCommand implements Callable<Integer> {
             };
         } catch (IllegalArgumentException e) {
             throw refused(String.valueOf(e.getMessage()));
+        }
+    }
+
+    /** Warns of a sensor in what stands still, which it sees: a robot is invisible to its own sensors only. */
+    private void warn(World read, SdfReader.Sensor found) {
+        if (found.carrier() != null) {
+            return;
+        }
+        SphereObject lens = new SphereObject(found.pose().center(), 0);
+        for (WorldObject each : read.objects()) {
+            if (CollisionDetection.intersects(each.object(), lens)) {
+                spec.commandLine()
+                        .getErr()
+                        .println("warning: the sensor " + found.name() + " is inside " + each.object()
+                                + ", so it sees nothing else; a model that is not <static> is invisible to its own"
+                                + " sensors");
+            }
         }
     }
 
@@ -253,6 +280,7 @@ public final class ScanCommand implements Callable<Integer> {
         read(lidar.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
         return write(
                 frame,
+                lidar.pattern(),
                 frame.ranges(),
                 name,
                 new PointCloud(
@@ -270,10 +298,11 @@ public final class ScanCommand implements Callable<Integer> {
     }
 
     /** Writes ranges or points; answers what they are. */
-    private String write(RayFrame frame, double[] ranges, String name, PointCloud cloud) throws IOException {
+    private String write(RayFrame frame, RayPattern pattern, double[] ranges, String name, PointCloud cloud)
+            throws IOException {
         if (name.endsWith(".npy")) {
             NpyWriter.write(ranges, output, frame.rows(), frame.columns());
-            return frame.rows() + " x " + frame.columns() + " ranges";
+            return frame.rows() + " x " + frame.columns() + " ranges" + columns(pattern);
         } else {
             if (inWorld) {
                 frame.addInWorldTo(cloud);
@@ -287,6 +316,22 @@ public final class ScanCommand implements Callable<Integer> {
             }
             return NumberText.count(cloud.size(), "point") + " of " + NumberText.count(frame.size(), "ray");
         }
+    }
+
+    /** Where the columns of the first row point, in words; empty for less than two. */
+    private static String columns(RayPattern pattern) {
+        int last = pattern.columns() - 1;
+        if (last < 1) {
+            return "";
+        }
+        return "; column 0 points " + NumberText.digits(bearing(pattern, 0), DIGITS) + " degrees from ahead, column 1 "
+                + NumberText.digits(bearing(pattern, 1), DIGITS) + ", the last "
+                + NumberText.digits(bearing(pattern, last), DIGITS) + ", counter-clockwise";
+    }
+
+    /** The direction of a ray about the vertical, counter-clockwise from ahead, degrees. */
+    private static double bearing(RayPattern pattern, int ray) {
+        return Degrees.toDegrees(StrictMath.atan2(-pattern.z(ray), pattern.x(ray)));
     }
 
     private Lidar placed(World read, Lidar lidar) {
@@ -306,7 +351,9 @@ public final class ScanCommand implements Callable<Integer> {
             }
             on = moveable.get(0);
         } else if (!moveable.contains(on)) {
-            throw refused("--on must be the name of a moveable object of WORLD (got: " + on + ")");
+            throw refused("--on must be the name of a moveable object of WORLD, "
+                    + (moveable.isEmpty() ? "which has none" : "one of " + String.join(", ", moveable)) + " (got: " + on
+                    + ")");
         }
         return lidar.on(on, pose);
     }

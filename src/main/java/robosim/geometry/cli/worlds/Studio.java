@@ -110,6 +110,12 @@ final class Studio {
                 .toList();
     }
 
+    /** What a name may be, in words. */
+    String choice() {
+        List<String> all = carriers();
+        return all.isEmpty() ? "which has none: add one with the command add" : "one of " + String.join(", ", all);
+    }
+
     /** The number of an object in the world, from 1; 0 for the floor, which is none. */
     int number(GeometryObject object) {
         return numbers.getOrDefault(object, 0);

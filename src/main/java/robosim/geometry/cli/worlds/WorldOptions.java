@@ -21,11 +21,7 @@ public final class WorldOptions {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
-    @Parameters(
-            paramLabel = "WORLD",
-            description =
-                    "a world in any format that convert reads; for render also a recording (*.scenario.jsonl), or a"
-                            + " folder with the demo's to-module.bin and from-module.bin")
+    @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
     private Path world = Path.of("");
 
     @Mixin

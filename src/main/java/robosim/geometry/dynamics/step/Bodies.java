@@ -47,6 +47,9 @@ final class Bodies {
     /** How often the velocity of each has been changed in this step. */
     int[] changes = new int[FIRST];
 
+    /** Runs between two parts of the work of a step, so that one step cannot keep others waiting. */
+    Runnable breath = () -> {};
+
     int add() {
         if (count == id.length) {
             int room = 2 * count;

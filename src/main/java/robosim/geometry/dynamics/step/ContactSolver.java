@@ -21,6 +21,9 @@ final class ContactSolver {
     private static final int MOST_ROUNDS = 1024;
     private static final int SWEEPS = 48;
 
+    /** More contacts pause in each round. */
+    private static final int PART = 64;
+
     /** Velocities that change by less, as a share of the greatest, have come to rest. */
     private static final double RESTS = 0x1p-50;
 
@@ -63,20 +66,25 @@ final class ContactSolver {
     private double[] asideB = new double[FIRST];
 
     private final Bodies bodies;
+    private final Floor floor;
 
     /** The bodies that take part. */
     int bodyCount;
 
     int[] bodyList = new int[FIRST];
 
-    // By body: the number of its contacts, the velocity before, and what is added to it, with rounding errors.
+    // By body: the number of its contacts, the velocity before all and before this solution, and what is added to it,
+    // with
+    // rounding errors.
     private int[] contacts = new int[FIRST];
+    private double[] first = new double[3 * FIRST];
     private double[] before = new double[3 * FIRST];
     private double[] sums = new double[3 * FIRST];
     private double[] rests = new double[3 * FIRST];
 
-    ContactSolver(Bodies bodies) {
+    ContactSolver(Bodies bodies, Floor floor) {
         this.bodies = bodies;
+        this.floor = floor;
     }
 
     void begin() {
@@ -85,6 +93,7 @@ final class ContactSolver {
         if (contacts.length < bodies.count) {
             int room = 2 * bodies.count;
             contacts = new int[room];
+            first = new double[3 * room];
             before = new double[3 * room];
             sums = new double[3 * room];
             rests = new double[3 * room];
@@ -96,7 +105,7 @@ final class ContactSolver {
             bodyList = Arrays.copyOf(bodyList, 2 * bodyCount);
         }
         bodyList[bodyCount++] = body;
-        contacts[body] = 0;
+        contacts[body] = floor.holds(body) ? 1 : 0;
     }
 
     /** Adds a contact of two bodies that take part; the second is -1 for what stands still. */
@@ -160,25 +169,41 @@ final class ContactSolver {
         return body < 0 ? 0 : (bodies.vx[body] * dx + bodies.vz[body] * dz) + bodies.w[body] * lever;
     }
 
-    /** Whether the last solution has changed the velocity of a body. */
+    /** Whether the velocity of a body has been changed since {@link #solve}. */
     boolean isChanged(int body) {
-        return bodies.vx[body] != before[3 * body]
-                || bodies.vz[body] != before[3 * body + 1]
-                || bodies.w[body] != before[3 * body + 2];
+        return bodies.vx[body] != first[3 * body]
+                || bodies.vz[body] != first[3 * body + 1]
+                || bodies.w[body] != first[3 * body + 2];
     }
 
     /** Solves all contacts; false where even without restitution and friction energy would grow, and nothing has changed. */
     boolean solve() {
+        for (int k = 0; k < bodyCount; k++) {
+            keep(bodyList[k], first);
+        }
+        return solve(0);
+    }
+
+    /** Solves all contacts again for other velocities, without restitution. */
+    boolean solveAgain() {
+        return solve(1);
+    }
+
+    private void keep(int body, double[] velocities) {
+        velocities[3 * body] = bodies.vx[body];
+        velocities[3 * body + 1] = bodies.vz[body];
+        velocities[3 * body + 2] = bodies.w[body];
+    }
+
+    private boolean solve(int firstAttempt) {
         double energy = 0;
         for (int k = 0; k < bodyCount; k++) {
             int body = bodyList[k];
             energy += bodies.energy(body);
-            before[3 * body] = bodies.vx[body];
-            before[3 * body + 1] = bodies.vz[body];
-            before[3 * body + 2] = bodies.w[body];
+            keep(body, before);
         }
         double most = energy * (1 + 0x1p-42);
-        for (int attempt = 0; attempt < 3; attempt++) {
+        for (int attempt = firstAttempt; attempt < 3; attempt++) {
             boolean isRubbing = attempt < 2;
             prepare(attempt == 0);
             iterate(isRubbing);
@@ -187,6 +212,9 @@ final class ContactSolver {
                 after += bodies.energy(bodyList[k]);
             }
             if (after <= most) {
+                for (int k = 0; k < bodyCount; k++) {
+                    floor.take(bodyList[k]);
+                }
                 return true;
             }
             for (int k = 0; k < bodyCount; k++) {
@@ -200,6 +228,9 @@ final class ContactSolver {
     }
 
     private void prepare(boolean isBouncing) {
+        for (int k = 0; k < bodyCount; k++) {
+            floor.begin(bodyList[k]);
+        }
         for (int c = 0; c < count; c++) {
             double parting = parting(c);
             double bounce = isBouncing && parting < -SLOW ? -restitution[c] * parting : 0;
@@ -229,6 +260,7 @@ final class ContactSolver {
         double theta = 1;
         momentum = 0;
         for (int round = 0; round < rounds; round++) {
+            breathe();
             for (int k = 0; k < bodyCount; k++) {
                 int at = 3 * bodyList[k];
                 Arrays.fill(sums, at, at + 3, 0);
@@ -241,6 +273,12 @@ final class ContactSolver {
             }
             for (int k = 0; k < bodyCount; k++) {
                 int body = bodyList[k];
+                if (floor.holds(body)) {
+                    change = Math.max(change, floor.answer(body, contacts[body], momentum));
+                    Bodies.add(sums, rests, 3 * body, floor.changeX);
+                    Bodies.add(sums, rests, 3 * body + 1, floor.changeZ);
+                    Bodies.add(sums, rests, 3 * body + 2, floor.changeTurn);
+                }
                 bodies.vx[body] += sums[3 * body] + rests[3 * body];
                 bodies.vz[body] += sums[3 * body + 1] + rests[3 * body + 1];
                 bodies.w[body] += sums[3 * body + 2] + rests[3 * body + 2];
@@ -253,9 +291,19 @@ final class ContactSolver {
             theta = nextTheta;
         }
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
+            breathe();
             double change = 0;
             for (int c = 0; c < count; c++) {
                 change = Math.max(change, answer(c, isRubbing, false));
+            }
+            for (int k = 0; k < bodyCount; k++) {
+                int body = bodyList[k];
+                if (floor.holds(body)) {
+                    change = Math.max(change, floor.answer(body, 1, 0));
+                    bodies.vx[body] += floor.changeX;
+                    bodies.vz[body] += floor.changeZ;
+                    bodies.w[body] += floor.changeTurn;
+                }
             }
             if (change <= rest) {
                 return;
@@ -263,12 +311,18 @@ final class ContactSolver {
         }
     }
 
+    private void breathe() {
+        if (count > PART) {
+            bodies.breath.run();
+        }
+    }
+
     /** Begins with what is the answer of a single contact mostly: it sticks, or slides the way that it would have to be held. */
     private void guess(boolean isRubbing) {
-        int first = a[0];
+        int one = a[0];
         int second = b[0];
-        double light = bodies.lightness[first] + (second < 0 ? 0 : bodies.lightness[second]);
-        double easeA = bodies.ease[first];
+        double light = bodies.lightness[one] + (second < 0 ? 0 : bodies.lightness[second]);
+        double easeA = bodies.ease[one];
         double easeB = second < 0 ? 0 : bodies.ease[second];
         double soft = light + (easeA * leverA[0] * leverA[0] + easeB * leverB[0] * leverB[0]);
         double closing = goal[0] - parting(0);
@@ -280,7 +334,7 @@ final class ContactSolver {
         if (isRubbing && still[0] > 0) {
             double coupled = easeA * leverA[0] * asideA[0] + easeB * leverB[0] * asideB[0];
             double softAside = light + (easeA * asideA[0] * asideA[0] + easeB * asideB[0] * asideB[0]);
-            double aside = speed(first, -nz[0], nx[0], asideA[0]) - speed(second, -nz[0], nx[0], asideB[0]);
+            double aside = speed(one, -nz[0], nx[0], asideA[0]) - speed(second, -nz[0], nx[0], asideB[0]);
             double both = soft * softAside - coupled * coupled;
             pushed = (closing * softAside + aside * coupled) / both;
             rubbed = -(aside * soft + closing * coupled) / both;
@@ -302,12 +356,12 @@ final class ContactSolver {
 
     /** Changes the impulse of a contact as the velocities ask; answers by how much the speeds there change. */
     private double answer(int c, boolean isRubbing, boolean isSplit) {
-        int first = a[c];
+        int one = a[c];
         int second = b[c];
-        double partsA = isSplit ? contacts[first] : 1;
+        double partsA = isSplit ? contacts[one] : 1;
         double partsB = second < 0 ? 0 : isSplit ? contacts[second] : 1;
-        double lightA = partsA * bodies.lightness[first];
-        double easeA = partsA * bodies.ease[first];
+        double lightA = partsA * bodies.lightness[one];
+        double easeA = partsA * bodies.ease[one];
         double lightB = second < 0 ? 0 : partsB * bodies.lightness[second];
         double easeB = second < 0 ? 0 : partsB * bodies.ease[second];
         double light = lightA + lightB;
@@ -322,7 +376,7 @@ final class ContactSolver {
         if (isRubbing && still[c] > 0) {
             double coupled = easeA * leverA[c] * asideA[c] + easeB * leverB[c] * asideB[c];
             softAside = light + (easeA * asideA[c] * asideA[c] + easeB * asideB[c] * asideB[c]);
-            double aside = speed(first, -nz[c], nx[c], asideA[c]) - speed(second, -nz[c], nx[c], asideB[c]);
+            double aside = speed(one, -nz[c], nx[c], asideA[c]) - speed(second, -nz[c], nx[c], asideB[c]);
             double rubbed = rub[c] - (aside + by * coupled) / softAside;
             if (Math.abs(rubbed) > still[c] * pushed) {
                 rubbed = Math.copySign(sliding[c] * pushed, rubbed);

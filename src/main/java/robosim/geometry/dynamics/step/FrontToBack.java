@@ -316,6 +316,7 @@ final class FrontToBack {
 
     /** Makes a translation and a turn, one after the other in one of both orders; nothing if neither is free. */
     private boolean makes(int b, double dx, double dz, double degrees) {
+        bodies.breath.run();
         int id = bodies.id[b];
         boolean translates = dx != 0 || dz != 0;
         if (!translates || carrier.translate(id, dx, 0, dz)) {
@@ -374,6 +375,7 @@ final class FrontToBack {
 
     /** Lets a body go as far as it may, where it ends. */
     private void settle(int b) {
+        bodies.breath.run();
         int id = bodies.id[b];
         int leg = firstLeg[b];
         double dx = legs.x[leg] - atX[b];

@@ -34,13 +34,13 @@ final class Meetings {
     private double gap;
     private double end;
 
-    Meetings(Scene scene, Pairs pairs) {
+    Meetings(Scene scene, Pairs pairs, Floor floor) {
         this.scene = scene;
         this.pairs = pairs;
         bodies = scene.bodies;
         pieces = scene.pieces;
         impact = new TimeOfImpact(bodies, pieces);
-        solver = new ContactSolver(bodies);
+        solver = new ContactSolver(bodies, floor);
     }
 
     double gap() {
@@ -69,6 +69,7 @@ final class Meetings {
 
     /** Expects when a pair meets next, from a time on. */
     void predict(int pair, double now) {
+        bodies.breath.run();
         double time = impact.first(pairs.a[pair], pairs.b[pair], now, end);
         pairs.touches[pair] = isTouch(pair, impact.apart);
         if (pairs.touches[pair] && pairs.solved[pair] != now && isApproaching(pair, now)) {
@@ -167,6 +168,7 @@ final class Meetings {
 
     /** Whether two had to be put apart. */
     private boolean isPutApart(int pair, double now) {
+        bodies.breath.run();
         double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
         double missing = gap - distance;
         int a = pieces.body[pairs.a[pair]];
@@ -210,6 +212,7 @@ final class Meetings {
         if (!pairs.touches[pair]) {
             return;
         }
+        bodies.breath.run();
         int pa = pairs.a[pair];
         int pb = pairs.b[pair];
         double distance = impact.measure(pa, pb, end);

@@ -2,6 +2,14 @@ package robosim.geometry.dynamics.step;
 
 /** Finds the pairs that may meet. */
 final class Neighbours {
+    /** Most pairs of a time in which many bodies go far, and more for each body: a few hundred bytes are kept for a pair. */
+    private static final int MOST_PAIRS = 1 << 16;
+
+    private static final int MOST_EACH = 16;
+
+    /** Who goes so many times its own size goes far. */
+    private static final double FAR = 4;
+
     private final Scene scene;
     private final Bodies bodies;
     private final Pairs pairs;
@@ -17,13 +25,18 @@ final class Neighbours {
         bodies = scene.bodies;
     }
 
-    /** Pairs up all bodies for a time that begins. */
-    void spread(double seconds) {
+    /** Pairs up all bodies for a time that begins; false where there are so many pairs that a shorter time is better. */
+    boolean spread(double seconds) {
         end = seconds;
         double cell = 0;
+        int far = 0;
         for (int b = 0; b < bodies.count; b++) {
             cell += 2 * bodies.size[b];
+            double way = (Math.abs(bodies.vx[b]) + Math.abs(bodies.vz[b])) * end;
+            far += way > FAR * bodies.size[b] ? 1 : 0;
         }
+        // Where few go far, a shorter time has hardly fewer pairs.
+        int most = far < bodies.count / 4 ? Integer.MAX_VALUE : MOST_PAIRS + MOST_EACH * bodies.count;
         grid.clear(bodies.count, bodies.count == 0 || cell == 0 ? 1 : 1.5 * cell / bodies.count);
         for (int b = 0; b < bodies.count; b++) {
             sweep(b, 0);
@@ -31,8 +44,13 @@ final class Neighbours {
             grid.put(b, own[0] - margin, own[1] - margin, own[2] + margin, own[3] + margin);
         }
         for (int b = 0; b < bodies.count; b++) {
+            bodies.breath.run();
             findOthers(b, 0, true);
+            if (pairs.count > most) {
+                return false;
+            }
         }
+        return true;
     }
 
     /** Writes the box that holds a body from a time on to the end. */

@@ -2,6 +2,7 @@ package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
 import java.util.List;
+import robosim.geometry.exact.Orientation;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -32,6 +33,8 @@ final class Outlines {
 
     /** The points of which the next piece is the hull. */
     private double[] points = new double[2 * 64];
+
+    private int[] hull = new int[2 * 64];
 
     private int count;
 
@@ -183,47 +186,64 @@ final class Outlines {
         count++;
     }
 
-    /** The convex hull of the points, by wrapping them up (Jarvis 1973). */
+    /**
+     * The convex hull of the points, counter-clockwise from the leftmost, by Andrew's monotone chains (1979). Sides are decided
+     * exactly: of a rim seen from its side all points lie on a line but for rounding.
+     */
     private void addHull(double radius) {
         pieces.begin(body, object, radius);
-        int start = 0;
-        for (int k = 1; k < count; k++) {
-            if (points[2 * k] < points[2 * start]
-                    || (points[2 * k] == points[2 * start] && points[2 * k + 1] < points[2 * start + 1])) {
-                start = k;
-            }
+        sort();
+        if (hull.length < 2 * count) {
+            hull = new int[2 * count];
         }
-        int at = start;
-        for (int corner = 0; corner < count; corner++) {
-            pieces.corner(points[2 * at], points[2 * at + 1]);
-            int next = -1;
-            for (int k = 0; k < count; k++) {
-                next = isOutside(at, next, k) ? k : next;
+        int size = 0;
+        for (int k = 0; k < count; k++) {
+            size = chain(size, 0, k);
+        }
+        int least = size - 1;
+        for (int k = count - 2; k >= 0; k--) {
+            size = chain(size, least, k);
+        }
+        for (int k = 0; k < Math.max(1, size - 1); k++) {
+            pieces.corner(points[2 * hull[k]], points[2 * hull[k] + 1]);
+        }
+    }
+
+    /** Adds a point to a chain that begins at an index of the hull, and drops what then is not outermost. */
+    private int chain(int size, int from, int k) {
+        int to = size;
+        if (to > 0 && isSame(hull[to - 1], k)) {
+            return to;
+        }
+        while (to - from >= 2 && side(hull[to - 2], hull[to - 1], k) <= 0) {
+            to--;
+        }
+        hull[to] = k;
+        return to + 1;
+    }
+
+    private int side(int a, int b, int c) {
+        return Orientation.side(
+                points[2 * a], points[2 * a + 1], points[2 * b], points[2 * b + 1], points[2 * c], points[2 * c + 1]);
+    }
+
+    /** Sorts the points by their first coordinate, then by the other. */
+    private void sort() {
+        for (int k = 1; k < count; k++) {
+            double px = points[2 * k];
+            double pz = points[2 * k + 1];
+            int to = k;
+            while (to > 0 && (points[2 * to - 2] > px || (points[2 * to - 2] == px && points[2 * to - 1] > pz))) {
+                points[2 * to] = points[2 * to - 2];
+                points[2 * to + 1] = points[2 * to - 1];
+                to--;
             }
-            if (next < 0 || isSame(next, start)) {
-                return;
-            }
-            at = next;
+            points[2 * to] = px;
+            points[2 * to + 1] = pz;
         }
     }
 
     private boolean isSame(int a, int b) {
         return points[2 * a] == points[2 * b] && points[2 * a + 1] == points[2 * b + 1];
-    }
-
-    /** Whether a point is to the one side of the line from a corner to the next one so far, or on it and further away. */
-    private boolean isOutside(int at, int next, int k) {
-        if (isSame(k, at)) {
-            return false;
-        }
-        if (next < 0) {
-            return true;
-        }
-        double ax = points[2 * next] - points[2 * at];
-        double az = points[2 * next + 1] - points[2 * at + 1];
-        double bx = points[2 * k] - points[2 * at];
-        double bz = points[2 * k + 1] - points[2 * at + 1];
-        double side = ax * bz - az * bx;
-        return side < 0 || (side == 0 && bx * bx + bz * bz > ax * ax + az * az);
     }
 }

@@ -15,8 +15,23 @@ public final class Stepper {
     /** Collisions within so much of the time are solved together. */
     private static final double TOGETHER = 1e-12;
 
+    /** So often drives make up for what a collision has cost them. */
+    private static final int MOST_PUSHES = 16;
+
     /** Meeting more slowly is slow, m/s. */
     private static final double SLOW = 0.05;
+
+    /** What drives do when a collision has taken speed from the bodies that they drive. */
+    @FunctionalInterface
+    public interface Pushes {
+        /**
+         * Lets the drive of a body use what it has left of its acceleration; answers whether the velocity has changed.
+         *
+         * @param body  the index of the body
+         * @param angle by how much it has turned since the run began, radians
+         */
+        boolean push(int body, double angle);
+    }
 
     final Scene scene;
     final Bodies bodies;
@@ -32,11 +47,15 @@ public final class Stepper {
     private Touches touches = new Touches();
     private Touches before = new Touches();
 
+    private Pushes pushes = (body, angle) -> false;
     private double end;
     private int mark;
     private int[] hits = new int[16];
     private int hitCount;
     private int[] bodyMark = new int[8];
+
+    /** How many collisions have been solved since the step began. */
+    int collisions;
 
     /** Whether a body had to be stopped. */
     boolean[] isStopped = new boolean[8];
@@ -47,11 +66,16 @@ public final class Stepper {
         bodies = scene.bodies;
         pieces = scene.pieces;
         floor = new Floor(bodies);
-        meetings = new Meetings(scene, pairs);
+        meetings = new Meetings(scene, pairs, floor);
         impact = meetings.impact;
         solver = meetings.solver;
         neighbours = new Neighbours(scene, pairs, meetings);
         carrying = new FrontToBack(carrier, scene, Meetings.GAP);
+    }
+
+    /** Runs something between two parts of each step. */
+    public void pausing(Runnable between) {
+        bodies.breath = between;
     }
 
     /** Forgets all bodies. */
@@ -71,6 +95,7 @@ public final class Stepper {
             bodyMark = new int[2 * b];
         }
         floor.set(b, 0, 0);
+        floor.forget(b);
         bodies.stop(b);
         scene.forget();
         return b;
@@ -112,20 +137,10 @@ public final class Stepper {
         return bodies.count;
     }
 
-    /** How fast the fastest turns of those that are not round, radians a second. */
-    public double turning() {
-        double most = 0;
-        for (int b = 0; b < bodies.count; b++) {
-            int piece = bodies.firstPiece[b];
-            boolean isRound = bodies.pieces[b] == 1 && pieces.reach[piece] == 0;
-            most = isRound ? most : Math.max(most, Math.abs(bodies.w[b]));
-        }
-        return most;
-    }
-
-    /** Whether the floor slows any that moves. */
-    public boolean isSlowed() {
-        return floor.slowsAny();
+    /** Whether turning alone changes nothing about a body's outline. */
+    public boolean isRound(int b) {
+        int piece = bodies.firstPiece[b];
+        return bodies.pieces[b] == 1 && pieces.reach[piece] == 0;
     }
 
     /** Who touched whom in this step. */
@@ -144,6 +159,7 @@ public final class Stepper {
         touches = before;
         before = last;
         touches.clear();
+        collisions = 0;
         Arrays.fill(isStopped, 0, bodies.count, false);
     }
 
@@ -159,8 +175,9 @@ public final class Stepper {
         before.clear();
     }
 
-    /** Lets everything go on for a time in seconds. */
-    public void run(double seconds, Surfaces surfaces) {
+    /** Lets everything go on for a time in seconds; where too many may meet in it, for one half and then the other. */
+    public void run(double seconds, Surfaces surfaces, Pushes byDrives) {
+        pushes = byDrives;
         while (!scene.place()) {
             scene.build(surfaces);
             carrying.know();
@@ -169,10 +186,14 @@ public final class Stepper {
         end = seconds;
         meetings.begin(end);
         pairs.clear(bodies.count);
+        if (!neighbours.spread(end)) {
+            run(0.5 * seconds, surfaces, byDrives);
+            run(0.5 * seconds, surfaces, byDrives);
+            return;
+        }
         for (int b = 0; b < bodies.count; b++) {
             floor.slow(b, end);
         }
-        neighbours.spread(end);
         for (int p = 0; p < pairs.count; p++) {
             meetings.predict(p, 0);
         }
@@ -203,8 +224,8 @@ public final class Stepper {
         }
     }
 
-    /** Solves a collision with all that touch there, and what these touch. */
-    private void solve(int hit, double now) {
+    /** Gives the solver a collision, with all that touch there, and what these touch. */
+    private void gather(int hit, double now) {
         mark++;
         pairs.mark[hit] = 0;
         solver.begin();
@@ -214,6 +235,7 @@ public final class Stepper {
             join(other, now);
         }
         for (int k = 0; k < solver.bodyCount; k++) {
+            bodies.breath.run();
             int body = solver.bodyList[k];
             if (bodies.lightness[body] == 0) {
                 continue;
@@ -238,14 +260,53 @@ public final class Stepper {
                 }
             }
         }
+    }
+
+    /** Solves what has been gathered, and lets drives make up for what it has cost them. */
+    private boolean settle() {
+        boolean isSolved = solver.solve();
+        meetings.tell(touches);
+        for (int round = 0; round < MOST_PUSHES && isSolved && push(); round++) {
+            isSolved = solver.solveAgain();
+            meetings.tell(touches);
+        }
+        for (int c = 0; c < solver.count; c++) {
+            if (solver.b[c] >= 0 && solver.push[c] > 0) {
+                floor.press(solver.a[c]);
+                floor.press(solver.b[c]);
+            }
+        }
+        return isSolved;
+    }
+
+    /** Lets the drives push on those whom something that can be moved is in the way of; whether any does. */
+    private boolean push() {
+        boolean isPushed = false;
+        for (int c = 0; c < solver.count; c++) {
+            if (solver.b[c] >= 0 && solver.push[c] > 0) {
+                isPushed |= push(solver.a[c]);
+                isPushed |= push(solver.b[c]);
+            }
+        }
+        return isPushed;
+    }
+
+    private boolean push(int body) {
+        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, bodies.angle[body]);
+    }
+
+    /** Solves a collision. */
+    private void solve(int hit, double now) {
+        collisions++;
+        gather(hit, now);
+        int other = pieces.body[pairs.b[hit]];
         boolean isSwapped = other >= 0 && isFollowed(solver.bodyList[1], solver.bodyList[0], hit, now);
         double approach = 0;
         for (int c = 0; c < solver.count; c++) {
             approach = Math.min(approach, solver.pair[c] == hit ? solver.parting(c) : 0);
         }
         boolean isSlow = approach > -SLOW;
-        boolean isSolved = solver.solve();
-        meetings.tell(touches);
+        boolean isSolved = settle();
         meetings.apart(now);
         for (int k = 0; k < solver.bodyCount; k++) {
             int body = solver.bodyList[isSwapped && k < 2 ? 1 - k : k];

@@ -27,8 +27,11 @@ public final class Touches {
 
     public double[] nz = new double[FIRST];
 
-    /** What the body was given along the normal, newton seconds. */
+    /** What the body was given along the normal, newton seconds, by all of their impulses. */
     public double[] impulse = new double[FIRST];
+
+    // The greatest of the impulses.
+    private double[] most = new double[FIRST];
 
     private long[] keys = new long[FIRST];
     private int[] table = new int[4 * FIRST];
@@ -71,9 +74,11 @@ public final class Touches {
             body[entry] = ofBody;
             otherBody[entry] = other;
             otherObject[entry] = object;
-        } else if (by <= 0) {
+        } else if (by <= most[entry]) {
+            impulse[entry] += by;
             return;
         }
+        most[entry] = by;
         x[entry] = px;
         z[entry] = pz;
         nx[entry] = normalX;
@@ -93,6 +98,7 @@ public final class Touches {
             nx = Arrays.copyOf(nx, room);
             nz = Arrays.copyOf(nz, room);
             impulse = Arrays.copyOf(impulse, room);
+            most = Arrays.copyOf(most, room);
             table = new int[4 * room];
             Arrays.fill(table, -1);
             for (int k = 0; k < count; k++) {
@@ -101,6 +107,7 @@ public final class Touches {
         }
         keys[count] = key;
         impulse[count] = 0;
+        most[count] = 0;
         insert(count);
         return count++;
     }

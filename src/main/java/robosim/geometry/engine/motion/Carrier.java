@@ -139,6 +139,11 @@ public final class Carrier {
         return motion.attempt(registry.view, id, dx, dy, dz, 0, degrees, true, 0) ? NOTHING : motion.obstacle();
     }
 
+    /** Puts objects at places of any attitude. */
+    public Placer placer() {
+        return new Placer(registry, motion);
+    }
+
     /** What blocked last: an id, {@link #NOTHING} or {@link #BORDER}. */
     public int obstacle() {
         return motion.obstacle();

@@ -1,8 +1,12 @@
 package robosim.geometry.net.session;
 
 import java.util.List;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.WorldSettings;
 
 /** The size of a world of which only the objects are known. */
 public final class Extent {
@@ -15,6 +19,21 @@ public final class Extent {
     private static final double MOST = 0x1p101;
 
     private Extent() {}
+
+    /** The settings of a bundle's world; where it gives none, those of a session and the size that its objects need. */
+    public static WorldSettings settings(InitBundle init, Dimension dimension, Accuracy accuracy) {
+        WorldSettings given = init.settings() == null ? WorldSettings.NONE : init.settings();
+        if (given.isComplete()) {
+            return given;
+        }
+        double[] sizes = worldFor(init.objects());
+        return new WorldSettings(
+                given.width() > 0 ? given.width() : sizes[0],
+                given.height() > 0 ? given.height() : sizes[1],
+                given.length() > 0 ? given.length() : sizes[2],
+                given.dimension() == null ? dimension : given.dimension(),
+                given.accuracy() == null ? accuracy : given.accuracy());
+    }
 
     /**
      * Width, height and length of a world, centred at the origin, that holds all objects with a margin: a quarter of

@@ -49,15 +49,24 @@ public final class Motion {
     private final Set<String> bodies = new LinkedHashSet<>();
 
     private final Map<String, DriveSettings> drives = new HashMap<>();
+    private final Runnable breath;
+
+    /** No bodies so far, and nothing that runs between two parts of a step. */
+    public Motion(Geometry world) {
+        this(world, () -> {});
+    }
 
     /**
      * No bodies so far.
      *
+     * @param breath runs between two parts of a step, so that a long one cannot keep others waiting
      * @throws IllegalArgumentException if bodies cannot move in such a world
      */
-    public Motion(Geometry world) {
+    public Motion(Geometry world, Runnable breath) {
         this.world = world;
+        this.breath = breath;
         this.dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.pausing(breath);
     }
 
     /**
@@ -97,6 +106,7 @@ public final class Motion {
     }
 
     private void attempt(int index, String name, BiConsumer<Integer, String> refused, Runnable what) {
+        breath.run();
         if (!world.hasObject(name)) {
             refused.accept(index, "no object " + Text.quoted(name));
             return;
@@ -196,6 +206,7 @@ public final class Motion {
     private List<BodyAnswer> places() {
         List<BodyAnswer> places = new ArrayList<>(bodies.size());
         for (String name : bodies) {
+            breath.run();
             GeometryObject object = world.getObject(name);
             Twist velocity = dynamics.velocity(name);
             places.add(new BodyAnswer(

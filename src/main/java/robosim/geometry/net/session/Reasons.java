@@ -6,13 +6,18 @@ import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 
-/** Describes in words why a move was refused. */
+/** Describes in words why a request was refused. */
 public final class Reasons {
     private Reasons() {}
 
     /** As in {@code blocked by "wall 3" after 0.25 of the way}. */
     public static String of(MoveResult result) {
         return "blocked by " + obstacle(result.obstacle()) + " after " + way(result);
+    }
+
+    /** What an exception says, in one line. */
+    public static String of(IllegalArgumentException e) {
+        return e.getMessage() == null ? e.getClass().getSimpleName() : Text.line(e.getMessage());
     }
 
     private static String obstacle(@Nullable GeometryObject obstacle) {

@@ -1,5 +1,6 @@
 package robosim.geometry.net.session;
 
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -16,6 +17,24 @@ import robosim.geometry.protocol.WorldSettings;
 public interface World {
     /** Adds an object; returns false if it would leave the world. */
     boolean add(GeometryObject object);
+
+    /**
+     * Adds an object, unless an earlier one has its name.
+     *
+     * @param names those of the earlier objects
+     * @return why it was not added, or null
+     */
+    default @Nullable String refusal(GeometryObject object, Set<String> names) {
+        String name = object.name();
+        if (name != null && names.contains(name)) {
+            return "an earlier object has its name";
+        }
+        try {
+            return add(object) ? null : "it would leave the world";
+        } catch (IllegalArgumentException e) {
+            return Reasons.of(e);
+        }
+    }
 
     MoveResult move(String name, Move move);
 

@@ -109,7 +109,7 @@ public final class JsonCodec {
         if (lines.isWhole()) {
             return decode(lines.buffer(), lines.start(), lines.length());
         }
-        String type = JsonInput.firstTypeOf(JsonInput.of(lines.buffer(), lines.start(), lines.length()));
+        String type = JsonMessages.firstTypeOf(JsonInput.of(lines.buffer(), lines.start(), lines.length()));
         if (type == null) { // it may be at the end
             byte[] line = lines.gather();
             return decode(line, 0, line.length);
@@ -120,7 +120,7 @@ public final class JsonCodec {
     }
 
     private Object decode(byte[] bytes, int at, int length) throws IOException {
-        String type = JsonInput.typeOf(JsonInput.of(bytes, at, length));
+        String type = JsonMessages.typeOf(JsonInput.of(bytes, at, length));
         try (JsonInput in = JsonInput.of(bytes, at, length)) {
             return message(type, in);
         }
@@ -159,7 +159,7 @@ public final class JsonCodec {
     }
 
     private JsonMessages.Hello decodeHello() throws IOException {
-        String type = JsonInput.typeOf(JsonInput.discreet(lines.buffer(), lines.start(), lines.length()));
+        String type = JsonMessages.typeOf(JsonInput.discreet(lines.buffer(), lines.start(), lines.length()));
         if (!type.equals("hello")) {
             throw new ProtocolException("the first message must be a hello, as in {\"type\":\"hello\",\"version\":"
                     + JsonLines.VERSION + "} (got: another)");

@@ -87,26 +87,6 @@ final class JsonInput implements Closeable {
                         new InputStreamReader(new ByteArrayInputStream(bytes, at, length), StandardCharsets.UTF_8));
     }
 
-    /** The {@code type} of a message, at any position; what follows it is not read. */
-    static String typeOf(JsonInput message) throws IOException {
-        try (JsonInput in = message) {
-            if (in.find("type")) {
-                return in.text();
-            }
-            throw in.refused("must have the field \"type\" (got: none)");
-        }
-    }
-
-    /** The {@code type} of a message, given its beginning, if that field is the first; else null. */
-    static @Nullable String firstTypeOf(JsonInput beginning) {
-        try (JsonInput in = beginning) {
-            in.begin();
-            return in.isObject() && "type".equals(in.nextField()) && in.isText() ? in.text() : null;
-        } catch (IOException e) {
-            return null; // reading the whole message will report what is wrong
-        }
-    }
-
     /** Goes to a field of the line's object, at any position; returns whether it exists. */
     boolean find(String field) throws IOException {
         if (advance() == null) {

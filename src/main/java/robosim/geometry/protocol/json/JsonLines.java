@@ -55,7 +55,7 @@ public final class JsonLines {
     public static Bundle readRequest(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
         return guarded(() -> {
-            String type = JsonInput.typeOf(JsonInput.of(bytes, 0, bytes.length));
+            String type = JsonMessages.typeOf(JsonInput.of(bytes, 0, bytes.length));
             try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
                 return request(type, in);
             }
@@ -70,7 +70,7 @@ public final class JsonLines {
     public static Reply readReply(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
         return guarded(() -> {
-            String type = JsonInput.typeOf(JsonInput.of(bytes, 0, bytes.length));
+            String type = JsonMessages.typeOf(JsonInput.of(bytes, 0, bytes.length));
             try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
                 return switch (type) {
                     case "moves" -> new JsonMessages(in).made();
@@ -93,7 +93,7 @@ public final class JsonLines {
      */
     public static String typeOf(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
-        return guarded(() -> JsonInput.typeOf(JsonInput.of(bytes, 0, bytes.length)));
+        return guarded(() -> JsonMessages.typeOf(JsonInput.of(bytes, 0, bytes.length)));
     }
 
     /**

@@ -45,6 +45,26 @@ final class JsonMessages {
         this.in = in;
     }
 
+    /** The {@code type} of a message, at any position; what follows it is not read. */
+    static String typeOf(JsonInput message) throws IOException {
+        try (JsonInput in = message) {
+            if (in.find("type")) {
+                return in.text();
+            }
+            throw in.refused("must have the field \"type\" (got: none)");
+        }
+    }
+
+    /** The {@code type} of a message, given its beginning, if that field is the first; else null. */
+    static @Nullable String firstTypeOf(JsonInput beginning) {
+        try (JsonInput in = beginning) {
+            in.begin();
+            return in.isObject() && "type".equals(in.nextField()) && in.isText() ? in.text() : null;
+        } catch (IOException e) {
+            return null; // reading the whole message will report what is wrong
+        }
+    }
+
     /** The first message of a peer. */
     record Hello(@Nullable String secret) {
         @Override

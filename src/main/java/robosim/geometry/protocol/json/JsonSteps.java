@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.MessageLimits;
@@ -106,12 +107,23 @@ final class JsonSteps {
         var members = in.object(DRIVES);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
-                kind[0] = in.constant(DriveSettings.Kind.class);
+                kind[0] = kind();
             } else {
                 numbers[field] = in.number();
             }
         }
         return in.make(() -> new DriveSettings(kind[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]));
+    }
+
+    /** A kind in capitals, or in small letters as in a world file. */
+    private DriveSettings.Kind kind() throws IOException {
+        String text = in.text();
+        for (DriveSettings.Kind kind : DriveSettings.Kind.values()) {
+            if (kind.name().toLowerCase(Locale.ROOT).equals(text)) {
+                return kind;
+            }
+        }
+        return in.constant(DriveSettings.Kind.class);
     }
 
     private DriveCommand command() throws IOException {

@@ -12,10 +12,11 @@ import robosim.geometry.model.Point;
  * @param objectName a body
  * @param other      what it met: another body or another object; null for an object without a name and for the border of the
  *                   world
- * @param point      where they met
- * @param normal     unit normal at the contact, towards {@code objectName}
- * @param impulse    what {@code objectName} was given along the normal, newton seconds; 0 where they only touch or part
- * @param phase      whether the contact has begun in this step, has lasted from the one before, or has ended
+ * @param point      where they met; of several touches in the step, that of the greatest impulse
+ * @param normal     unit normal there, towards {@code objectName}
+ * @param impulse    what {@code objectName} was given along the normal, newton seconds, the sum over the step; 0
+ *                   where they only touch or part
+ * @param phase      whether the contact has begun in this step, goes on since the one before, or has ended
  */
 public record ContactAnswer(
         String objectName, @Nullable String other, Point point, Point normal, double impulse, Phase phase)
@@ -27,7 +28,7 @@ public record ContactAnswer(
     public enum Phase {
         /** There was none in the step before. */
         BEGIN,
-        /** There was one already. */
+        /** It lasts: there was one in the step before, and it goes on. Not the final one, which is {@link #END}. */
         LAST,
         /** There was one in the step before, and is none any more. */
         END

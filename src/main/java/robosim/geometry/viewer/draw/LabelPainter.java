@@ -1,10 +1,14 @@
 package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.scene.Footprint;
+import robosim.geometry.viewer.scene.Layers;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -28,25 +32,29 @@ final class LabelPainter {
         this.canvas = canvas;
     }
 
-    void paint(List<Scene.Thing> things) {
+    /**
+     * Paints names.
+     *
+     * @param movers moveable objects
+     * @param layers static objects, from below
+     */
+    void paint(List<Scene.Thing> movers, List<Layers.Layer> layers) {
         canvas.open("names", "");
-        for (Scene.Thing thing : things) {
-            if (thing.object().isMoveable()) {
-                reserve(thing.object());
-            }
+        for (Scene.Thing thing : movers) {
+            reserve(thing.object());
         }
-        for (Scene.Thing thing : things) {
-            if (thing.object().isMoveable()) {
-                beside(thing.object());
-            }
+        for (Scene.Thing thing : movers) {
+            beside(thing.object());
         }
         // Topmost first: objects under it get no name there.
         List<Cover> above = new ArrayList<>();
-        for (int k = things.size() - 1; k >= 0; k--) {
-            GeometryObject object = things.get(k).object();
-            if (!object.isMoveable()) {
+        Set<GeometryObject> named = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (int k = layers.size() - 1; k >= 0; k--) {
+            GeometryObject object = layers.get(k).thing().object();
+            if (named.add(object)) {
                 upon(object, above);
             }
+            above.add(Cover.of(layers.get(k)));
         }
         canvas.close();
     }
@@ -87,6 +95,10 @@ final class LabelPainter {
 
     /** An object that lies over those still to be labelled. */
     private record Cover(List<Footprint> outlines, Bounds bounds) {
+        static Cover of(Layers.Layer layer) {
+            return new Cover(layer.areas(), layer.bounds());
+        }
+
         boolean isApart(double fromX, double fromZ, double toX, double toZ) {
             return toX < bounds.minX() || bounds.maxX() < fromX || toZ < bounds.minZ() || bounds.maxZ() < fromZ;
         }
@@ -97,20 +109,25 @@ final class LabelPainter {
         Bounds bounds = object.bounds();
         String name = object.name();
         // The middle of a grid is as a rule free floor.
-        if (name != null && object.kind() != GeometryObject.Kind.GRID) {
-            upon(name, bounds, above);
+        if (name != null && object.kind() != GeometryObject.Kind.GRID && !upon(name, bounds, above)) {
+            // Of an imported object the model's name, which tells more than that of its link.
+            int model = name.indexOf("::");
+            if (model > 0) {
+                upon(name.substring(0, model), bounds, above);
+            }
         }
-        above.add(new Cover(Footprint.of(object), bounds));
     }
 
-    private void upon(String name, Bounds bounds, List<Cover> above) {
+    private boolean upon(String name, Bounds bounds, List<Cover> above) {
         double width = ADVANCE * STATIC_SIZE * name.length();
         boolean fits = frame.scale * bounds.width() > width + 6 && frame.scale * bounds.length() > STATIC_SIZE + 2;
         double x = frame.x(bounds.middleX());
         double y = frame.y(bounds.middleZ()) + STATIC_SIZE * 0.36;
         if (fits && !isCovered(x - width / 2, y, width, above) && take(x - width / 2, y, width, STATIC_SIZE)) {
             canvas.text(x, y, name, Canvas.Anchor.MIDDLE, STATIC_SIZE, Palette.TEXT);
+            return true;
         }
+        return false;
     }
 
     private boolean isCovered(double x, double y, double width, List<Cover> above) {

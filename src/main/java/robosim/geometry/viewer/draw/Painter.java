@@ -4,14 +4,13 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.viewer.scene.Heights;
+import robosim.geometry.viewer.scene.Layers;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.AtomicFileWriter;
@@ -89,9 +88,10 @@ public final class Painter {
         Painter painter = new Painter(scene, frame, canvas);
         painter.paintFloor();
         painter.clip();
-        painter.paintStatics();
+        List<Layers.Layer> layers = painter.statics();
+        painter.paintStatics(layers);
         canvas.unclip();
-        new LabelPainter(frame, canvas).paint(painter.statics());
+        new LabelPainter(frame, canvas).paint(List.of(), layers);
     }
 
     /**
@@ -102,7 +102,7 @@ public final class Painter {
         painter.clip();
         painter.paintLife();
         canvas.unclip();
-        new LabelPainter(frame, canvas).paint(painter.movers());
+        new LabelPainter(frame, canvas).paint(painter.movers(), List.of());
         new LegendPainter(scene, frame, canvas, painter.farthest).paint();
     }
 
@@ -110,12 +110,11 @@ public final class Painter {
         paintFloor();
         new GridPainter(scene, frame, canvas).title();
         clip();
-        paintStatics();
+        List<Layers.Layer> layers = statics();
+        paintStatics(layers);
         paintLife();
         canvas.unclip();
-        List<Scene.Thing> all = new ArrayList<>(statics());
-        all.addAll(movers());
-        new LabelPainter(frame, canvas).paint(all);
+        new LabelPainter(frame, canvas).paint(movers(), layers);
         new LegendPainter(scene, frame, canvas, farthest).paint();
     }
 
@@ -136,16 +135,23 @@ public final class Painter {
                 .toList();
     }
 
-    private List<Scene.Thing> statics() {
-        return Heights.fromBelow(scene.things().stream()
+    private List<Layers.Layer> statics() {
+        return Layers.fromBelow(scene.things().stream()
                 .filter(thing -> !thing.object().isMoveable())
                 .toList());
     }
 
-    private void paintStatics() {
+    private void paintStatics(List<Layers.Layer> layers) {
         canvas.open("objects", "");
-        for (Scene.Thing thing : statics()) {
-            ThingPainter.paintStatic(thing, frame, canvas);
+        for (int k = 0; k < layers.size(); k++) {
+            Layers.Layer layer = layers.get(k);
+            if (k == 0 || layers.get(k - 1).index() != layer.index()) {
+                ThingPainter.open("object", layer.thing().object(), canvas);
+            }
+            ThingPainter.paint(layer, frame, canvas);
+            if (k == layers.size() - 1 || layers.get(k + 1).index() != layer.index()) {
+                canvas.close();
+            }
         }
         canvas.close();
     }

@@ -7,6 +7,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.viewer.scene.CellArea;
 import robosim.geometry.viewer.scene.Footprint;
+import robosim.geometry.viewer.scene.Layers;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -24,22 +25,53 @@ final class ThingPainter {
     /** The length in pixels of an arrow on the floor. */
     static final double SMALL_ARROW = 8;
 
+    /** How much of the floor's colour the lowest parts of meshes have. */
+    private static final double PALEST = 0.75;
+
+    /** Width in pixels of the line in its own colour that closes the seams between triangles. */
+    private static final double SEAM = 0.5;
+
+    /** Width in pixels of the edges of meshes. */
+    private static final double MESH_LINE = 0.7;
+
     private ThingPainter() {}
 
-    static void paintStatic(Scene.Thing thing, MapFrame frame, Canvas canvas) {
-        GeometryObject object = thing.object();
-        Integer colour = thing.colour();
+    /** Begins the part of the picture that shows an object. */
+    static void open(String role, GeometryObject object, Canvas canvas) {
+        canvas.open(role + " " + object.kind().word(), text(object));
+    }
+
+    /** Paints what stands still. Of a mesh, higher parts are stronger in colour, and only its edges are drawn. */
+    static void paint(Layers.Layer layer, MapFrame frame, Canvas canvas) {
+        GeometryObject object = layer.thing().object();
+        Integer colour = layer.thing().colour();
         Ink ink = colour == null ? Palette.of(object.kind()) : new Ink(colour, Shade.dimmed(colour));
         Ink edge = new Ink(Shade.mix(ink.light(), 0x000000, 0.38), Shade.mix(ink.dark(), 0xffffff, 0.35));
-        canvas.open("object " + object.kind().word(), text(object));
-        draw(object, Style.filled(ink, 1).outlined(edge, 1, 0.9), frame, canvas);
-        canvas.close();
+        if (layer.isMesh()) {
+            Ink shaded = Shade.faded(ink, PALEST * (1 - layer.height()));
+            canvas.polygons(
+                    onPage(layer.areas(), frame), Style.filled(shaded, 1).outlined(shaded, SEAM, 1));
+            if (!layer.lines().isEmpty()) {
+                List<double[]> lines = layer.lines().stream().map(frame::toPage).toList();
+                canvas.polygons(lines, Style.line(edge, MESH_LINE, 0.9));
+            }
+        } else {
+            draw(layer.areas(), Style.filled(ink, 1).outlined(edge, 1, 0.9), frame, canvas);
+        }
+    }
+
+    private static List<double[]> onPage(List<Footprint> triangles, MapFrame frame) {
+        List<double[]> page = new ArrayList<>();
+        for (Footprint triangle : triangles) {
+            page.add(frame.toPage(((Footprint.Polygon) triangle).corners()));
+        }
+        return page;
     }
 
     static void paintMoveable(Scene.Thing thing, Ink ink, MapFrame frame, Canvas canvas) {
         GeometryObject object = thing.object();
         List<Footprint> outlines = Footprint.of(object);
-        canvas.open("moveable " + object.kind().word(), text(object));
+        open("moveable", object, canvas);
         // The light edge lies below the colour, so it cannot hide even a small object.
         draw(outlines, Style.line(Palette.FLOOR, 2 * HALO, 1), frame, canvas);
         draw(outlines, Style.filled(ink, 0.92), frame, canvas);
@@ -175,6 +207,12 @@ final class ThingPainter {
                 mixed |= (int) Math.round(a + share * (b - a)) << shift;
             }
             return mixed;
+        }
+
+        /** A colour with a part of the floor's. */
+        static Ink faded(Ink ink, double share) {
+            return new Ink(
+                    mix(ink.light(), Palette.FLOOR.light(), share), mix(ink.dark(), Palette.FLOOR.dark(), share));
         }
 
         static int dimmed(int rgb) {

@@ -8,7 +8,9 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.StepReader;
@@ -23,6 +25,9 @@ import robosim.geometry.world.WorldObject;
 public final class Pictures {
     /** Number of steps in a picture of the last moments of a conversation. */
     private static final int MOMENTS = 60;
+
+    /** How many times as large as the part where something happened a world is whose picture shows only that part. */
+    private static final double LEAST_CROP = 3;
 
     private Pictures() {}
 
@@ -114,9 +119,53 @@ public final class Pictures {
                 .titled(scenario.header().title());
     }
 
+    /** The part of a scene where things happened, if that is much less than all of it. */
+    private static Scene.View nearby(Scene scene) {
+        List<Bounds> seen = new ArrayList<>();
+        for (Scene.Trail trail : scene.trails()) {
+            if (trail.path().size() > 1) {
+                trail.path().forEach(place -> seen.add(at(place)));
+            }
+        }
+        for (Scene.Blocked each : scene.blocked()) {
+            seen.add(each.mover().bounds());
+            if (each.aim() != null) {
+                seen.add(each.aim().bounds());
+            }
+        }
+        Scene.View all = scene.view();
+        return seen.stream()
+                .reduce(Bounds::and)
+                .map(found -> around(found, scene))
+                .filter(near -> area(near) * LEAST_CROP < area(all))
+                .orElse(all);
+    }
+
+    private static Bounds at(Point place) {
+        return new Bounds(place.x(), place.y(), place.z(), place.x(), place.y(), place.z());
+    }
+
+    /** What happened, with as much again around it, and room for any of the robots. */
+    private static Scene.View around(Bounds found, Scene scene) {
+        double robot = scene.things().stream()
+                .map(Scene.Thing::object)
+                .filter(GeometryObject::isMoveable)
+                .mapToDouble(
+                        each -> Math.max(each.bounds().width(), each.bounds().length()))
+                .max()
+                .orElse(0);
+        double margin = Math.max(Math.max(found.width(), found.length()) / 2, 3 * robot);
+        return Scene.View.around(new Bounds(
+                found.minX() - margin, 0, found.minZ() - margin, found.maxX() + margin, 0, found.maxZ() + margin));
+    }
+
+    private static double area(Scene.View view) {
+        return (view.maxX() - view.minX()) * (view.maxZ() - view.minZ());
+    }
+
     /**
      * Draws the end of a conversation, as in {@link #lastMoments(Scenario)}, to a file whose name ends in {@code .svg}
-     * or {@code .png}.
+     * or {@code .png}; of a large world only the part where it happened.
      *
      * @param goals goals of robots, which the picture includes
      * @param world lends colours and a unit; null for none
@@ -128,7 +177,7 @@ public final class Pictures {
         if (world != null) {
             scene = scene.described(scene.subtitle(), unit(world));
         }
-        Scene.View view = scene.view();
+        Scene.View view = nearby(scene);
         for (GeometryObject goal : goals) {
             view = view.with(goal);
         }

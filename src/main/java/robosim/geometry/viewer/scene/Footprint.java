@@ -62,8 +62,13 @@ public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, Cel
 
     /** The pieces of an object at its place. */
     static List<Footprint> of(GeometryObject object) {
+        return of(object, Frame.world());
+    }
+
+    /** The pieces of an object whose place is relative to a frame. */
+    static List<Footprint> of(GeometryObject object, Frame outer) {
         List<Footprint> outlines = new ArrayList<>();
-        add(object, new Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point()), outlines);
+        add(object, outer, outlines);
         return outlines;
     }
 
@@ -142,7 +147,7 @@ public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, Cel
     }
 
     /** The convex hull of points x, z, x, z ...: Andrew's monotone chain. */
-    private static double[] hull(double[] points) {
+    static double[] hull(double[] points) {
         int count = points.length / 2;
         Integer[] order = new Integer[count];
         Arrays.setAll(order, k -> k);
@@ -190,6 +195,11 @@ public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, Cel
         Frame(double[] rotation, Point origin) {
             this.rotation = rotation;
             this.origin = origin;
+        }
+
+        /** The world's own frame. */
+        static Frame world() {
+            return new Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point());
         }
 
         Frame then(GeometryObject object) {

@@ -10,7 +10,6 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
@@ -32,10 +31,11 @@ public final class Heights {
 
     /** The largest Y of an object. */
     public static double top(GeometryObject object) {
-        return top(object, new Footprint.Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point()));
+        return top(object, Footprint.Frame.world());
     }
 
-    private static double top(GeometryObject object, Footprint.Frame outer) {
+    /** The largest Y of an object within an outer frame. */
+    static double top(GeometryObject object, Footprint.Frame outer) {
         Footprint.Frame frame = outer.then(object);
         return switch (object.kind()) {
             case BOX -> {

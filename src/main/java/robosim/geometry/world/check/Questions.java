@@ -1,6 +1,7 @@
 package robosim.geometry.world.check;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
@@ -10,6 +11,7 @@ import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.world.SonarRing;
@@ -29,8 +31,11 @@ final class Questions {
     /** That number in a world of meshes, among which a query takes up to a thousand times as long. */
     private static final int PLACES_AMONG_MESHES = 120;
 
-    /** Free places at which all settings are queried; later only those that have answered as the truth until then. */
-    private static final int FIRST = 60;
+    /**
+     * Free places at which all settings that are told are queried; the others, and later all, only until they have answered
+     * otherwise. No fewer than a decision needs.
+     */
+    private static final int FIRST = Setting.MIN_ANSWERS;
 
     private static final int FIRST_AMONG_MESHES = 15;
 
@@ -65,6 +70,12 @@ final class Questions {
     private final List<Bounds> obstacles;
 
     private final @Nullable StandIn standIn;
+
+    /** The robots that are queried, or what stands in for one. */
+    private final List<WorldObject> robots;
+
+    /** Whether heights cannot affect any level move or sonar. */
+    private final boolean proven;
 
     /** Number of queries whose true answer is a hit. */
     private int met;
@@ -127,10 +138,7 @@ final class Questions {
                 sheets.add(new Sheet(world, dimension, accuracy));
             }
         }
-        truth = sheets.stream()
-                .filter(sheet -> sheet.dimension == world.dimension() && sheet.accuracy == Accuracy.EXACT)
-                .findFirst()
-                .orElseThrow();
+        truth = exact(world.dimension());
         standIn = world.objects().stream().anyMatch(object -> object.object().isMoveable())
                 ? null
                 : StandIn.of(world, truth.geometry);
@@ -139,20 +147,63 @@ final class Questions {
                 .filter(object -> !object.isMoveable())
                 .map(GeometryObject::bounds)
                 .toList();
+        robots = standIn == null ? asked(world) : List.of(new WorldObject(standIn.body()));
+        proven = !robots.isEmpty() && isProven(world, robots);
     }
 
-    /** The settings that are still queried. */
+    /** The settings whose answers are still compared with the true ones. */
     private List<Sheet> open() {
-        return freeSoFar < (triangles > MANY ? FIRST_AMONG_MESHES : FIRST)
-                ? sheets
-                : sheets.stream()
-                        .filter(sheet -> sheet == truth || !sheet.hasFailed())
-                        .toList();
+        boolean first = freeSoFar <= (triangles > MANY ? FIRST_AMONG_MESHES : FIRST);
+        List<Sheet> open = new ArrayList<>(sheets.size());
+        for (Sheet sheet : sheets) {
+            if (sheet != truth && (!sheet.hasFailed() || (first && isTold(sheet)))) {
+                open.add(sheet);
+            }
+        }
+        return open;
     }
 
     /**
-     * The robots whose queries are made: a mesh takes seconds for a single move among other meshes, so it is left out where
-     * there is any other robot.
+     * Whether users are told how often a setting that fails does so: one of the dimension that is recommended, as far as is
+     * known yet, or EXACT in the other.
+     */
+    private boolean isTold(Sheet sheet) {
+        return sheet.accuracy == Accuracy.EXACT
+                || sheet.dimension == world.dimension()
+                || (world.dimension() == Dimension.SPATIAL
+                        && !exact(sheet.dimension).hasFailed());
+    }
+
+    private Sheet exact(Dimension dimension) {
+        return sheets.stream()
+                .filter(sheet -> sheet.dimension == dimension && sheet.accuracy == Accuracy.EXACT)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /**
+     * Whether further queries cannot change what is recommended: enough were made, and each setting that could still be
+     * recommended has failed, as has the one that says whether heights matter. What has failed once is never
+     * recommended, so the result is that of all queries.
+     */
+    private boolean isDecided() {
+        if (!truth.setting().isAskedEnough() || met < Setting.MIN_ANSWERS || freeSoFar < FIRST) {
+            return false;
+        }
+        for (Sheet sheet : sheets) {
+            boolean matters = world.dimension() == Dimension.SPATIAL
+                    || sheet.dimension == Dimension.PLANAR
+                    || (sheet.accuracy == Accuracy.EXACT && !proven);
+            if (matters && sheet != truth && !sheet.hasFailed()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * The robots whose queries are made, those of the fewest parts first, which take the least time: often they decide. A
+     * mesh takes seconds for a single move among other meshes, so it is left out where there is any other robot.
      */
     static List<WorldObject> asked(World world) {
         List<WorldObject> robots = world.objects().stream()
@@ -161,20 +212,27 @@ final class Questions {
         List<WorldObject> quick = robots.stream()
                 .filter(robot -> !RobotReachability.isMany(robot.object()))
                 .toList();
-        return quick.isEmpty() ? robots : quick;
+        return (quick.isEmpty() ? robots : quick)
+                .stream()
+                        .sorted(Comparator.comparingInt(robot -> parts(robot.object())))
+                        .toList();
+    }
+
+    private static int parts(GeometryObject object) {
+        return object instanceof ObjectGroup group
+                ? group.members().stream().mapToInt(Questions::parts).sum()
+                : 1;
     }
 
     Needs ask() {
-        List<WorldObject> robots = standIn == null ? asked(world) : List.of(new WorldObject(standIn.body()));
         int places = triangles > MANY ? PLACES_AMONG_MESHES : PLACES;
         int each = Math.max(1, places / Math.max(1, robots.size()));
         int few = Math.max(1, each / FEWER);
         // If there are many robots, not all are used.
         int asked = Math.min(robots.size(), places);
-        for (int k = 0; k < asked; k++) {
+        for (int k = 0; k < asked && !isDecided(); k++) {
             ask(robots.get(k), RobotReachability.isMany(robots.get(k).object()) ? few : each, k, asked);
         }
-        boolean proven = !robots.isEmpty() && isProven(world, robots);
         Sheet enough = sheets.stream()
                 .filter(sheet -> world.dimension() == Dimension.SPATIAL || sheet.dimension == Dimension.PLANAR)
                 .filter(sheet -> sheet.setting().isSame())
@@ -197,7 +255,7 @@ final class Questions {
         GridSearch search = standIn == null ? reachability.search(name) : null;
         sheets.forEach(sheet -> sheet.geometry.removeObject(name));
         int free = 0;
-        for (int tries = 0; free < count && tries < count * TRIES; tries++) {
+        for (int tries = 0; free < count && tries < count * TRIES && !isDecided(); tries++) {
             watch.at("questions", (long) number * count + free, (long) robots * count);
             GeometryObject body = tries == 0
                     ? home
@@ -222,7 +280,7 @@ final class Questions {
             return anywhere(home);
         }
         Bounds near = obstacles.get(random.nextInt(obstacles.size()));
-        double more = NEAR * GridSearch.diagonal(home);
+        double more = NEAR * PlaceGrid.diagonal(home);
         return placed(
                 home,
                 within(near.minX() - more, near.maxX() + more, world.width()),
@@ -255,6 +313,7 @@ final class Questions {
         truth.geometry.removeObject(name);
         boolean right = !truth.geometry.testObject(body);
         met += right ? 0 : 1;
+        truth.places++;
         for (Sheet sheet : open()) {
             sheet.places++;
             sheet.placesOtherwise += sheet.geometry.testObject(body) == right ? 1 : 0;
@@ -263,11 +322,12 @@ final class Questions {
     }
 
     private void move(GeometryObject body, String name) {
-        double way = random.nextDouble() * FAR * GridSearch.diagonal(body);
+        double way = random.nextDouble() * FAR * PlaceGrid.diagonal(body);
         Move move =
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);
         met += right ? 0 : 1;
+        truth.moves++;
         for (Sheet sheet : open()) {
             sheet.moves++;
             sheet.movesOtherwise += moves(sheet, body, name, move) == right ? 0 : 1;
@@ -287,6 +347,7 @@ final class Questions {
         Ray mount = ring.mount(random.nextInt(ring.count()));
         double right = hears(truth, body, name, mount, ring);
         met += Double.isFinite(right) ? 1 : 0;
+        truth.distances++;
         for (Sheet sheet : open()) {
             double heard = hears(sheet, body, name, mount, ring);
             sheet.distances++;

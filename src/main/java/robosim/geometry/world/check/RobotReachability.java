@@ -57,16 +57,17 @@ final class RobotReachability {
                 statics.addObjectUnchecked(object.object());
             }
         }
+        Geometry geometry = statics.snapshot().toGeometry();
         for (int level = 0; level <= LEVELS; level++) {
             for (int k : toSearch(level)) {
-                search(statics, k, level);
+                search(geometry, statics, k, level);
             }
             if (isDone()) {
                 break;
             }
         }
         if (!isDone()) {
-            lookNear(statics);
+            lookNear(geometry, statics);
         }
         return rooms();
     }
@@ -92,7 +93,7 @@ final class RobotReachability {
      * If the step of all searches was too coarse to decide, a finer one near the start may find that there is no way
      * out.
      */
-    private void lookNear(Geometry statics) {
+    private void lookNear(Geometry geometry, Geometry statics) {
         List<List<Integer>> groups = groups();
         for (List<Integer> group : groups) {
             GridSearch far = largest(group);
@@ -101,7 +102,7 @@ final class RobotReachability {
                 continue;
             }
             int k = group.stream().min(narrowestFirst()).orElseThrow();
-            GridSearch near = GridSearch.near(world, statics, robots.get(k));
+            GridSearch near = GridSearch.near(world, geometry, statics, robots.get(k));
             if (near == null) {
                 continue;
             }
@@ -137,7 +138,7 @@ final class RobotReachability {
 
     private Comparator<Integer> narrowestFirst() {
         return Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
-                .thenComparingDouble(k -> GridSearch.narrow(robots.get(k)));
+                .thenComparingDouble(k -> PlaceGrid.narrow(robots.get(k)));
     }
 
     /** Whether it has so many parts that moving it is slow. */
@@ -154,8 +155,8 @@ final class RobotReachability {
         return largest != null && largest.places() == 1;
     }
 
-    private void search(Geometry statics, int k, int level) {
-        GridSearch search = GridSearch.far(world, statics, robots.get(k), level);
+    private void search(Geometry geometry, Geometry statics, int k, int level) {
+        GridSearch search = GridSearch.far(world, geometry, statics, robots.get(k), level);
         GridSearch last = searches[k];
         boolean coarse = last != null && search.step() >= last.step();
         if (coarse || (level == 0 && hasSearched(k))) {

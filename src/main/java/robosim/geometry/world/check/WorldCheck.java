@@ -39,7 +39,7 @@ import robosim.geometry.world.WorldObject;
  * robot may stand at a place, whether it may make a random move or turn from there, and what one of its sonars measures
  * (in a world without sonars, a line in a random direction). The places are random; for each robot they include its own
  * start and some places that it reached. A setting is sufficient if it answers all of them as EXACT in the world's own
- * dimension does. Nothing is decided if fewer than {@link Setting#MIN_ANSWERS} moves or distances could be queried, for
+ * dimension does. No more are made once each setting that could still be recommended has answered otherwise. Nothing is decided if fewer than {@link Setting#MIN_ANSWERS} moves or distances could be queried, for
  * lack of free places or of robots, or if none of them hit anything. A robot that is a mesh, and therefore slow, gets a
  * twentieth of the queries of others.
  *

@@ -28,6 +28,7 @@ final class ColladaFaces {
                     default -> {} // sources and vertices
                 }
             }
+            JoinedFaces.dropUnused(read.vertices, read.faces);
         }
         return read;
     }
@@ -141,13 +142,7 @@ final class ColladaFaces {
                     "a polygon must have at most " + Limits.MAX_CORNERS + " corners (got: " + corners.length + ")");
         }
         bounded(list, corners.length - 2);
-        int before = faces.size();
-        try {
-            Polygon.cut(vertices, corners, faces);
-        } catch (IllegalArgumentException e) {
-            faces.subList(before, faces.size()).clear();
-            fan(list, corners);
-        }
+        Polygon.cutOrFan(vertices, corners, faces);
     }
 
     private void strip(ColladaElement list, int[] corners) throws FileProblem {

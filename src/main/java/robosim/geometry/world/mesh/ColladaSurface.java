@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.MeshObject;
-import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
@@ -23,9 +22,7 @@ public final class ColladaSurface {
     private final @Nullable String part;
 
     private final Map<ColladaElement, ColladaFaces> meshes = new HashMap<>();
-    private final Map<Point, Integer> indices = new HashMap<>();
-    private final List<Point> vertices = new ArrayList<>();
-    private final List<int[]> faces = new ArrayList<>();
+    private final JoinedFaces joined = new JoinedFaces();
     private int visits;
 
     private ColladaSurface(ColladaParser file, @Nullable String part) {
@@ -56,7 +53,7 @@ public final class ColladaSurface {
     private MeshObject read(String source, String upAxis, double scale) throws FileProblem {
         ColladaElement root = file.root();
         show(scene(root), ColladaTransform.upright(upAxis, scale * unit(root)));
-        if (faces.isEmpty()) {
+        if (joined.size() == 0) {
             throw root.wrong(
                     part == null
                             ? "a COLLADA file must show at least one face in its <visual_scene> (got: none)"
@@ -64,7 +61,7 @@ public final class ColladaSurface {
                                     + part + ")");
         }
         try {
-            return new MeshObject(vertices, faces.toArray(int[][]::new));
+            return joined.mesh();
         } catch (IllegalArgumentException e) {
             throw new FileProblem(source, 0, 0, String.valueOf(e.getMessage()), e);
         }
@@ -100,10 +97,10 @@ public final class ColladaSurface {
     }
 
     /** A visual scene or a node that is to be shown. */
-    private record Visit(ColladaElement element, ColladaTransform place, int depth) {}
+    private record Visit(ColladaElement element, AffineTransform place, int depth) {}
 
     /** Shows a scene with all its nodes, in the order of the file. */
-    private void show(ColladaElement scene, ColladaTransform place) throws FileProblem {
+    private void show(ColladaElement scene, AffineTransform place) throws FileProblem {
         List<Visit> waiting = new ArrayList<>(List.of(new Visit(scene, place, 0)));
         while (!waiting.isEmpty()) {
             Visit visit = waiting.remove(waiting.size() - 1);
@@ -121,7 +118,7 @@ public final class ColladaSurface {
 
     private void visit(Visit visit, List<Visit> inner) throws FileProblem {
         ColladaElement node = visit.element;
-        ColladaTransform place = visit.place;
+        AffineTransform place = visit.place;
         for (ColladaElement child : node.children) {
             if (ColladaTransform.isTransform(child)) {
                 place = place.then(ColladaTransform.of(child));
@@ -147,13 +144,13 @@ public final class ColladaSurface {
     }
 
     /** A skin in the shape in which it was bound to its skeleton; a morph, which has none, is not shown. */
-    private void controller(ColladaElement node, ColladaElement controller, ColladaTransform place) throws FileProblem {
+    private void controller(ColladaElement node, ColladaElement controller, AffineTransform place) throws FileProblem {
         ColladaElement skin = controller.child("skin");
         if (skin == null) {
             return;
         }
         ColladaElement bind = skin.child("bind_shape_matrix");
-        ColladaTransform bound = bind == null ? place : place.then(ColladaTransform.of(bind));
+        AffineTransform bound = bind == null ? place : place.then(ColladaTransform.of(bind));
         geometry(node, expected(skin, "source", "geometry"), bound);
     }
 
@@ -161,7 +158,7 @@ public final class ColladaSurface {
         return element.attribute("name").equals(part) || element.attribute("id").equals(part);
     }
 
-    private void geometry(ColladaElement node, ColladaElement geometry, ColladaTransform place) throws FileProblem {
+    private void geometry(ColladaElement node, ColladaElement geometry, AffineTransform place) throws FileProblem {
         ColladaElement mesh = geometry.child("mesh");
         if (mesh == null || (part != null && !isWanted(node) && !isWanted(geometry))) {
             return; // splines and hulls have no mesh
@@ -171,40 +168,14 @@ public final class ColladaSurface {
             known = ColladaFaces.read(mesh, file);
             meshes.put(mesh, known);
         }
-        if (faces.size() + known.faces.size() > Limits.MAX_FACES) {
+        if (joined.size() + known.faces.size() > Limits.MAX_FACES) {
             throw geometry.wrong("all meshes of a file together must have at most " + Limits.MAX_FACES
                     + " faces, each instance counted (got: more)");
         }
         try {
-            place(known, place);
+            joined.add(known.vertices, known.faces, place);
         } catch (IllegalArgumentException e) {
             throw geometry.wrong("<geometry>: a vertex, once placed: " + e.getMessage());
         }
-    }
-
-    private void place(ColladaFaces mesh, ColladaTransform place) {
-        int[] placed = new int[mesh.vertices.size()]; // 1 more than the index; 0 for those that no face uses
-        boolean isMirror = place.isMirror();
-        for (int[] face : mesh.faces) {
-            int[] copy = new int[face.length];
-            for (int k = 0; k < face.length; k++) {
-                int corner = face[k];
-                if (placed[corner] == 0) {
-                    placed[corner] = 1 + index(place.apply(mesh.vertices.get(corner)));
-                }
-                // From the first corner on, so that a quad keeps its diagonal.
-                copy[isMirror ? (face.length - k) % face.length : k] = placed[corner] - 1;
-            }
-            faces.add(copy);
-        }
-    }
-
-    private int index(Point point) {
-        Integer known = indices.putIfAbsent(point, vertices.size());
-        if (known != null) {
-            return known;
-        }
-        vertices.add(point);
-        return vertices.size() - 1;
     }
 }

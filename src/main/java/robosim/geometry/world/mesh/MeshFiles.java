@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
@@ -25,63 +26,79 @@ public final class MeshFiles {
         public MeshObject read(InputStream in, String source, double scale) throws FileProblem;
     }
 
-    /** Whether a name has the ending of a supported format: .obj, .stl or .dae. */
+    /** The endings of the names of supported formats, for messages. */
+    public static final String ENDINGS = ".obj, .stl, .dae, .ply, .glb or .gltf";
+
+    /** Whether a name has the ending of a supported format. */
     public static boolean isNamed(String file) {
-        return isStl(file) || isCollada(file) || file.toLowerCase(Locale.ROOT).endsWith(".obj");
+        return switch (ending(file)) {
+            case "obj", "stl", "dae", "ply", "glb", "gltf" -> true;
+            default -> false;
+        };
     }
 
-    /** Whether a name has the ending of COLLADA, whose files tell their unit and axes. */
+    private static String ending(String file) {
+        return file.substring(file.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether a name has the ending of a format whose files tell their unit and axes: COLLADA and glTF. */
+    public static boolean isUpright(String file) {
+        return isCollada(file) || isGltf(file);
+    }
+
+    private static boolean isGltf(String file) {
+        return ending(file).equals("glb") || ending(file).equals("gltf");
+    }
+
+    /** Whether a name has the ending of COLLADA. */
     public static boolean isCollada(String file) {
-        return file.toLowerCase(Locale.ROOT).endsWith(".dae");
-    }
-
-    private static boolean isStl(String file) {
-        return file.toLowerCase(Locale.ROOT).endsWith(".stl");
+        return ending(file).equals("dae");
     }
 
     /**
-     * Reads the surface of a file, in the format given by the ending of its name; OBJ if that is unknown. An OBJ file's
-     * materials are read too.
+     * Reads the surface of a file with Y up, in the format given by the ending of its name; OBJ if that is unknown. An OBJ
+     * file's materials are read too.
      */
     public static MeshObject read(Path file, double scale, TextureFiles textures) throws FileProblem {
-        if (isCollada(file.toString())) {
-            return read(file, scale, ColladaSurface::read);
-        }
-        return isStl(file.toString()) ? read(file, scale, StlSurface::read) : readObj(file, scale, textures);
+        return switch (ending(file.toString())) {
+            case "dae" -> read(file, scale, ColladaSurface::read);
+            case "stl" -> read(file, scale, StlSurface::read);
+            case "ply" -> read(file, scale, PlySurface::read);
+            case "glb", "gltf" -> readGltf(file, scale, null, textures);
+            default -> readObj(file, scale, textures);
+        };
     }
 
     /**
-     * Reads a part of a file along the axes of its coordinates: of COLLADA a node or a geometry, of OBJ an object or a group,
-     * of STL a solid.
+     * Reads a part of a file along the axes of its coordinates: of COLLADA a node or a geometry, of glTF a node or a mesh, of
+     * OBJ an object or a group, of STL a solid.
      *
      * @param part its name
      */
     public static MeshObject readPart(Path file, String part, TextureFiles textures) throws FileProblem {
-        if (isCollada(file.toString())) {
-            return read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, part));
-        }
         Path folder = file.toAbsolutePath().resolveSibling("");
-        MeshObject read = isStl(file.toString())
-                ? read(file, 1, (in, source, scale) -> StlSurface.read(in, source, scale, part))
-                : read(file, 1, (in, source, scale) -> ObjSurface.read(in, source, scale, folder, textures, part));
-        return used(read);
+        return switch (ending(file.toString())) {
+            case "dae" -> read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, part));
+            case "glb", "gltf" -> readGltf(file, 1, part, textures);
+            case "ply" -> read(file, 1, (in, source, scale) -> PlySurface.read(in, source, scale, part));
+            case "stl" -> used(read(file, 1, (in, source, scale) -> StlSurface.read(in, source, scale, part)));
+            default ->
+                used(read(file, 1, (in, source, scale) -> ObjSurface.read(in, source, scale, folder, textures, part)));
+        };
+    }
+
+    /** Reads a glTF file and the files of its buffers, which lie below its folder. */
+    private static MeshObject readGltf(Path file, double scale, @Nullable String part, TextureFiles textures)
+            throws FileProblem {
+        Path folder = file.toAbsolutePath().resolveSibling("");
+        return read(file, scale, (in, source, scaled) -> GltfSurface.read(in, file, folder, scaled, part, textures));
     }
 
     /** A mesh without the vertices that no face uses. */
     private static MeshObject used(MeshObject mesh) {
-        int[] places = new int[mesh.vertices().size()]; // 1 more than the new index; 0 for those that are not used
-        List<Point> vertices = new ArrayList<>();
+        List<Point> vertices = new ArrayList<>(mesh.vertices());
         int[][] faces = mesh.faces();
-        for (int[] face : faces) {
-            for (int k = 0; k < face.length; k++) {
-                int corner = face[k];
-                if (places[corner] == 0) {
-                    vertices.add(mesh.vertices().get(corner));
-                    places[corner] = vertices.size();
-                }
-                face[k] = places[corner] - 1;
-            }
-        }
+        JoinedFaces.dropUnused(vertices, List.of(faces));
         return new MeshObject(vertices, faces)
                 .withTextureCoordinates(mesh.textureCoordinates())
                 .withMaterial(mesh.material());

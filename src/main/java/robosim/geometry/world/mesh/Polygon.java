@@ -28,6 +28,19 @@ public final class Polygon {
         new Clipping(flat, corners, faces).clip();
     }
 
+    /** Adds the faces of one polygon of at least three corners; one that crosses itself is a fan, as programs draw it. */
+    static void cutOrFan(List<Point> vertices, int[] corners, List<int[]> faces) {
+        int before = faces.size();
+        try {
+            cut(vertices, corners, faces);
+        } catch (IllegalArgumentException e) {
+            faces.subList(before, faces.size()).clear();
+            for (int k = 1; k + 1 < corners.length; k++) {
+                faces.add(new int[] {corners[0], corners[k], corners[k + 1]});
+            }
+        }
+    }
+
     /**
      * The remaining corners, and for each a corner that its ear contains, if known; this stays valid until that corner
      * or a neighbour is removed. So the total work is quadratic in the number of corners.

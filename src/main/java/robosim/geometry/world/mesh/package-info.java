@@ -1,4 +1,4 @@
-/** The surfaces of OBJ, STL and COLLADA files. */
+/** The surfaces of OBJ, STL, COLLADA, PLY and glTF files. */
 @NullMarked
 package robosim.geometry.world.mesh;
 

@@ -1,15 +1,13 @@
 package robosim.geometry.world.rosmap;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.ImageFiles;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 
@@ -19,7 +17,7 @@ public final class MapFiles {
 
     /** The settings of a map. */
     public static MapSettings settings(Path yaml) throws FileProblem {
-        byte[] bytes = bytes(yaml, Limits.MAX_SETTINGS);
+        byte[] bytes = RegularFile.bytes(yaml, Limits.MAX_SETTINGS);
         try {
             return MapSettings.parse(new String(bytes, StandardCharsets.UTF_8), yaml.toString());
         } catch (NoClassDefFoundError e) {
@@ -53,10 +51,9 @@ public final class MapFiles {
         } catch (IOException e) {
             throw new FileProblem(yaml.toString(), settings.imageLine(), 0, "the image could not be read: " + e, e);
         }
-        byte[] bytes = bytes(image, Limits.MAX_IMAGE_BYTES);
-        return PngReader.isPng(bytes)
-                ? PngReader.read(bytes, image.toString(), settings)
-                : PgmReader.read(bytes, image.toString(), settings);
+        MapPixels pixels = new MapPixels(settings);
+        ImageFiles.read(image, pixels);
+        return pixels.grid();
     }
 
     /** The image's name relative to the settings: of an absolute path, which ROS 1 writes, the last part. */
@@ -73,21 +70,5 @@ public final class MapFiles {
                 + ": image should be a path relative to this file; read is the file of that name beside this one, "
                 + name + " (got: " + image + ")");
         return name;
-    }
-
-    /** All bytes of a file, whose size is checked before there is room for them. */
-    private static byte[] bytes(Path file, long most) throws FileProblem {
-        try (InputStream in = RegularFile.open(file)) {
-            long size = Files.size(file);
-            if (size > most) {
-                throw new FileProblem(
-                        file.toString(), 0, 0, "the file must have at most " + most + " bytes (got: more)");
-            }
-            byte[] bytes = new byte[(int) size];
-            int read = in.readNBytes(bytes, 0, bytes.length);
-            return read == bytes.length ? bytes : Arrays.copyOf(bytes, read);
-        } catch (IOException e) {
-            throw FileProblem.unreadable(file, e);
-        }
     }
 }

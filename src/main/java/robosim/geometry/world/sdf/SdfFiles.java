@@ -54,6 +54,10 @@ public final class SdfFiles {
             for (Path folder : given) {
                 folders.add(folder.toRealPath());
             }
+            Path beside = beside(folders.get(0));
+            if (beside != null && !folders.contains(beside)) {
+                folders.add(beside);
+            }
         } catch (IOException e) {
             throw FileProblem.unreadable(main, e);
         }
@@ -78,6 +82,12 @@ public final class SdfFiles {
     private static Path folder(Path file) {
         Path folder = file.getParent();
         return folder == null ? file : folder;
+    }
+
+    /** The folder {@code models} beside {@code worlds}, as packages for Gazebo have them; null if there is none. */
+    private static @Nullable Path beside(Path worlds) throws IOException {
+        Path models = worlds.endsWith("worlds") ? worlds.resolveSibling("models") : null;
+        return models != null && Files.isDirectory(models) ? models.toRealPath() : null;
     }
 
     /** The main file, under the name that the user gave. */
@@ -282,7 +292,7 @@ public final class SdfFiles {
             searched.append(searched.isEmpty() ? "" : ", ").append(folder);
         }
         return uri.wrong("there is no such file or folder below " + searched + "; check the name, or give the folder"
-                + " that contains the model (got: " + uri.value() + ")");
+                + " that contains the model: --models DIR, or ImportOptions.withModels (got: " + uri.value() + ")");
     }
 
     /** Counts the bytes of a file that is about to be read. */

@@ -67,6 +67,7 @@ public final class SdfNames {
             Map.entry("cone", Set.of("radius", "length")),
             Map.entry("ellipsoid", Set.of("radii")),
             Map.entry("polyline", Set.of("point", "height")),
+            Map.entry("heightmap", Set.of("uri", "size", "pos", "sampling")),
             Map.entry("submesh", Set.of("name", "center")),
             Map.entry("mesh", Set.of("uri", "scale", "submesh")));
 

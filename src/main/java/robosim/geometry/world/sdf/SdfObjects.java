@@ -128,10 +128,17 @@ public final class SdfObjects {
         }
     }
 
+    /** Counts a model; not one that only contains others, such as an {@code include}. */
+    private void countModel(SdfScope scope) {
+        if (!scope.links.isEmpty() || scope.models.isEmpty()) {
+            counts.merge("model", 1, Integer::sum);
+        }
+    }
+
     /** Collects the shapes that move with a body; static models in it become separate objects. */
     private void gather(SdfNode model, Placement inWorld, Placement inBody, Body body) throws FileProblem {
         SdfScope scope = inner(model);
-        counts.merge("model", 1, Integer::sum);
+        countModel(scope);
         for (SdfNode link : scope.links) {
             counts.merge("link", 1, Integer::sum);
             for (SdfElement collision : collisions(link)) {
@@ -169,7 +176,7 @@ public final class SdfObjects {
         Map<SdfElement, GeometryObject> found = new LinkedHashMap<>();
         Map<SdfElement, String> paths = new HashMap<>();
         SdfScope scope = inner(model);
-        counts.merge("model", 1, Integer::sum);
+        countModel(scope);
         for (SdfNode link : scope.links) {
             counts.merge("link", 1, Integer::sum);
             for (SdfElement collision : collisions(link)) {

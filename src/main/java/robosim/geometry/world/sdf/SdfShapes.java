@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Rotations;
@@ -19,6 +20,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.ImageFiles;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
 
@@ -74,6 +76,7 @@ public final class SdfShapes {
                 case "capsule" -> capsule(shape);
                 case "mesh" -> mesh(shape, owner);
                 case "plane" -> plane(shape, owner, place);
+                case "heightmap" -> heightmap(shape, owner);
                 case "empty" -> null;
                 case "cone" ->
                     approximate(shape, owner, SdfSurfaces.cone(shape.number("radius"), shape.number("length")));
@@ -166,13 +169,53 @@ public final class SdfShapes {
         return new ObjectGroup(List.of(box)); // so that its own frame is the plane's
     }
 
+    private @Nullable GeometryObject heightmap(SdfElement shape, String owner) throws FileProblem {
+        SdfElement uri = shape.required("uri");
+        String name = uri.value().toLowerCase(Locale.ROOT);
+        if (SdfFiles.isRemote(name)) {
+            tree.skip(shape, named(shape, owner), "network addresses are not followed: " + uri.value());
+            return null;
+        }
+        if (!name.endsWith(".png") && !name.endsWith(".pgm")) {
+            tree.skip(
+                    shape,
+                    named(shape, owner),
+                    uri.value() + " is neither PNG nor PGM; save it as a grey PNG of 16 bits");
+            return null;
+        }
+        Path file = files.find(uri);
+        if (file == null) {
+            throw files.missing(uri);
+        }
+        SdfHeightmap heights = new SdfHeightmap(shape);
+        files.count(uri, file);
+        ImageFiles.read(file, heights);
+        count(heights.corners(), uri);
+        tree.remark(
+                shape,
+                named(shape, owner)
+                        + " is a mesh here, without an inside: what is below it is free, and what stands on it"
+                        + " touches it");
+        return heights.mesh();
+    }
+
+    private void count(int more, SdfElement uri) throws FileProblem {
+        vertices += more;
+        if (vertices > Limits.MAX_VERTICES) {
+            throw uri.wrong("all meshes together must have at most " + Limits.MAX_VERTICES + " vertices (got: more)");
+        }
+    }
+
     private @Nullable GeometryObject mesh(SdfElement shape, String owner) throws FileProblem {
         SdfElement uri = shape.required("uri");
         String name = uri.value();
         SdfElement submesh = shape.child("submesh");
         String part = submesh == null ? "" : submesh.required("name").value();
         if (!MeshFiles.isNamed(name)) {
-            tree.skip(shape, named(shape, owner), name + " is neither COLLADA, OBJ nor STL; export it as one of them");
+            tree.skip(
+                    shape,
+                    named(shape, owner),
+                    name + " does not end in " + MeshFiles.ENDINGS + "; export it as one of them");
             return null;
         }
         if (SdfFiles.isRemote(name)) {
@@ -241,10 +284,7 @@ public final class SdfShapes {
      * A mesh scaled and in the world's axes; if the scale mirrors, the faces are reversed to keep their orientation.
      */
     private MeshObject scaled(MeshObject surface, Point scale, SdfElement uri) throws FileProblem {
-        vertices += surface.vertices().size();
-        if (vertices > Limits.MAX_VERTICES) {
-            throw uri.wrong("all meshes together must have at most " + Limits.MAX_VERTICES + " vertices (got: more)");
-        }
+        count(surface.vertices().size(), uri);
         List<Point> places = new ArrayList<>(surface.vertices().size());
         for (Point vertex : surface.vertices()) {
             places.add(SdfPose.place(vertex.x() * scale.x(), vertex.y() * scale.y(), vertex.z() * scale.z()));

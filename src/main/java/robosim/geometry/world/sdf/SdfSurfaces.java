@@ -6,7 +6,7 @@ import java.util.List;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.world.mesh.Polygon;
+import robosim.geometry.world.mesh.Prism;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 
@@ -100,47 +100,13 @@ final class SdfSurfaces {
             throw shape.wrong(
                     "<polyline> must have 3 to " + Limits.MAX_CORNERS + " different points (got: " + count + ")");
         }
-        if (doubleArea(points) < 0) {
+        if (Prism.doubleArea(points) < 0) {
             Collections.reverse(points);
         }
-        List<Point> vertices = new ArrayList<>();
-        int[] top = new int[count];
-        for (int k = 0; k < 2 * count; k++) {
-            double[] point = points.get(k % count);
-            vertices.add(SdfPose.place(point[0], point[1], k < count ? 0 : height));
-            top[k % count] = k;
-        }
-        List<int[]> faces = new ArrayList<>();
-        Polygon.cut(vertices, top, faces);
-        int caps = faces.size();
-        for (int k = 0; k < caps; k++) {
-            int[] face = faces.get(k);
-            int[] bottom = new int[face.length];
-            for (int corner = 0; corner < face.length; corner++) {
-                // From the same corner on, so that a quad keeps its diagonal.
-                bottom[corner] = face[(face.length - corner) % face.length] - count;
-            }
-            faces.add(bottom);
-        }
-        for (int k = 0; k < count; k++) {
-            int next = (k + 1) % count;
-            faces.add(new int[] {k, next, count + next, count + k});
-        }
-        return new MeshObject(vertices, faces.toArray(int[][]::new)).solid();
+        return Prism.of(points, 0, height);
     }
 
     private static boolean same(double[] a, double[] b) {
         return a[0] == b[0] && a[1] == b[1];
-    }
-
-    private static double doubleArea(List<double[]> points) {
-        double sum = 0;
-        double[] first = points.get(0);
-        for (int k = 1; k + 1 < points.size(); k++) {
-            double[] a = points.get(k);
-            double[] b = points.get(k + 1);
-            sum += (a[0] - first[0]) * (b[1] - first[1]) - (b[0] - first[0]) * (a[1] - first[1]);
-        }
-        return sum;
     }
 }

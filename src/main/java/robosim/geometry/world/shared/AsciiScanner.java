@@ -21,6 +21,18 @@ public final class AsciiScanner {
         this.comment = comment;
     }
 
+    /**
+     * Begins in the middle of a file.
+     *
+     * @param from the index of the first byte
+     * @param line its line, counted from 1
+     */
+    public AsciiScanner(byte[] bytes, String source, int from, int line) {
+        this(bytes, source, -1);
+        this.to = from;
+        this.line = line;
+    }
+
     /** Goes to the next word; false at the end. */
     public boolean next() {
         while (to < bytes.length && (isSpace(bytes[to]) || bytes[to] == comment)) {

@@ -15,6 +15,11 @@ public final class FileKind {
 
     private static final Pattern ROOT =
             Pattern.compile("^(?:\\s|<\\?.*?\\?>|<!--.*?-->|<!DOCTYPE[^>]*>)*<([A-Za-z][\\w.:-]*)", Pattern.DOTALL);
+    private static final Pattern PLY = Pattern.compile("ply\\r?\n");
+    private static final Pattern GLTF = Pattern.compile("\"(?:asset|accessors|bufferViews|extensionsUsed)\"\\s*:");
+    private static final Pattern STAGE = Pattern.compile("(?m)^\\s*(?:define\\s+\\w+\\s+\\w+|include\\s+\"[^\"]+\""
+            + "|(?:window|floorplan|model|position)\\s*(?:\\(|$)"
+            + "|(?:interval_sim|interval_real|resolution|quit_time|speedup|paused|threads)\\s+[\\d.]+\\s*(?:#|$))");
     private static final Pattern VERTEX = Pattern.compile("(?m)^v\\s+[-+.\\d]");
     private static final Pattern RESOLUTION = Pattern.compile("(?m)^resolution\\s*:");
 
@@ -25,7 +30,7 @@ public final class FileKind {
      * or it is in that format.
      *
      * @param readAs the ending of the names that its reader expects: {@code xml}, {@code sdf}, {@code yaml}, {@code
-     *     obj}, {@code stl} or {@code dae}
+     *     obj}, {@code stl}, {@code dae}, {@code stage}, {@code ply}, {@code glb} or {@code gltf}
      */
     public static @Nullable String other(Path file, String readAs) {
         byte[] head;
@@ -35,11 +40,21 @@ public final class FileKind {
             return null;
         }
         String bytes = new String(head, StandardCharsets.ISO_8859_1);
-        String binary = binary(bytes);
+        String binary = binary(bytes, readAs);
         return binary != null ? binary : text(bytes, readAs);
     }
 
-    private static @Nullable String binary(String bytes) {
+    /** Whether a file is a world of Stage, by its first lines; its name ends as that of SDFormat may. */
+    public static boolean isStage(Path file) {
+        try (InputStream in = RegularFile.open(file)) {
+            String text = new String(in.readNBytes(16 * HEAD), StandardCharsets.UTF_8);
+            return !ROOT.matcher(text).lookingAt() && STAGE.matcher(text).find();
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    private static @Nullable String binary(String bytes, String readAs) {
         if (bytes.startsWith("\u0089PNG") || bytes.startsWith("\u00ff\u00d8\u00ff") || bytes.startsWith("GIF8")) {
             return "this is an image; a ROS map is read from its .yaml file";
         }
@@ -50,10 +65,12 @@ public final class FileKind {
             return "this is an archive; unpack it first";
         }
         if (bytes.startsWith("glTF")) {
-            return "this is glTF, which is not supported; export it as COLLADA, OBJ or STL";
+            return readAs.equals("glb") || readAs.equals("gltf")
+                    ? null
+                    : "this is glTF in its binary form; give it a name that ends in .glb";
         }
         if (bytes.startsWith("Kaydara FBX")) {
-            return "this is FBX, which is not supported; export it as COLLADA, OBJ or STL";
+            return "this is FBX, which is not supported; export it as glTF, COLLADA, OBJ or STL";
         }
         if (bytes.startsWith("%PDF")) {
             return "this is a PDF, which contains no world";
@@ -70,11 +87,19 @@ public final class FileKind {
         if (root.lookingAt()) {
             return xml(root.group(1), readAs);
         }
-        if (text.startsWith("ply")) {
-            return "this is PLY, which is not supported; export it as COLLADA, OBJ or STL";
+        if (PLY.matcher(text).lookingAt()) {
+            return readAs.equals("ply") ? null : "this is PLY; give it a name that ends in .ply";
         }
         if (text.stripLeading().startsWith("{")) {
+            if (GLTF.matcher(text).find()) {
+                return readAs.equals("gltf") || readAs.equals("glb")
+                        ? null
+                        : "this is glTF; give it a name that ends in .gltf";
+            }
             return "this is JSON; recordings of this module end in .scenario.jsonl and are for replay and view";
+        }
+        if (STAGE.matcher(text).find()) {
+            return readAs.equals("stage") ? null : "this is a world of Stage; give it a name that ends in .world";
         }
         if (!readAs.equals("stl") && text.toLowerCase(Locale.ROOT).startsWith("solid")) {
             return "this is STL; give it a name that ends in .stl";

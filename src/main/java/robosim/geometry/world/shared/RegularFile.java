@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -53,5 +54,21 @@ public final class RegularFile {
             listener.accept(file);
         }
         return in;
+    }
+
+    /** All bytes of a file, whose size is checked before there is room for them. */
+    public static byte[] bytes(Path file, long most) throws FileProblem {
+        try (InputStream in = open(file)) {
+            long size = Files.size(file);
+            if (size > most) {
+                throw new FileProblem(
+                        file.toString(), 0, 0, "the file must have at most " + most + " bytes (got: more)");
+            }
+            byte[] bytes = new byte[(int) size];
+            int read = in.readNBytes(bytes, 0, bytes.length);
+            return read == bytes.length ? bytes : Arrays.copyOf(bytes, read);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(file, e);
+        }
     }
 }

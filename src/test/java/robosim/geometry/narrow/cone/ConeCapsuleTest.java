@@ -39,7 +39,7 @@ class ConeCapsuleTest {
     @EnumSource(names = {"UPRIGHT_CAPSULE", "CAPSULE"})
     void isHardlyBelowTheTruth(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(231 + kind.ordinal());
-        int count = Effort.cases(120);
+        int count = Effort.cases(120, 60);
         int heard = 0;
         int silent = 0;
         int grazing = 0;

@@ -113,7 +113,8 @@ class PainterTest {
         assertThat(withClass(document, "box")).hasSize(2);
         assertThat(withClass(document, "cylinder")).hasSize(3); // the robot is one
         assertThat(withClass(document, "sphere")).hasSize(1);
-        assertThat(withClass(document, "mesh")).hasSize(1);
+        // Its higher triangle is above the group, its lower one below it.
+        assertThat(withClass(document, "mesh")).hasSize(2);
         assertThat(withClass(document, "group")).hasSize(1);
         assertThat(withClass(document, "moveable")).hasSize(1);
         assertThat(withClass(document, "trail")).hasSize(1);
@@ -181,9 +182,15 @@ class PainterTest {
         Element tipped = (Element)
                 withClass(document, "box").get(1).getElementsByTagName("path").item(0);
         assertThat(tipped.getAttribute("d").replaceAll("[^MLZ]", "")).isEqualTo("MLLLLLZ");
-        Element mesh = (Element)
-                withClass(document, "mesh").get(0).getElementsByTagName("path").item(0);
-        assertThat(mesh.getAttribute("d").replaceAll("[^MLZ]", "")).isEqualTo("MLLZMLLZ");
+        // Two triangles that are not in one plane, the edge between them and the four around them.
+        StringBuilder paths = new StringBuilder();
+        for (Element mesh : withClass(document, "mesh")) {
+            NodeList drawn = mesh.getElementsByTagName("path");
+            for (int k = 0; k < drawn.getLength(); k++) {
+                paths.append(((Element) drawn.item(k)).getAttribute("d").replaceAll("[^MLZ]", ""));
+            }
+        }
+        assertThat(paths).hasToString("MLLZ" + "MLZ".repeat(2) + "MLLZ" + "MLZ".repeat(3));
         Element group = withClass(document, "group").get(0);
         assertThat(count(group, "path")).isEqualTo(1);
         assertThat(count(group, "circle")).isEqualTo(1);

@@ -3,18 +3,24 @@ package robosim.geometry.viewer.playback;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
@@ -40,6 +46,42 @@ class PicturesTest {
         assertThat(svg).containsOnlyOnce("class=\"block\"").containsOnlyOnce("class=\"trail\"");
         assertThat(svg).containsOnlyOnce("class=\"ping\"");
         assertThat(svg).isEqualTo(Painter.svg(Pictures.lastMoments(scenario)));
+    }
+
+    /** In a hall of 200 by 200 a robot that went two units would be a dot. */
+    @Test
+    void theLastMomentsOfALargeWorldShowOnlyWhereTheyWere(@TempDir Path folder) throws Exception {
+        WorldSettings hall = new WorldSettings(200, 5, 200, Dimension.PLANAR, Accuracy.EXACT);
+        List<GeometryObject> objects = List.of(
+                Talk.WALL,
+                new BoxObject(new Point(-95, 0, -95), 1, 1, 1).named("west"),
+                new BoxObject(new Point(95, 0, 95), 1, 1, 1).named("east"),
+                Talk.DRUM);
+        Talk talk = new Talk()
+                .step(new InitBundle(objects, hall), null)
+                .drives(2, true)
+                .drives(9, false);
+        Path file = folder.resolve("last.svg");
+        Pictures.lastMoments(talk.scenario(), List.of(), null, file);
+        assertThat(radius(file)).isGreaterThan(20);
+        // A goal far away is in the picture too.
+        GeometryObject goal = new BoxObject(new Point(90, 0, 90), 1, 1, 1);
+        Pictures.lastMoments(talk.scenario(), List.of(goal), null, file);
+        assertThat(radius(file)).isBetween(2.0, 10.0);
+        // Nothing moved: all of it.
+        Talk still = new Talk().step(new InitBundle(objects, hall), null);
+        Pictures.lastMoments(still.scenario(), List.of(), null, file);
+        assertThat(radius(file)).isBetween(2.0, 4.0);
+    }
+
+    /** That of the drum, pixels. */
+    private static double radius(Path file) throws IOException {
+        return Pattern.compile("<title>drum</title>\\s*<circle[^>]* r=\"([0-9.]+)\"")
+                .matcher(Files.readString(file))
+                .results()
+                .mapToDouble(found -> Double.parseDouble(found.group(1)))
+                .max()
+                .orElse(0);
     }
 
     /** A conversation has neither; a world's file lends both. */

@@ -272,7 +272,7 @@ class WorldCheckTest {
         assertThat(standIn.body().radius()).isEqualTo(0.2);
         assertThat(standIn.body().center().y()).isBetween(-0.3, -0.25);
         assertThat(check.needs().isTold()).isTrue();
-        assertThat(check.needs().met()).isGreaterThan(500);
+        assertThat(check.needs().met()).isGreaterThanOrEqualTo(Setting.MIN_ANSWERS);
         assertThat(check.needs().accuracy()).isNotIn(Accuracy.SPHERE, Accuracy.AABB);
         // The roof covers all in the plane.
         assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
@@ -496,5 +496,18 @@ class WorldCheckTest {
         assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.EXACT).isSame())
                 .isTrue();
         assertThat(check.staticOverlaps()).isEqualTo(29);
+    }
+
+    /** Whenever it stops asking: all that is coarser than the recommendation was seen to answer otherwise. */
+    @ParameterizedTest
+    @CsvSource({"rooms.xml", "cylinders.xml", "studio.xml", "pushing.xml", "maze.xml"})
+    void moreQuestionsWouldRecommendTheSame(String file) throws IOException {
+        Needs needs = WorldCheck.of(WorldReader.read(Path.of("worlds", file))).needs();
+        assertThat(needs.isTold()).isTrue();
+        Setting enough = needs.setting(needs.dimension(), needs.accuracy());
+        assertThat(enough.isSame()).isTrue();
+        assertThat(needs.settings().subList(0, needs.settings().indexOf(enough)))
+                .isNotEmpty()
+                .allMatch(Setting::isRefuted);
     }
 }

@@ -1,0 +1,128 @@
+package robosim.geometry;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.motion.Motion;
+import robosim.geometry.engine.motion.Slide;
+import robosim.geometry.engine.motion.TranslationFastPath;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
+import robosim.geometry.narrow.Scratch;
+
+/** Carries out the moves of a world, for an object that has been looked up: the fast path first, then the sweep. */
+final class GeometryMoves {
+    private final Dimension dimension;
+    private final ObjectRegistry registry;
+    private final ObjectTable objects;
+    private final AccuracyView view;
+    private final Motion motion;
+    private final TranslationFastPath fastPath;
+    private final Slide slide;
+    private final double[] vector = new double[6];
+    private @Nullable Carrier carrier;
+
+    GeometryMoves(Dimension dimension, ObjectRegistry registry, Motion motion, Scratch scratch) {
+        this.dimension = dimension;
+        this.registry = registry;
+        this.motion = motion;
+        objects = registry.objects;
+        view = registry.view;
+        fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
+        slide = new Slide(registry, motion);
+    }
+
+    /** What moves objects by their ids, made when it is first asked for. */
+    Carrier carrier() {
+        Carrier made = carrier == null ? new Carrier(registry, motion, fastPath) : carrier;
+        carrier = made;
+        return made;
+    }
+
+    /** See {@link Geometry#simpleMove}. */
+    boolean straight(int id, double x, double y, double z) {
+        objects.toWorld(id, Checks.coordinate("x", x), Checks.coordinate("y", y), Checks.coordinate("z", z), vector);
+        int verdict = stride(id, vector[0], vector[1], vector[2]);
+        return verdict == TranslationFastPath.UNKNOWN
+                ? commitIf(id, motion.allows(view, id, vector[0], vector[1], vector[2]))
+                : verdict == TranslationFastPath.FREE;
+    }
+
+    /** Makes a straight move if the fast path finds it free. */
+    private int stride(int id, double dx, double dy, double dz) {
+        int verdict = fastPath.ask(view, id, dx, dy, dz);
+        if (verdict == TranslationFastPath.FREE) {
+            registry.shift(id, fastPath.end());
+        }
+        return verdict;
+    }
+
+    /** See {@link Geometry#simpleTurn}. */
+    boolean turn(int id, double degrees) {
+        Checks.angle("degrees", degrees);
+        return commitIf(id, motion.allowsTurn(view, id, degrees));
+    }
+
+    private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry, boolean isGlobal) {
+        boolean isMade = rx == 0 && ry == 0 && stride(id, dx, dy, dz) == TranslationFastPath.FREE;
+        return isMade || commitIf(id, motion.attempt(view, id, dx, dy, dz, rx, ry, isGlobal, 0));
+    }
+
+    private boolean commitIf(int id, boolean free) {
+        if (free) {
+            registry.move(id, motion.end());
+        }
+        return free;
+    }
+
+    /** See {@link Geometry#move}. */
+    MoveResult own(int id, Move asked) {
+        objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
+        return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false));
+    }
+
+    /** See {@link Geometry#moveGlobal}. */
+    MoveResult global(int id, Move asked) {
+        double rx = dimension == Dimension.PLANAR ? 0 : asked.rx();
+        return result(carryOut(id, asked.x(), asked.y(), asked.z(), rx, asked.ry(), true));
+    }
+
+    /** See {@link Geometry#moveToContact}. */
+    MoveResult toContact(int id, Move asked, double clearance) {
+        Checks.clearance(clearance);
+        objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
+        boolean all =
+                motion.attempt(view, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
+        MoveResult result = result(all);
+        registry.move(id, motion.end());
+        return result;
+    }
+
+    /** See {@link Geometry#moveAndSlide}. */
+    SlideResult sliding(int id, Move asked, double clearance, int bends) {
+        Checks.clearance(clearance);
+        Slide.checkBends(bends);
+        objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
+        slide.make(view, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance, bends);
+        return SlideResult.of(slide, objects);
+    }
+
+    private MoveResult result(boolean allowed) {
+        if (allowed) {
+            return new MoveResult(true, 1, 1, null, null, null);
+        }
+        motion.contact(vector);
+        int obstacle = motion.obstacle();
+        return new MoveResult(
+                false,
+                motion.fraction(),
+                motion.turnFraction(),
+                obstacle >= 0 ? objects.present(obstacle) : null,
+                new Point(vector[0], vector[1], vector[2]),
+                new Point(vector[3], vector[4], vector[5]));
+    }
+}

@@ -1,0 +1,168 @@
+package robosim.geometry.dynamics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.space.Space;
+import robosim.geometry.dynamics.space.Touched;
+import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.Twist;
+
+/** What {@link Dynamics} does in a SPATIAL world: its bodies, as {@link Space} has them. */
+final class Falling {
+    private final Geometry world;
+    private final Carrier carrier;
+    private final Space space;
+    private final SurfaceTable table;
+    private final List<BodyState> order = new ArrayList<>();
+    private long changes = -1;
+
+    Falling(Geometry world, Carrier carrier, SurfaceTable table, Point gravity) {
+        this.world = world;
+        this.carrier = carrier;
+        this.table = table;
+        if (!Space.isExact(carrier)) {
+            throw new IllegalArgumentException(
+                    "world must have the accuracy EXACT where heights count (got: " + world.accuracy() + ")");
+        }
+        double[] pull = {gravity.x(), gravity.y(), gravity.z()};
+        space = new Space(carrier, world.width(), world.height(), world.length(), pull);
+    }
+
+    /** Refuses what cannot fall. */
+    static void check(GeometryObject object) {
+        if (!Inertia.isSolid(object)) {
+            throw new IllegalArgumentException(
+                    "name must be that of a sphere, box, cylinder or capsule where heights count (got: \""
+                            + object.name() + "\")");
+        }
+    }
+
+    void pausing(Runnable between) {
+        space.pausing(between);
+    }
+
+    void advance(Map<String, BodyState> bodies, Map<String, Surface> surfaces, boolean isStale, double seconds) {
+        if (isStale || changes != carrier.objects.changes()) {
+            build(bodies, surfaces);
+        }
+        for (int b = 0; b < order.size(); b++) {
+            space.setVelocity(b, order.get(b).spatial);
+        }
+        space.run(seconds, table);
+        for (int b = 0; b < order.size(); b++) {
+            space.velocity(b, order.get(b).spatial);
+        }
+    }
+
+    private void build(Map<String, BodyState> bodies, Map<String, Surface> surfaces) {
+        ObjectTable objects = carrier.objects;
+        changes = objects.changes();
+        bodies.keySet().removeIf(name -> !world.hasObject(name));
+        space.clear();
+        order.clear();
+        table.clear();
+        surfaces.forEach((name, surface) -> {
+            if (world.hasObject(name)) {
+                table.put(objects.find(name), surface);
+            }
+        });
+        for (BodyState each : bodies.values()) {
+            int id = carrier.mover(each.name);
+            GeometryObject object = objects.value(id);
+            Body body = each.body;
+            table.put(id, body.surface());
+            order.add(each);
+            int b = space.add(
+                    id,
+                    body.mass(),
+                    Inertia.moments(object, body),
+                    object.kind() == GeometryObject.Kind.SPHERE,
+                    Inertia.reach(object));
+            double turn = body.maxTurn();
+            space.limit(
+                    b,
+                    body.damping(),
+                    body.turnDamping(),
+                    body.maxSpeed(),
+                    turn < Double.POSITIVE_INFINITY ? Degrees.toRadians(turn) : turn);
+        }
+    }
+
+    static SpatialVelocity velocity(BodyState of) {
+        double[] v = of.spatial;
+        return new SpatialVelocity(
+                v[0], v[1], v[2], Degrees.toDegrees(v[3]), Degrees.toDegrees(v[4]), Degrees.toDegrees(v[5]));
+    }
+
+    static void setVelocity(BodyState of, SpatialVelocity to) {
+        double[] v = of.spatial;
+        v[0] = to.x();
+        v[1] = to.y();
+        v[2] = to.z();
+        v[3] = Degrees.toRadians(to.rx());
+        v[4] = Degrees.toRadians(to.ry());
+        v[5] = Degrees.toRadians(to.rz());
+    }
+
+    /** The velocity along the own axes, and about the own Y. */
+    static Twist twist(BodyState of, Pose pose) {
+        double[] v = of.spatial;
+        double[] own = new double[4];
+        for (int k = 0; k < 4; k++) {
+            int column = k == 3 ? 1 : k;
+            int from = k == 3 ? 3 : 0;
+            own[k] = pose.rotation(column) * v[from]
+                    + pose.rotation(3 + column) * v[from + 1]
+                    + pose.rotation(6 + column) * v[from + 2];
+        }
+        return new Twist(own[0], own[1], own[2], Degrees.toDegrees(own[3]));
+    }
+
+    static void setTwist(BodyState of, Pose pose, Twist to) {
+        double turn = Degrees.toRadians(to.ry());
+        for (int row = 0; row < 3; row++) {
+            int r = 3 * row;
+            of.spatial[row] = pose.rotation(r) * to.x() + pose.rotation(r + 1) * to.y() + pose.rotation(r + 2) * to.z();
+            of.spatial[3 + row] = pose.rotation(r + 1) * turn;
+        }
+    }
+
+    StepResult last() {
+        Touched now = space.touched();
+        Touched before = space.before();
+        List<BodyContact> contacts = new ArrayList<>(now.count());
+        for (int k = 0; k < now.count(); k++) {
+            contacts.add(contact(now, k, before.find(now, k) < 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST));
+        }
+        List<BodyContact> ended = new ArrayList<>();
+        for (int k = 0; k < before.count(); k++) {
+            if (now.find(before, k) < 0) {
+                ended.add(contact(before, k, BodyContact.Phase.END));
+            }
+        }
+        List<String> stopped = new ArrayList<>();
+        for (int b = 0; b < order.size(); b++) {
+            if (space.isStopped(b)) {
+                stopped.add(order.get(b).name);
+            }
+        }
+        return new StepResult(contacts, stopped, ended);
+    }
+
+    private static BodyContact contact(Touched of, int k, BodyContact.Phase phase) {
+        return new BodyContact(
+                of.body(k),
+                of.other(k),
+                new Point(of.point(k, 0), of.point(k, 1), of.point(k, 2)),
+                new Point(of.normal(k, 0), of.normal(k, 1), of.normal(k, 2)),
+                phase == BodyContact.Phase.END ? 0 : of.impulse(k),
+                phase);
+    }
+}

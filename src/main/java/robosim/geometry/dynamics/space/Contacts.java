@@ -1,0 +1,124 @@
+package robosim.geometry.dynamics.space;
+
+import java.util.Arrays;
+
+/** Points at which bodies touch or nearly do; columns of numbers. */
+final class Contacts {
+    private static final int FIRST = 64;
+
+    int count;
+
+    /** The body, and the other one; -1 where that stands still. */
+    int[] body = new int[FIRST];
+
+    int[] other = new int[FIRST];
+
+    /** The id of the other object; -1 for the border of the world. */
+    int[] object = new int[FIRST];
+
+    /** Three numbers each: the point, and the unit normal towards the body. */
+    double[] point = new double[3 * FIRST];
+
+    double[] normal = new double[3 * FIRST];
+
+    /** How far the two are apart there. */
+    double[] apart = new double[FIRST];
+
+    /** What the body has been given along the normal, newton seconds. */
+    double[] impulse = new double[FIRST];
+
+    void clear() {
+        count = 0;
+    }
+
+    void add(
+            int ofBody,
+            int otherBody,
+            int otherObject,
+            double x,
+            double y,
+            double z,
+            double nx,
+            double ny,
+            double nz,
+            double gap) {
+        if (count == body.length) {
+            grow();
+        }
+        int k = count++;
+        body[k] = ofBody;
+        other[k] = otherBody;
+        object[k] = otherObject;
+        point[3 * k] = x;
+        point[3 * k + 1] = y;
+        point[3 * k + 2] = z;
+        normal[3 * k] = nx;
+        normal[3 * k + 1] = ny;
+        normal[3 * k + 2] = nz;
+        apart[k] = gap;
+        impulse[k] = 0;
+    }
+
+    private void grow() {
+        int room = 2 * count;
+        body = Arrays.copyOf(body, room);
+        other = Arrays.copyOf(other, room);
+        object = Arrays.copyOf(object, room);
+        point = Arrays.copyOf(point, 3 * room);
+        normal = Arrays.copyOf(normal, 3 * room);
+        apart = Arrays.copyOf(apart, room);
+        impulse = Arrays.copyOf(impulse, room);
+    }
+
+    /**
+     * Takes out, from one contact on, those on an inner edge of a surface: where a piece is met at a point that does not
+     * stand out of the plane of a nearer contact, the body is on that plane, and the edge is none.
+     */
+    void dropInnerEdges(int from) {
+        int kept = from;
+        for (int k = from; k < count; k++) {
+            if (!isOnInnerEdge(from, k)) {
+                copy(k, kept++);
+            }
+        }
+        count = kept;
+    }
+
+    private boolean isOnInnerEdge(int from, int k) {
+        for (int m = from; m < count; m++) {
+            if (m == k || other[m] != other[k] || apart[m] > apart[k]) {
+                continue;
+            }
+            int a = 3 * m;
+            int b = 3 * k;
+            double same = normal[a] * normal[b] + normal[a + 1] * normal[b + 1] + normal[a + 2] * normal[b + 2];
+            if (same > 1 - 1e-9 || same < 0.5) {
+                continue; // one plane, or a corner that is sharp indeed
+            }
+            // Points lie midway, so the obstacle's own is half of the gap further back.
+            double high = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double own = point[b + axis] - 0.5 * apart[k] * normal[b + axis];
+                double plane = point[a + axis] - 0.5 * apart[m] * normal[a + axis];
+                high += (own - plane) * normal[a + axis];
+            }
+            if (high < 1e-7) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void copy(int from, int to) {
+        if (from == to) {
+            return;
+        }
+        body[to] = body[from];
+        other[to] = other[from];
+        object[to] = object[from];
+        System.arraycopy(point, 3 * from, point, 3 * to, 3);
+        System.arraycopy(normal, 3 * from, normal, 3 * to, 3);
+        apart[to] = apart[from];
+        impulse[to] = impulse[from];
+    }
+}

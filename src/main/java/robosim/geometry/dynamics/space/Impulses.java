@@ -1,0 +1,245 @@
+package robosim.geometry.dynamics.space;
+
+import java.util.List;
+import robosim.geometry.dynamics.step.Surfaces;
+
+/**
+ * Impulses at contacts, one after the other until nothing changes any more (Catto 2005): Newton's restitution, and Coulomb's
+ * friction within its cone.
+ */
+final class Impulses {
+    /** Slower approaches do not bounce, m/s: twice what gravity makes of rest in a slice. */
+    static final double BOUNCE = 0.02;
+
+    /** Whatever slides more slowly sticks as long as static friction can hold it, m/s. */
+    private static final double STICK = 1e-4;
+
+    private static final int MOST_ROUNDS = 200;
+
+    /** Impulses that change a velocity by less than so many m/s no longer count. */
+    private static final double SMALL = 1e-9;
+
+    private final List<Rigid> bodies;
+
+    private double[] target = new double[0];
+    private double[] pushed = new double[0];
+    private double[] rubbed = new double[0];
+    private double[] tangents = new double[0];
+    private double[] ease = new double[0];
+    private double[] friction = new double[0];
+    private boolean[] isOff = new boolean[0];
+    private final double[] arm = new double[3];
+
+    Impulses(List<Rigid> bodies) {
+        this.bodies = bodies;
+    }
+
+    private double[] velocity(int b, boolean atEnd) {
+        Rigid body = bodies.get(b);
+        return atEnd ? body.u : body.v;
+    }
+
+    /** Whether impulses move a body; what sleeps stands still until it is woken. */
+    private boolean isMoved(int b) {
+        return b >= 0 && !bodies.get(b).isAsleep;
+    }
+
+    /**
+     * Gives impulses.
+     *
+     * @param atEnd   whether to the velocities at the end of the slice, and then without restitution
+     * @param seconds what is left of the slice
+     * @param gap     nearer than this bodies are kept from coming
+     */
+    void solve(Contacts contacts, int from, boolean atEnd, double seconds, double gap, Surfaces surfaces) {
+        reserve(contacts.count);
+        boolean any = false;
+        for (int k = from; k < contacts.count; k++) {
+            any |= prepare(contacts, k, atEnd, seconds, gap, surfaces);
+        }
+        for (int round = 0; any && round < MOST_ROUNDS; round++) {
+            double most = 0;
+            for (int k = from; k < contacts.count; k++) {
+                if (!isOff[k]) {
+                    most = Math.max(most, push(contacts, k, atEnd));
+                    most = Math.max(most, rub(contacts, k, atEnd));
+                }
+            }
+            if (most < SMALL) {
+                break;
+            }
+        }
+        for (int k = from; k < contacts.count; k++) {
+            if (!isOff[k]) {
+                contacts.impulse[k] += pushed[k];
+            }
+        }
+    }
+
+    private void reserve(int count) {
+        if (target.length < count) {
+            int room = 2 * count;
+            target = new double[room];
+            pushed = new double[room];
+            friction = new double[room];
+            rubbed = new double[2 * room];
+            tangents = new double[6 * room];
+            ease = new double[3 * room];
+            isOff = new boolean[room];
+        }
+    }
+
+    private boolean prepare(Contacts c, int k, boolean atEnd, double seconds, double gap, Surfaces surfaces) {
+        pushed[k] = 0;
+        rubbed[2 * k] = 0;
+        rubbed[2 * k + 1] = 0;
+        int own = bodies.get(c.body[k]).id;
+        int other = c.object[k];
+        double before = speed(c, k, c.normal, 3 * k, false);
+        double apart = c.apart[k];
+        // What is not there yet, and comes fast enough to bounce, is met on the way.
+        boolean isBall = bodies.get(c.body[k]).isBall;
+        isOff[k] = before < -BOUNCE && apart > (isBall ? 4 * gap : Way.THERE);
+        if (isOff[k]) {
+            return false;
+        }
+        boolean bounces = !atEnd && before < -BOUNCE;
+        if (bounces) {
+            target[k] = -before * mean(surfaces.restitution(own), surfaces.restitution(other));
+        } else if (apart > 2 * gap) {
+            target[k] = -(apart - 2 * gap) / seconds;
+        } else {
+            target[k] = apart < gap / 4 ? (gap / 4 - apart) / seconds : 0;
+        }
+        makeTangents(c, k);
+        ease[3 * k] = 1 / lightness(c, k, c.normal, 3 * k);
+        ease[3 * k + 1] = 1 / lightness(c, k, tangents, 6 * k);
+        ease[3 * k + 2] = 1 / lightness(c, k, tangents, 6 * k + 3);
+        double s = speed(c, k, tangents, 6 * k, false);
+        double t = speed(c, k, tangents, 6 * k + 3, false);
+        double slides = Math.sqrt(s * s + t * t);
+        friction[k] = slides > STICK
+                ? mean(surfaces.slidingFriction(own), surfaces.slidingFriction(other))
+                : mean(surfaces.staticFriction(own), surfaces.staticFriction(other));
+        return true;
+    }
+
+    private static double mean(double a, double b) {
+        return a == b ? a : Math.sqrt(a * b);
+    }
+
+    /** The speed at which the body leaves the other one along a direction. */
+    private double speed(Contacts c, int k, double[] along, int at, boolean atEnd) {
+        double sum = speed(c.body[k], c, k, along, at, atEnd);
+        return isMoved(c.other[k]) ? sum - speed(c.other[k], c, k, along, at, atEnd) : sum;
+    }
+
+    private double speed(int b, Contacts c, int k, double[] along, int at, boolean atEnd) {
+        double[] v = velocity(b, atEnd);
+        reach(b, c, k);
+        double x = v[0] + (v[4] * arm[2] - v[5] * arm[1]);
+        double y = v[1] + (v[5] * arm[0] - v[3] * arm[2]);
+        double z = v[2] + (v[3] * arm[1] - v[4] * arm[0]);
+        return x * along[at] + y * along[at + 1] + z * along[at + 2];
+    }
+
+    private void reach(int b, Contacts c, int k) {
+        double[] place = bodies.get(b).place;
+        arm[0] = c.point[3 * k] - place[0];
+        arm[1] = c.point[3 * k + 1] - place[1];
+        arm[2] = c.point[3 * k + 2] - place[2];
+    }
+
+    /** By how much a unit of impulse along a direction changes the speed. */
+    private double lightness(Contacts c, int k, double[] along, int at) {
+        double sum = isMoved(c.body[k]) ? lightness(c.body[k], c, k, along, at) : 0;
+        return isMoved(c.other[k]) ? sum + lightness(c.other[k], c, k, along, at) : sum;
+    }
+
+    private double lightness(int b, Contacts c, int k, double[] along, int at) {
+        Rigid body = bodies.get(b);
+        reach(b, c, k);
+        double x = arm[1] * along[at + 2] - arm[2] * along[at + 1];
+        double y = arm[2] * along[at] - arm[0] * along[at + 2];
+        double z = arm[0] * along[at + 1] - arm[1] * along[at];
+        double[] i = body.inverse;
+        return 1 / body.mass
+                + x * (i[0] * x + i[1] * y + i[2] * z)
+                + y * (i[3] * x + i[4] * y + i[5] * z)
+                + z * (i[6] * x + i[7] * y + i[8] * z);
+    }
+
+    private void makeTangents(Contacts c, int k) {
+        double nx = c.normal[3 * k];
+        double ny = c.normal[3 * k + 1];
+        double nz = c.normal[3 * k + 2];
+        int at = 6 * k;
+        boolean isLevel = Math.abs(nx) < 0.6;
+        tangents[at] = isLevel ? 0 : -nz;
+        tangents[at + 1] = isLevel ? nz : 0;
+        tangents[at + 2] = isLevel ? -ny : nx;
+        double size = Rigid.length(tangents, at);
+        for (int axis = 0; axis < 3; axis++) {
+            tangents[at + axis] /= size;
+        }
+        tangents[at + 3] = ny * tangents[at + 2] - nz * tangents[at + 1];
+        tangents[at + 4] = nz * tangents[at] - nx * tangents[at + 2];
+        tangents[at + 5] = nx * tangents[at + 1] - ny * tangents[at];
+    }
+
+    /** Pushes along the normal; answers by how much that changes the speed there. */
+    private double push(Contacts c, int k, boolean atEnd) {
+        double lacks = target[k] - speed(c, k, c.normal, 3 * k, atEnd);
+        double after = Math.max(0, pushed[k] + lacks * ease[3 * k]);
+        double by = after - pushed[k];
+        pushed[k] = after;
+        give(c, k, c.normal, 3 * k, by, atEnd);
+        return Math.abs(by) / ease[3 * k];
+    }
+
+    private double rub(Contacts c, int k, boolean atEnd) {
+        if (friction[k] == 0) {
+            return 0;
+        }
+        double s = rubbed[2 * k] - speed(c, k, tangents, 6 * k, atEnd) * ease[3 * k + 1];
+        double t = rubbed[2 * k + 1] - speed(c, k, tangents, 6 * k + 3, atEnd) * ease[3 * k + 2];
+        double size = Math.sqrt(s * s + t * t);
+        double most = friction[k] * pushed[k];
+        double share = size > most ? most / size : 1;
+        double byS = share * s - rubbed[2 * k];
+        double byT = share * t - rubbed[2 * k + 1];
+        rubbed[2 * k] = share * s;
+        rubbed[2 * k + 1] = share * t;
+        give(c, k, tangents, 6 * k, byS, atEnd);
+        give(c, k, tangents, 6 * k + 3, byT, atEnd);
+        return Math.max(Math.abs(byS) / ease[3 * k + 1], Math.abs(byT) / ease[3 * k + 2]);
+    }
+
+    private void give(Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {
+        if (impulse != 0) {
+            give(c.body[k], c, k, along, at, impulse, atEnd);
+            if (isMoved(c.other[k])) {
+                give(c.other[k], c, k, along, at, -impulse, atEnd);
+            }
+        }
+    }
+
+    private void give(int b, Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {
+        Rigid body = bodies.get(b);
+        double[] v = velocity(b, atEnd);
+        reach(b, c, k);
+        double x = impulse * along[at];
+        double y = impulse * along[at + 1];
+        double z = impulse * along[at + 2];
+        v[0] += x / body.mass;
+        v[1] += y / body.mass;
+        v[2] += z / body.mass;
+        double tx = arm[1] * z - arm[2] * y;
+        double ty = arm[2] * x - arm[0] * z;
+        double tz = arm[0] * y - arm[1] * x;
+        double[] i = body.inverse;
+        v[3] += i[0] * tx + i[1] * ty + i[2] * tz;
+        v[4] += i[3] * tx + i[4] * ty + i[5] * tz;
+        v[5] += i[6] * tx + i[7] * ty + i[8] * tz;
+    }
+}

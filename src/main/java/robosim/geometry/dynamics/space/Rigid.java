@@ -1,0 +1,169 @@
+package robosim.geometry.dynamics.space;
+
+import java.util.Arrays;
+import robosim.geometry.engine.objects.ObjectTable;
+
+/**
+ * A rigid body: where it is, how it moves, and its inertia. A velocity is six numbers: m/s along the world's axes, then
+ * radians a second about them.
+ */
+final class Rigid {
+    final int id;
+    final double mass;
+
+    /** Moments of inertia about the own axes. */
+    final double[] moments;
+
+    /** Whether it is a sphere, which turns in itself. */
+    final boolean isBall;
+
+    /** No point of it is farther from its centre. */
+    final double reach;
+
+    double damping;
+    double turnDamping;
+    double maxSpeed = Double.POSITIVE_INFINITY;
+    double maxTurn = Double.POSITIVE_INFINITY;
+
+    /** Where it is, laid out as in the table of objects. */
+    final double[] place = new double[ObjectTable.PLACE];
+
+    /** The velocity now, and that at the end of a slice. */
+    final double[] v = new double[6];
+
+    final double[] u = new double[6];
+
+    /** The inverse of the inertia about the world's axes. */
+    final double[] inverse = new double[9];
+
+    /** Kinetic energy when the slice began, and the centre. */
+    double energy;
+
+    final double[] start = new double[3];
+
+    /** The velocity before a collision that another body has. */
+    final double[] known = new double[6];
+
+    /** Which bodies share their energy in this slice: the index of one of them. */
+    int group;
+
+    boolean isTouching;
+    boolean isAsleep;
+    boolean isStopped;
+
+    /** How long it has been slow, seconds. */
+    double slow;
+
+    private final double[] own = new double[3];
+
+    Rigid(int id, double mass, double[] moments, boolean isBall, double reach) {
+        this.id = id;
+        this.mass = mass;
+        this.moments = moments.clone();
+        this.isBall = isBall;
+        this.reach = reach;
+    }
+
+    /** Works out the inverse inertia at the present attitude. */
+    void turnInertia() {
+        for (int i = 0; i < 3; i++) {
+            for (int j = i; j < 3; j++) {
+                double sum = 0;
+                for (int k = 0; k < 3; k++) {
+                    sum += place[3 + 3 * i + k] * place[3 + 3 * j + k] / moments[k];
+                }
+                inverse[3 * i + j] = sum;
+                inverse[3 * j + i] = sum;
+            }
+        }
+    }
+
+    /** The angular velocity at another attitude with the angular momentum that it has at this one; writes three numbers. */
+    void keepMomentum(double[] from, double[] velocity, double[] to, double[] out, int at) {
+        // Momentum in the world's axes, by way of the own axes at the first attitude.
+        double lx = 0;
+        double ly = 0;
+        double lz = 0;
+        for (int k = 0; k < 3; k++) {
+            double along = from[3 + k] * velocity[3] + from[6 + k] * velocity[4] + from[9 + k] * velocity[5];
+            double momentum = moments[k] * along;
+            lx += from[3 + k] * momentum;
+            ly += from[6 + k] * momentum;
+            lz += from[9 + k] * momentum;
+        }
+        for (int k = 0; k < 3; k++) {
+            own[k] = (to[3 + k] * lx + to[6 + k] * ly + to[9 + k] * lz) / moments[k];
+        }
+        for (int row = 0; row < 3; row++) {
+            int r = 3 + 3 * row;
+            out[at + row] = to[r] * own[0] + to[r + 1] * own[1] + to[r + 2] * own[2];
+        }
+    }
+
+    /** Kinetic energy at a velocity. */
+    double kinetic(double[] velocity) {
+        double turning = 0;
+        for (int k = 0; k < 3; k++) {
+            double along = place[3 + k] * velocity[3] + place[6 + k] * velocity[4] + place[9 + k] * velocity[5];
+            turning += moments[k] * along * along;
+        }
+        return 0.5
+                * (mass * (velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2])
+                        + turning);
+    }
+
+    /** How high it is, against gravity, times that. */
+    double height(double[] gravity) {
+        return -(gravity[0] * place[0] + gravity[1] * place[1] + gravity[2] * place[2]);
+    }
+
+    /** The potential energy that it has gained in this slice. */
+    double risen(double[] gravity) {
+        return -mass
+                * (gravity[0] * (place[0] - start[0])
+                        + gravity[1] * (place[1] - start[1])
+                        + gravity[2] * (place[2] - start[2]));
+    }
+
+    /** The most at which any point of it moves. */
+    double speed(double[] velocity) {
+        return length(velocity, 0) + reach * length(velocity, 3);
+    }
+
+    static double length(double[] of, int at) {
+        return Math.sqrt(of[at] * of[at] + of[at + 1] * of[at + 1] + of[at + 2] * of[at + 2]);
+    }
+
+    /** Slows it by its damping, and holds it within its limits. */
+    void limit(double seconds) {
+        scale(v, 0, 1 / (1 + damping * seconds));
+        scale(v, 3, 1 / (1 + turnDamping * seconds));
+        double speed = length(v, 0);
+        if (speed > maxSpeed) {
+            scale(v, 0, maxSpeed / speed);
+        }
+        double turn = length(v, 3);
+        if (turn > maxTurn) {
+            scale(v, 3, maxTurn / turn);
+        }
+    }
+
+    private static void scale(double[] of, int at, double by) {
+        if (by != 1) {
+            of[at] *= by;
+            of[at + 1] *= by;
+            of[at + 2] *= by;
+        }
+    }
+
+    void wake() {
+        isAsleep = false;
+        slow = 0;
+    }
+
+    void sleep() {
+        isAsleep = true;
+        Arrays.fill(v, 0);
+        Arrays.fill(u, 0);
+    }
+}

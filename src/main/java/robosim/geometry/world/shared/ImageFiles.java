@@ -1,0 +1,42 @@
+package robosim.geometry.world.shared;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Path;
+import robosim.geometry.image.PixelSink;
+import robosim.geometry.image.PngReader;
+
+/** Reads the samples of images that stand for numbers: PNG and PGM, told apart by their first bytes. */
+public final class ImageFiles {
+    private ImageFiles() {}
+
+    /** Reads an image, whose size in bytes is checked first. */
+    public static void read(Path file, PixelSink sink) throws FileProblem {
+        read(RegularFile.bytes(file, Limits.MAX_IMAGE_BYTES), file.toString(), sink);
+    }
+
+    private static boolean isPng(byte[] bytes) {
+        return bytes.length >= 4 && bytes[0] == (byte) 0x89 && bytes[1] == 'P' && bytes[2] == 'N' && bytes[3] == 'G';
+    }
+
+    /**
+     * Reads the bytes of an image.
+     *
+     * @param source the name of the image in messages
+     */
+    public static void read(byte[] bytes, String source, PixelSink sink) throws FileProblem {
+        boolean isPng = isPng(bytes);
+        try {
+            if (isPng) {
+                PngReader.read(new ByteArrayInputStream(bytes), sink);
+            } else {
+                PgmReader.read(bytes, source, sink);
+            }
+        } catch (FileProblem e) {
+            throw e;
+        } catch (IOException | IllegalArgumentException e) {
+            String kind = isPng ? "PNG" : "PGM";
+            throw new FileProblem(source, 0, 0, "the " + kind + " image could not be read: " + e.getMessage(), e);
+        }
+    }
+}

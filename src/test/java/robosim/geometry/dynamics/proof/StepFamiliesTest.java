@@ -1,0 +1,38 @@
+package robosim.geometry.dynamics.proof;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/**
+ * All families of scenes: no overlap, decided without the world's own code, nobody through a wall, no energy from nowhere.
+ * {@code -Ddynamics.steps=N} for N steps; {@link StepProof} as a program tells how far it is.
+ */
+class StepFamiliesTest {
+    @Test
+    void nothingOverlapsAndNothingPassesThrough() {
+        long steps = Long.getLong("dynamics.steps", 3000);
+        StepProof proof = new StepProof(StepProof.all(), steps, steps > 100_000).run(1);
+        assertThat(proof.failures).isEmpty();
+        assertThat(proof.steps()).isGreaterThanOrEqualTo(steps);
+        assertThat(proof.contacts.get()).isGreaterThan(proof.steps() / 2);
+        assertThat(proof.stopped.get()).isLessThan(proof.steps() / 10);
+    }
+
+    /** One digest, whatever the threads and the JVM. */
+    @Test
+    void theBitsAreTheSameEverywhere() {
+        StepProof alone = new StepProof(StepProof.all(), 1000, false).run(1);
+        StepProof together = new StepProof(StepProof.all(), 1000, false).run(3);
+        assertThat(together.digest.get()).isEqualTo(alone.digest.get());
+        assertThat(Long.toHexString(alone.digest.get())).isEqualTo("46524942fd2a443c");
+    }
+
+    /** Of a lying cylinder the rims are lines, whose hull was once cut short: it went into a wall. */
+    @Test
+    void aLyingCylinderKeepsOutOfAWall() {
+        StepProof proof = new StepProof(List.of(StepFamily.SHAPES), 1, false);
+        assertThat(proof.run(StepFamily.SHAPES, 168839)).isNull();
+    }
+}
