@@ -19,9 +19,20 @@ import robosim.geometry.model.Point;
 class PressTest {
     private static final int STEPS = 400;
 
+    private int stopped;
+    private int contacts;
+
     @Test
     void robotsThatPressSlideOn() {
-        SplittableRandom random = new SplittableRandom(2);
+        for (long seed = 1; seed <= 5; seed++) {
+            run(new SplittableRandom(seed));
+        }
+        assertThat(contacts).isGreaterThan(50 * STEPS);
+        // Of 32,000 times that a robot is carried.
+        assertThat(stopped).isLessThan(1000);
+    }
+
+    private void run(SplittableRandom random) {
         Geometry world = new Geometry(6, 2, 6, Dimension.PLANAR, Accuracy.EXACT);
         world.addObject(new BoxObject(new Point(1, 0, 1), 1.5, 1, 0.2).turned(0, 30));
         world.addObject(new CylinderObject(new Point(-1, 0, -1), 0.4, 1));
@@ -41,8 +52,6 @@ class PressTest {
                 dynamics.add("r" + k, robots.size() > 12 ? body.withFloorFriction(0.3) : body);
             }
         }
-        int stopped = 0;
-        int contacts = 0;
         for (int step = 0; step < STEPS; step++) {
             for (int k = 0; step % 40 == 0 && k < 12; k++) {
                 dynamics.drive(
@@ -55,8 +64,6 @@ class PressTest {
             contacts += result.contacts().size();
             assertApart(world, step);
         }
-        assertThat(contacts).isGreaterThan(10 * STEPS);
-        assertThat(stopped).isLessThan(STEPS / 8);
     }
 
     private static void assertApart(Geometry world, int step) {
