@@ -21,6 +21,9 @@ public final class SpatialContact {
         Penetration penetration = s.penetration();
         penetration.spatial(kindA, a, i, kindB, b, j);
         Gjk gjk = penetration.bracket();
+        if (!gjk.isClosed()) {
+            gjk.close(); // a simplex too thin for doubles, as at rims that touch, has nearest points that are not near
+        }
         out[0] = 0.5 * gjk.ax() + 0.5 * gjk.bx();
         out[1] = 0.5 * gjk.ay() + 0.5 * gjk.by();
         out[2] = 0.5 * gjk.az() + 0.5 * gjk.bz();
