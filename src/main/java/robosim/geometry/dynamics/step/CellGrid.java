@@ -2,20 +2,29 @@ package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
 
-/** Boxes in square cells of a plane without end, hashed into a table; those that cover very many cells are kept apart. */
+/**
+ * Boxes in square cells of a plane without end, hashed into a table. Those that cover more cells than there are boxes are kept
+ * apart, and all boxes are looked at for one that does: that is never more work than to look at all.
+ */
 final class CellGrid {
     /** Most cells that a box is put into. */
     private static final int MOST_CELLS = 1024;
+
+    /** Entries for each slot of the table, on average, before it is made anew. */
+    private static final int MOST_ENTRIES = 2;
 
     private static final int FIRST = 16;
 
     private double cell = 1;
     private int[] heads = new int[64];
+    private int slots = 64;
+    private int mostCells;
     private int[] next = new int[FIRST];
     private int[] items = new int[FIRST];
     private int entries;
     private int[] large = new int[FIRST];
     private int largeCount;
+    private boolean[] isLarge = new boolean[FIRST];
 
     /** The least X and Z and the greatest of each item. */
     private double[] boxes = new double[4 * FIRST];
@@ -24,28 +33,44 @@ final class CellGrid {
     private int stamp;
     private int count;
 
+    /** How many items have a box. */
+    private int boxed;
+
     int[] found = new int[FIRST];
     int foundCount;
 
     /** Empties it for a number of items, whose boxes follow in the order of their indices. */
     void clear(int items, double cellSize) {
         cell = cellSize;
-        entries = 0;
-        largeCount = 0;
         count = items;
-        int size = Math.max(64, Integer.highestOneBit(Math.max(1, items)) * 4);
-        if (heads.length < size) {
-            heads = new int[size];
-        }
-        Arrays.fill(heads, -1);
+        boxed = 0;
+        mostCells = Math.min(MOST_CELLS, items);
+        empty(Math.max(64, Integer.highestOneBit(Math.max(1, items)) * 4));
         if (seen.length < items) {
             int room = Math.max(items, 2 * seen.length);
             seen = new int[room];
             boxes = new double[4 * room];
             large = new int[room];
+            isLarge = new boolean[room];
             found = new int[room];
             stamp = 0;
         }
+        Arrays.fill(isLarge, 0, items, false);
+    }
+
+    private void empty(int size) {
+        slots = size;
+        entries = 0;
+        largeCount = 0;
+        if (heads.length < size) {
+            heads = new int[size];
+        }
+        Arrays.fill(heads, 0, size, -1);
+    }
+
+    /** How many entries the cells have in all, those of replaced boxes among them. */
+    int entries() {
+        return entries;
     }
 
     /** Whether a box is within the one that an item has. */
@@ -61,15 +86,37 @@ final class CellGrid {
         boxes[at + 1] = minZ;
         boxes[at + 2] = maxX;
         boxes[at + 3] = maxZ;
-        double fromX = Math.floor(minX / cell);
-        double fromZ = Math.floor(minZ / cell);
-        double toX = Math.floor(maxX / cell);
-        double toZ = Math.floor(maxZ / cell);
-        if (!isSmall(fromX, fromZ, toX, toZ)) {
-            if (largeCount == large.length) {
-                large = Arrays.copyOf(large, 2 * largeCount);
+        boxed = Math.max(boxed, item + 1);
+        enter(item);
+        if (entries > MOST_ENTRIES * slots) {
+            renew();
+        }
+    }
+
+    /** Makes the table anew, without what replaced boxes have left there, and so large that this pays for the next time. */
+    private void renew() {
+        int size = slots;
+        do {
+            empty(size);
+            Arrays.fill(isLarge, 0, boxed, false);
+            for (int item = 0; item < boxed; item++) {
+                enter(item);
             }
-            large[largeCount++] = item;
+            size *= 2;
+        } while (entries > slots);
+    }
+
+    private void enter(int item) {
+        int at = 4 * item;
+        double fromX = Math.floor(boxes[at] / cell);
+        double fromZ = Math.floor(boxes[at + 1] / cell);
+        double toX = Math.floor(boxes[at + 2] / cell);
+        double toZ = Math.floor(boxes[at + 3] / cell);
+        if (!isSmall(fromX, fromZ, toX, toZ)) {
+            if (!isLarge[item]) {
+                isLarge[item] = true;
+                large[largeCount++] = item;
+            }
             return;
         }
         for (long j = (long) fromZ; j <= (long) toZ; j++) {
@@ -86,16 +133,16 @@ final class CellGrid {
         }
     }
 
-    private static boolean isSmall(double fromX, double fromZ, double toX, double toZ) {
+    private boolean isSmall(double fromX, double fromZ, double toX, double toZ) {
         // Written so that what is not a number fails it.
         return Math.abs(fromX) < 0x1p40
                 && Math.abs(fromZ) < 0x1p40
-                && (toX - fromX + 1) * (toZ - fromZ + 1) <= MOST_CELLS;
+                && (toX - fromX + 1) * (toZ - fromZ + 1) <= mostCells;
     }
 
     private int slot(long i, long j) {
         long mixed = i * 0x9E3779B97F4A7C15L + j * 0xC2B2AE3D27D4EB4FL;
-        return (int) (mixed >>> 40) & (heads.length - 1);
+        return (int) (mixed >>> 40) & (slots - 1);
     }
 
     /** Writes the items whose boxes meet a box to {@link #found}, in ascending order. */

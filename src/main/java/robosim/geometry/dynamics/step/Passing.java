@@ -104,7 +104,7 @@ final class Passing {
             double nextBz = shareB == 0 ? bz : bz + shareB * (legs.z[legB] - bz);
             double nextAngleB = shareB == 0 ? angleB : angleB + shareB * (legs.angle[legB] - angleB);
             double far = radii + slack(Math.abs(ax) + Math.abs(az) + Math.abs(nextAx) + Math.abs(nextAz) + radii);
-            if (!isFar(ax - bx, az - bz, nextAx - nextBx, nextAz - nextBz, far)) {
+            if (!Pieces.isFar(ax - bx, az - bz, nextAx - nextBx, nextAz - nextBz, far)) {
                 for (int p = bodies.firstPiece[a]; p < bodies.firstPiece[a] + bodies.pieces[a]; p++) {
                     for (int q = bodies.firstPiece[b]; q < bodies.firstPiece[b] + bodies.pieces[b]; q++) {
                         if (!isClear(
@@ -208,17 +208,6 @@ final class Passing {
         return leg < 0 ? 0 : legs.time[leg] == until ? 1 : (until - time) / (legs.time[leg] - time);
     }
 
-    /** Whether an offset, which goes straight from one to another, stays longer than a length. */
-    private static boolean isFar(double x, double z, double toX, double toZ, double length) {
-        double dx = toX - x;
-        double dz = toZ - z;
-        double square = dx * dx + dz * dz;
-        double s = square == 0 ? 0 : Math.max(0, Math.min(1, -(x * dx + z * dz) / square));
-        double nearX = x + s * dx;
-        double nearZ = z + s * dz;
-        return Math.sqrt(nearX * nearX + nearZ * nearZ) > length;
-    }
-
     private boolean isClear(
             int a,
             double ax,
@@ -244,7 +233,7 @@ final class Passing {
         if (areDiscs && bulge == 0 && (pieces.reach[b] == 0 || pieces.body[b] < 0)) {
             double x = from.ax[0] - from.bx[0];
             double z = from.az[0] - from.bz[0];
-            if (isFar(x, z, to.ax[0] - to.bx[0], to.az[0] - to.bz[0], from.radius + slack)) {
+            if (Pieces.isFar(x, z, to.ax[0] - to.bx[0], to.az[0] - to.bz[0], from.radius + slack)) {
                 return true;
             }
         }

@@ -12,6 +12,9 @@ final class TimeOfImpact {
 
     private static final int MOST_ROUNDS = 48;
 
+    /** Rounds after which a root that is not found yet is looked for otherwise. */
+    private static final int ILLINOIS = 8;
+
     /** Radians of a turn that are looked at in one go. */
     private static final double TURN = 0.25;
 
@@ -20,6 +23,9 @@ final class TimeOfImpact {
 
     /** Below this share of the speed the one passes the other, and the gap may become smaller. */
     private static final double GRAZING = 1e-4;
+
+    /** So many gaps are more than what counts as touching, and all that is lost in rounding: a gap is at least 2^-42 of what coordinates are. */
+    private static final double FAR = 64;
 
     final Separation separation = new Separation();
 
@@ -57,6 +63,10 @@ final class TimeOfImpact {
         int bodyB = pieces.body[b];
         double vx = bodies.vx[bodyA] - (bodyB < 0 ? 0 : bodies.vx[bodyB]);
         double vz = bodies.vz[bodyA] - (bodyB < 0 ? 0 : bodies.vz[bodyB]);
+        if (isOff(a, b, vx * (to - from), vz * (to - from), from)) {
+            apart = Double.POSITIVE_INFINITY;
+            return NEVER;
+        }
         double wa = pieces.reach[a] == 0 ? 0 : bodies.w[bodyA];
         double wb = bodyB < 0 || pieces.reach[b] == 0 ? 0 : bodies.w[bodyB];
         double distance = measure(a, b, from);
@@ -102,6 +112,25 @@ final class TimeOfImpact {
             distance = measure(a, b, t);
         }
         return distance <= 4 * target ? t : NEVER;
+    }
+
+    /**
+     * Whether the discs around two, which hold them however they turn, stay apart by more than what counts as touching on a
+     * way of one as seen from the other. That is so of most who met once and have gone elsewhere.
+     */
+    private boolean isOff(int a, int b, double dx, double dz, double t) {
+        int bodyA = pieces.body[a];
+        int bodyB = pieces.body[b];
+        double x = bodies.xAt(bodyA, t);
+        double z = bodies.zAt(bodyA, t);
+        double by = pieces.reach[a] + pieces.radius[a] + FAR * gap;
+        if (bodyB < 0) {
+            return pieces.isOff(b, x, z, x + dx, z + dz, by);
+        }
+        double fromX = x - bodies.xAt(bodyB, t);
+        double fromZ = z - bodies.zAt(bodyB, t);
+        by += pieces.reach[b] + pieces.radius[b];
+        return Pieces.isFar(fromX, fromZ, fromX + dx, fromZ + dz, by);
     }
 
     /** When two discs come to a distance of their centres. */
@@ -160,16 +189,35 @@ final class TimeOfImpact {
         return separation.along();
     }
 
-    /** A time at which the two are apart by the gap, or the last one found at which they are still by more, by the Illinois method (Dowell and Jarratt 1971). */
+    /**
+     * A time at which the two are apart by the gap, or the last one found at which they are still by more: by the Illinois
+     * method (Dowell and Jarratt 1971) first. Where another corner than the nearest one is the first to come, that hardly gets
+     * on; then follow in turns the secant through the last two times at which they were nearer, which are of that corner, the
+     * chord, and halving.
+     */
     private double root(int a, int b, double target, double t, double from, double atFrom, double to, double atTo) {
         double low = from;
         double high = to;
         double above = atFrom;
         double below = atTo;
+        double trueAbove = atFrom;
+        double trueBelow = atTo;
+        double highBefore = Double.NaN;
+        double belowBefore = Double.NaN;
         int side = 0;
         for (int k = 0; k < MOST_ROUNDS && above > 0; k++) {
-            // Along a bent function one end would stay for long.
-            double mid = Math.abs(side) > 2 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
+            double mid;
+            if (k < ILLINOIS) {
+                // Along a bent function one end would stay for long.
+                mid = Math.abs(side) > 2 ? 0.5 * (low + high) : low + (high - low) * (above / (above - below));
+            } else {
+                int turn = (k - ILLINOIS) % 3;
+                mid = turn == 0
+                        ? high + (high - highBefore) * (trueBelow / (belowBefore - trueBelow))
+                        : low + (high - low) * (trueAbove / (trueAbove - trueBelow));
+                // Written so that what is not a number fails it.
+                mid = turn < 2 && mid > low && mid < high ? mid : 0.5 * (low + high);
+            }
             if (!(mid > low && mid < high) || high - low < 0x1p-44 * (t + high)) {
                 break;
             }
@@ -180,11 +228,15 @@ final class TimeOfImpact {
             if (there >= 0) {
                 low = mid;
                 above = there;
+                trueAbove = there;
                 below = side > 0 ? 0.5 * below : below;
                 side = side < 0 || side > 2 ? 1 : side + 1;
             } else {
+                highBefore = high;
+                belowBefore = trueBelow;
                 high = mid;
                 below = there;
+                trueBelow = there;
                 above = side < 0 ? 0.5 * above : above;
                 side = side > 0 || side < -2 ? -1 : side - 1;
             }
