@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -21,6 +22,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
@@ -70,6 +72,40 @@ class DynamicsTest {
                     + 0.5 * bodies.get(k).inertia() * w * w;
         }
         return sum;
+    }
+
+    /** Beside a grid, however it is turned, a disc stops where it stops beside the equal boxes. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 90, 180, 270, -90, 30, 45})
+    void aGridStopsABodyWhereItsCellsDo(double heading) {
+        BitSet cells = new BitSet();
+        cells.set(0, 2);
+        cells.set(4);
+        GridObject grid = new GridObject(new Point(0, 0, 0), 1, 2, 2, 3, cells).turned(0, heading);
+        List<GeometryObject> boxes = new ArrayList<>();
+        cells.stream().forEach(cell -> boxes.add(grid.box(cell % 2, cell / 2)));
+        for (double aside = -2; aside <= 2; aside += 0.1) {
+            Point asGrid = thrownAt(List.of(grid), aside);
+            Point asBoxes = thrownAt(boxes, aside);
+            assertThat(asGrid.x()).as("%s", aside).isCloseTo(asBoxes.x(), within(1e-6));
+            assertThat(asGrid.z()).as("%s", aside).isCloseTo(asBoxes.z(), within(1e-6));
+            GeometryObject disc = new CylinderObject(asGrid, 0.3, 1);
+            boxes.forEach(
+                    box -> assertThat(CollisionDetection.intersects(disc, box)).isFalse());
+        }
+    }
+
+    private static Point thrownAt(List<? extends GeometryObject> obstacles, double aside) {
+        Geometry world = new Geometry(40, 10, 40, Dimension.PLANAR, Accuracy.EXACT);
+        obstacles.forEach(world::addObjectUnchecked);
+        world.addObject(new CylinderObject(new Point(5, 0, aside), 0.3, 1).moveable("disc"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("disc", Body.of(1, 0.1));
+        dynamics.setVelocity("disc", new Twist(-3, 0, 0, 0));
+        for (int step = 0; step < 40; step++) {
+            dynamics.step(0.05);
+        }
+        return world.getObject("disc").center();
     }
 
     /** Ways that cross all over the world: a long step is divided before all of its pairs fill the memory. */

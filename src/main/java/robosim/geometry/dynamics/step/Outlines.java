@@ -161,16 +161,17 @@ final class Outlines {
         }
     }
 
+    /** The hull of two cells: of a grid that is turned by quarter turns they face +X, and the run may go any way. */
     private void addRun(BoxObject first, BoxObject last) {
         double[] r = first.rotation();
         double width = first.width() / 2;
         double length = first.length() / 2;
         count = 0;
-        for (int side = -1; side <= 1; side += 2) {
-            Point a = first.center();
-            Point b = last.center();
-            point(a.x() - r[0] * width + r[2] * length * side, a.z() - r[6] * width + r[8] * length * side);
-            point(b.x() + r[0] * width + r[2] * length * side, b.z() + r[6] * width + r[8] * length * side);
+        for (int corner = 0; corner < 4; corner++) {
+            double a = (corner & 1) == 0 ? width : -width;
+            double b = (corner & 2) == 0 ? length : -length;
+            point(first.center().x() + (r[0] * a + r[2] * b), first.center().z() + (r[6] * a + r[8] * b));
+            point(last.center().x() + (r[0] * a + r[2] * b), last.center().z() + (r[6] * a + r[8] * b));
         }
         addHull(0);
     }

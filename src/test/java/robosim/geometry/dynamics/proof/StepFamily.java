@@ -303,11 +303,14 @@ enum StepFamily {
                 cells.set(row * 20 + 10);
                 cells.set(row * 20 + random.nextInt(20));
             }
-            scene.wall(new GridObject(new Point(0, 0, 0), 0.4, 1, 20, 20, cells));
+            GridObject wall =
+                    new GridObject(new Point(0, 0, 0), 0.4, 1, 20, 20, cells).turned(0, 90 * random.nextInt(4));
+            scene.wall(wall);
             for (int k = 0; k < 12 && scene.names.size() < 3; k++) {
                 any(scene, random, 3.5, 0.1, 0.5);
             }
-            scene.keepsSides(0.2, 0, 0, 1);
+            double[] r = wall.rotation();
+            scene.keepsSides(0.2 * r[0], 0.2 * r[6], r[2], r[8]);
             return scene;
         }
 
