@@ -31,12 +31,20 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
 
 /**
  * Reads the recorded bytes of a conversation between an environment and the geometry module and decides afterwards, by
  * geometry of its own, whether the module was right: that no robot overlapped anything that it had not overlapped at the
- * start, on the way or at the end of a move; that each refused move was blocked; that each distance was right.
+ * start, on the way or at the end of a move; that each refused move was blocked; that each distance was right. Where the
+ * movement was handed over in steps: that no step left anything in anything else or beyond the border, that no centre went
+ * through anything, that a robot that met nothing has driven as it was told, and that contacts are where they are said to be.
  *
  * <p>It takes nothing from the module but the bundles and the objects' numbers. Everything is brute force on convex
  * pieces: the gap of two pieces is the largest over all candidate axes, the way of a translation is the convex hull of its
@@ -81,6 +89,13 @@ public final class ConversationAudit {
     private long grazing;
     private long faults;
     private double largestError;
+    private final Map<String, DriveCommand> told = new HashMap<>();
+    private final Set<String> limited = new HashSet<>();
+    private long steps;
+    private long places;
+    private long free;
+    private long contacts;
+    private double largestDrift;
     private double leastGap = Double.POSITIVE_INFINITY;
 
     private ConversationAudit(PrintStream out) {
@@ -130,6 +145,8 @@ public final class ConversationAudit {
                 begin(init);
             } else if (request instanceof MoveBundle moves) {
                 judgeMoves(moves.moves(), ((MoveBundle) require(next(answers))).moves());
+            } else if (request instanceof StepBundle step) {
+                judgeStep(step, (StepBundle.Answer) require(next(answers)));
             } else if (request instanceof SonarRequestBundle sonar) {
                 judgeDistances(sonar.requests(), ((DistanceBundle) require(next(answers))).distances());
             } else {
@@ -281,6 +298,131 @@ public final class ConversationAudit {
         return bodies.get((int) pair);
     }
 
+    // ---- steps -----------------------------------------------------------------------------------------------------
+
+    private void judgeStep(StepBundle step, StepBundle.Answer answer) {
+        steps++;
+        for (BodyRequest body : step.bodies()) {
+            told.put(body.objectName(), new DriveCommand(body.objectName(), 0, 0));
+            DriveSettings drive = body.drive();
+            if (drive != null && !drive.equals(DriveSettings.DEFAULT)) {
+                limited.add(body.objectName());
+            }
+        }
+        for (DriveCommand command : step.commands()) {
+            told.put(command.objectName(), command);
+        }
+        Set<String> touching = new HashSet<>(answer.stopped());
+        for (ContactAnswer contact : answer.contacts()) {
+            contacts += contact.phase() == ContactAnswer.Phase.BEGIN ? 1 : 0;
+            touching.add(contact.objectName());
+            touching.add(contact.other());
+        }
+        Map<Body, double[]> before = new HashMap<>();
+        for (BodyAnswer at : answer.bodies()) {
+            Body body = moveable(at.objectName());
+            if (body == null) {
+                fault("a step tells of no moveable object: " + at);
+                return;
+            }
+            before.put(body, new double[] {body.x, body.z});
+            if (!touching.contains(at.objectName()) && !limited.contains(at.objectName()) && !isInContact(body)) {
+                judgeFree(body, told.get(at.objectName()), step.seconds(), at);
+            }
+            body.place(at.center().x(), at.center().z(), at.heading());
+        }
+        for (BodyAnswer at : answer.bodies()) {
+            judgePlace(byName.get(at.objectName()), before.get(moveable(at.objectName())));
+        }
+        for (ContactAnswer contact : answer.contacts()) {
+            judgeContact(contact, before);
+        }
+        inContact.removeIf(pair -> gap(first(pair), second(pair)) > slack);
+    }
+
+    private boolean isInContact(Body body) {
+        int self = bodies.indexOf(body);
+        return inContact.stream().anyMatch(pair -> pair >> 32 == self || (pair & 0xffffffffL) == self);
+    }
+
+    /** Two wheels that go at their speeds at once carry what meets nothing along an arc. */
+    private void judgeFree(Body body, DriveCommand command, double seconds, BodyAnswer at) {
+        free++;
+        double half = command.turn() * seconds / 2;
+        double chord = command.forward() * seconds * (half == 0 ? 1 : StrictMath.sin(half) / half);
+        double c = body.c * StrictMath.cos(half) - body.s * StrictMath.sin(half);
+        double s = body.s * StrictMath.cos(half) + body.c * StrictMath.sin(half);
+        double off =
+                Math.hypot(at.center().x() - (body.x + c * chord), at.center().z() - (body.z - s * chord));
+        double endC = c * StrictMath.cos(half) - s * StrictMath.sin(half);
+        double endS = s * StrictMath.cos(half) + c * StrictMath.sin(half);
+        double turned = Math.hypot(StrictMath.cos(at.heading()) - endC, StrictMath.sin(at.heading()) - endS);
+        largestDrift = Math.max(largestDrift, Math.max(off, turned));
+        if (!(off <= slack && turned <= slack)) {
+            fault("a robot that met nothing is off by " + off + " and " + turned + " radians: " + command + ", " + at);
+        }
+    }
+
+    /** A body must not be in anything but what it overlapped from the start, nor have gone through anything. */
+    private void judgePlace(int self, double[] from) {
+        Body body = bodies.get(self);
+        double least = Double.POSITIVE_INFINITY;
+        String nearest = "the border";
+        for (Piece piece : body.pieces) {
+            least = Math.min(least, Motion.room(piece, halfWidth, halfLength));
+        }
+        Piece way = hull(new double[] {from[0], body.x}, new double[] {from[1], body.z}, 0);
+        for (int k = 0; k < bodies.size(); k++) {
+            Body other = bodies.get(k);
+            if (k == self
+                    || inContact.contains(pair(self, k))
+                    || other.centreDistance(body.x, body.z) - other.reach - body.reach > 1) {
+                continue;
+            }
+            double gap = gap(body, other);
+            if (gap < least) {
+                least = gap;
+                nearest = other.text;
+            }
+            for (Piece piece : other.pieces) {
+                if (!other.moveable && gap(way, piece) < -slack) {
+                    fault("the centre of " + body.text + " went through " + other.text);
+                }
+            }
+        }
+        places++;
+        leastGap = Math.min(leastGap, least);
+        if (least < -slack) {
+            fault("a step left " + body.text + " " + -least + " deep in " + nearest);
+        }
+    }
+
+    /** A contact is no farther from either of the two than these have moved in the step. */
+    private void judgeContact(ContactAnswer contact, Map<Body, double[]> before) {
+        double size = Math.hypot(contact.normal().x(), contact.normal().z());
+        if (Math.abs(size - 1) > slack) {
+            fault("a normal must have the length 1: " + contact);
+        }
+        Piece point = Body.disc(contact.point().x(), contact.point().z(), 0);
+        for (String name : new String[] {contact.objectName(), contact.other()}) {
+            Integer index = name == null ? null : byName.get(name);
+            if (index != null) {
+                Body body = bodies.get(index);
+                double[] from = before.getOrDefault(body, new double[] {body.x, body.z});
+                // Of what turns, the rim moves too: by no more than its way round in the step.
+                double moved =
+                        Math.hypot(body.x - from[0], body.z - from[1]) + (before.containsKey(body) ? body.reach : 0);
+                double apart = Double.POSITIVE_INFINITY;
+                for (Piece piece : body.pieces) {
+                    apart = Math.min(apart, gap(point, piece));
+                }
+                if (apart > moved + 1e-6) {
+                    fault("a contact is " + apart + " from " + name + ": " + contact);
+                }
+            }
+        }
+    }
+
     // ---- distances -------------------------------------------------------------------------------------------------
 
     private void judgeDistances(List<SonarRequest> requests, List<Double> answer) {
@@ -359,6 +501,13 @@ public final class ConversationAudit {
         text.append("moves.undecided=").append(undecided).append('\n');
         text.append("moves.least.gap=").append(leastGap).append('\n');
         text.append("contacts.at.start=").append(startedInContact).append('\n');
+        if (steps > 0) {
+            text.append("steps=").append(steps).append('\n');
+            text.append("steps.places=").append(places).append('\n');
+            text.append("steps.contacts=").append(contacts).append('\n');
+            text.append("steps.free=").append(free).append('\n');
+            text.append("steps.largest.drift=").append(largestDrift).append('\n');
+        }
         text.append("distances=").append(distances).append('\n');
         text.append("distances.grazing=").append(grazing).append('\n');
         text.append("distances.largest.error=").append(largestError).append('\n');
@@ -375,13 +524,27 @@ public final class ConversationAudit {
     private String text() {
         StringBuilder text = new StringBuilder();
         String line = "%-14s%s%n";
-        text.append(line.formatted(
-                "audit",
-                "%,d moves: %,d made, %,d refused, %,d too close to judge".formatted(asked, made, refused, undecided)));
+        if (steps > 0) {
+            text.append(line.formatted(
+                    "audit",
+                    "%,d steps: %,d places, none in anything else; %,d contacts began"
+                            .formatted(steps, places, contacts)));
+            text.append(line.formatted(
+                    "",
+                    "%,d times a robot met nothing, and drove as it was told to within %s"
+                            .formatted(free, largestDrift)));
+        }
+        if (asked > 0 || steps == 0) {
+            text.append(line.formatted(
+                    steps > 0 ? "" : "audit",
+                    "%,d moves: %,d made, %,d refused, %,d too close to judge"
+                            .formatted(asked, made, refused, undecided)));
+        }
         if (startedInContact > 0) {
             text.append(line.formatted("", "%,d pairs overlapped at the start".formatted(startedInContact)));
         }
-        text.append(line.formatted("", "the closest a made move came to anything: " + leastGap));
+        text.append(line.formatted(
+                "", "the closest a made " + (steps > 0 ? "step" : "move") + " came to anything: " + leastGap));
         List<Map.Entry<String, Integer>> blockers = new ArrayList<>(refusedBy.entrySet());
         blockers.sort(Map.Entry.<String, Integer>comparingByValue().reversed());
         for (Map.Entry<String, Integer> blocker : blockers.subList(0, Math.min(8, blockers.size()))) {
@@ -522,8 +685,13 @@ public final class ConversationAudit {
         private final String text;
         private final boolean moveable;
         private final List<Piece> pieces = new ArrayList<>();
-        private final double startC;
-        private final double startS;
+        private final List<Piece> first;
+        private final double firstX;
+        private final double firstZ;
+        private final double firstC;
+        private final double firstS;
+        private double startC;
+        private double startS;
         private BigDecimal turned = BigDecimal.ZERO;
         private double x;
         private double z;
@@ -543,6 +711,11 @@ public final class ConversationAudit {
             this.c = startC;
             this.s = startS;
             add(object, new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, 0, 0, 0);
+            first = List.copyOf(pieces);
+            firstX = x;
+            firstZ = z;
+            firstC = c;
+            firstS = s;
             for (Piece piece : pieces) {
                 for (int k = 0; k < piece.x.length; k++) {
                     reach = Math.max(reach, Math.hypot(piece.x[k] - x, piece.z[k] - z) + piece.radius);
@@ -555,6 +728,31 @@ public final class ConversationAudit {
             return "a " + object.kind().name().toLowerCase(Locale.ROOT) + " at ("
                     + (float) object.center().x() + ", "
                     + (float) object.center().z() + ")";
+        }
+
+        /** Puts it at a place, with a heading in radians. */
+        void place(double toX, double toZ, double heading) {
+            x = toX;
+            z = toZ;
+            c = StrictMath.cos(heading);
+            s = StrictMath.sin(heading);
+            startC = c;
+            startS = s;
+            turned = BigDecimal.ZERO;
+            double turnC = firstC * c + firstS * s;
+            double turnS = firstC * s - firstS * c;
+            pieces.clear();
+            for (Piece piece : first) {
+                double[] px = new double[piece.x.length];
+                double[] pz = new double[piece.x.length];
+                for (int k = 0; k < px.length; k++) {
+                    double ownX = piece.x[k] - firstX;
+                    double ownZ = piece.z[k] - firstZ;
+                    px[k] = turnC * ownX + turnS * ownZ + x;
+                    pz[k] = -turnS * ownX + turnC * ownZ + z;
+                }
+                pieces.add(new Piece(px, pz, piece.radius));
+            }
         }
 
         double centreDistance(double fromX, double fromZ) {

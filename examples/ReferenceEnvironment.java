@@ -34,7 +34,12 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -55,11 +60,15 @@ import robosim.geometry.world.WorldReader;
  * same conversation, to the byte.
  */
 public final class ReferenceEnvironment {
+    /** How long a step lasts in which robots are driven. */
+    private static final double SECONDS = 0.1;
+
     private static final String USAGE = """
             usage: java -cp target/classes examples/ReferenceEnvironment.java --world FILE (--connect HOST:PORT | --listen PORT)
               --steps N      rounds of sonar and moves (default 1000)
               --seed S       of the robots' whims (default 1)
               --speed V      world units a robot advances in a step (default 0.05)
+              --drive        hands the movement over: each step lasts 0.1 s, in which robots are driven, slide, push and bump
               --record DIR   writes what was sent to DIR/to-module.bin and what came back to DIR/from-module.bin,
                              and the numbers of the run to DIR/environment.properties
               --progress     shows the progress bar even where the output is no terminal
@@ -121,10 +130,18 @@ public final class ReferenceEnvironment {
             socket.setTcpNoDelay(true);
             Connection connection = new Connection(socket, sent, received);
             connection.send(init());
+            boolean driven = options.has("drive");
+            if (driven) {
+                giveBodies(connection);
+            }
             Progress progress = new Progress(steps, options.has("progress") || (!options.has("quiet") && isTerminal()));
             for (long step = 0; step < steps; step++) {
                 range(connection);
-                move(connection);
+                if (driven) {
+                    drive(connection);
+                } else {
+                    move(connection);
+                }
                 progress.show(step + 1);
             }
             progress.end();
@@ -247,6 +264,64 @@ public final class ReferenceEnvironment {
         tally.made += made.size();
     }
 
+    /** Makes every robot a body with two driven wheels, which reach the speed that they are told at once. */
+    private void giveBodies(Connection connection) throws IOException, ClassNotFoundException {
+        List<BodyRequest> bodies = new ArrayList<>();
+        for (Robot robot : robots) {
+            bodies.add(BodyRequest.of(robot.name).withDrive(DriveSettings.DEFAULT));
+        }
+        check(connection.ask(new StepBundle(0, bodies, List.of())));
+    }
+
+    /** One step in which all robots are driven. */
+    private void drive(Connection connection) throws IOException, ClassNotFoundException {
+        List<DriveCommand> commands = new ArrayList<>();
+        for (Robot robot : robots) {
+            commands.add(robot.steer());
+        }
+        long begin = System.nanoTime();
+        Object answered = connection.ask(new StepBundle(SECONDS, List.of(), commands));
+        tally.stepNanos.add(System.nanoTime() - begin);
+        StepBundle.Answer answer = check(answered);
+        for (int k = 0; k < robots.size(); k++) {
+            String name = robots.get(k).name;
+            Point before = robots.get(k).place;
+            Point now = answer.bodies().get(k).center();
+            tally.driven += before == null ? 0 : Math.hypot(now.x() - before.x(), now.z() - before.z());
+            robots.get(k).place = now;
+            robots.get(k).touches = answer.contacts().stream()
+                    .filter(contact -> contact.phase() != ContactAnswer.Phase.END)
+                    .anyMatch(contact -> name.equals(contact.objectName()) || name.equals(contact.other()));
+        }
+        for (ContactAnswer contact : answer.contacts()) {
+            tally.bumps += contact.phase() == ContactAnswer.Phase.BEGIN ? 1 : 0;
+        }
+        tally.stopped += answer.stopped().size();
+    }
+
+    /** All robots have to be told of, in the order in which they became bodies, and contacts are of bodies. */
+    private StepBundle.Answer check(Object answer) {
+        if (!(answer instanceof StepBundle.Answer step)) {
+            throw new ProtocolFault("a StepBundle was answered by " + nameOf(answer));
+        }
+        List<String> names = new ArrayList<>();
+        robots.forEach(robot -> names.add(robot.name));
+        List<String> told =
+                step.bodies().stream().map(body -> body.objectName()).toList();
+        if (!told.equals(names)) {
+            throw new ProtocolFault("the bodies must be " + names + " (got: " + told + ")");
+        }
+        for (ContactAnswer contact : step.contacts()) {
+            if (!names.contains(contact.objectName())) {
+                throw new ProtocolFault("a contact must be that of a body (got: " + contact + ")");
+            }
+        }
+        if (!names.containsAll(step.stopped())) {
+            throw new ProtocolFault("only bodies are stopped (got: " + step.stopped() + ")");
+        }
+        return step;
+    }
+
     private static boolean sameBits(MoveRequest a, MoveRequest b) {
         return a.objectName().equals(b.objectName())
                 && same(a.x(), b.x())
@@ -286,6 +361,9 @@ public final class ReferenceEnvironment {
         private int boldSteps;
         private int retreatSteps;
         private double retreat;
+        private double side = 1;
+        private boolean touches;
+        private Point place;
 
         Robot(WorldObject object, double speed, SplittableRandom random) {
             this.name = object.object().name();
@@ -355,6 +433,22 @@ public final class ReferenceEnvironment {
                 return new MoveRequest(name, speed / 4, 0, 0, 0, side * random.nextDouble(0.15, 0.35));
             }
             return new MoveRequest(name, speed, 0, 0, 0, jitter);
+        }
+
+        /** The same on wheels: after a bump it backs off for a while in a curve, to the roomier side. */
+        DriveCommand steer() {
+            boolean backs = retreatSteps > 0;
+            if (touches && !backs) {
+                retreatSteps = 6 + random.nextInt(8);
+                boldSteps = 0;
+            }
+            if (retreatSteps > 0) {
+                retreatSteps--;
+                side = backs ? side : random.nextBoolean() ? 1 : -1;
+                return new DriveCommand(name, -speed / (2 * SECONDS), side * 1.5);
+            }
+            MoveRequest wish = wander();
+            return new DriveCommand(name, wish.x() / SECONDS, wish.ry() / SECONDS);
         }
 
         /** Turns away; where that is refused too, retreats a few steps to where it sees farthest, without a turn. */
@@ -457,6 +551,10 @@ public final class ReferenceEnvironment {
         private long echoes;
         private long asked;
         private long made;
+        private double driven;
+        private long bumps;
+        private long stopped;
+        private final Times stepNanos = new Times();
         private final Times sonarNanos = new Times();
         private final Times moveNanos = new Times();
 
@@ -466,6 +564,14 @@ public final class ReferenceEnvironment {
             values.put("robots", robots);
             values.put("moves.asked", asked);
             values.put("moves.made", made);
+            if (stepNanos.size > 0) {
+                values.put("drive.seconds", steps * SECONDS);
+                values.put("drive.way", driven);
+                values.put("drive.bumps", bumps);
+                values.put("drive.stopped", stopped);
+                values.put("step.median.us", stepNanos.micros(0.5));
+                values.put("step.99.us", stepNanos.micros(0.99));
+            }
             values.put("sonar.bundles", sonarNanos.size);
             values.put("distances", distances);
             values.put("echoes", echoes);
@@ -484,6 +590,21 @@ public final class ReferenceEnvironment {
         }
 
         String text(long steps, int robots) {
+            if (stepNanos.size > 0) {
+                return String.format(
+                        Locale.ROOT,
+                        "environment   %s of %s: %.1f driven, %s; %s, %,d of them echoes%n"
+                                + "              every answer kept to the protocol%n"
+                                + "              a step took %s us (median), %s us (99 %%)%n",
+                        count(steps, "step"),
+                        count(robots, "robot"),
+                        driven,
+                        count(bumps, "bump"),
+                        count(distances, "distance"),
+                        echoes,
+                        stepNanos.micros(0.5),
+                        stepNanos.micros(0.99));
+            }
             return String.format(
                     Locale.ROOT,
                     "environment   %s of %s: %s asked, %,d made; %s, %,d of them echoes%n"
@@ -565,7 +686,7 @@ public final class ReferenceEnvironment {
         }
     }
 
-    /** Arguments: {@code --name value}, and two names alone. */
+    /** Arguments: {@code --name value}, and three names alone. */
     private static final class Options {
         private static final List<String> NAMES =
                 List.of("world", "connect", "listen", "steps", "seed", "speed", "record");
@@ -574,7 +695,7 @@ public final class ReferenceEnvironment {
         Options(String[] arguments) {
             for (int k = 0; k < arguments.length; k++) {
                 String name = arguments[k].startsWith("--") ? arguments[k].substring(2) : "";
-                if (name.equals("quiet") || name.equals("progress")) {
+                if (List.of("quiet", "progress", "drive").contains(name)) {
                     values.put(name, "");
                 } else if (NAMES.contains(name) && k + 1 < arguments.length) {
                     values.put(name, arguments[++k]);

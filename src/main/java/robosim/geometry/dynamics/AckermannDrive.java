@@ -45,17 +45,21 @@ public record AckermannDrive(
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        Checks.present("now", now);
-        Checks.present("body", body);
-        double step = Quantity.atLeastZero("seconds", seconds) == 0 ? 0 : maxAcceleration * seconds;
-        double v = Quantity.toward(now.x(), Quantity.clamp(speed, maxSpeed), step);
+        return Drives.next(this, now, body, seconds);
+    }
+
+    void next(double[] v, Body body, double seconds) {
+        double forward = Quantity.toward(v[0], Quantity.clamp(speed, maxSpeed), Drives.step(maxAcceleration, seconds));
         // Before the curve is applied, since a limit of the speed would change it.
-        v = Quantity.clamp(v, body.maxSpeed());
+        forward = Quantity.clamp(forward, body.maxSpeed());
         double wheels = Quantity.clamp(steering, maxSteering);
         double tangent = Degrees.sin(wheels) / Degrees.cos(wheels);
-        double turn = Degrees.toDegrees(v * tangent / wheelbase);
+        double turn = Degrees.toDegrees(forward * tangent / wheelbase);
         // A car that may not turn so fast goes more slowly, on the same curve.
         double share = Math.abs(turn) > body.maxTurn() ? body.maxTurn() / Math.abs(turn) : 1;
-        return new Twist(v * share, 0, 0, Quantity.clamp(turn, body.maxTurn()));
+        v[0] = forward * share;
+        v[1] = 0;
+        v[2] = 0;
+        v[3] = Quantity.clamp(turn, body.maxTurn());
     }
 }

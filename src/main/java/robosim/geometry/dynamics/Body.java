@@ -28,7 +28,8 @@ import robosim.geometry.model.Twist;
  * @param maxTurn     degrees a second; infinite for no limit
  * @param floorFriction sliding friction on the floor of a PLANAR world: what slides over it without a drive slows by
  *                    {@code floorFriction * g} until it rests, and turns more slowly as a disc of its mass and inertia does;
- *                    0 for none
+ *                    0 for none. In a SPATIAL world its own friction, static and sliding, with what is below it, unless that of
+ *                    its surface is more
  * @param inertiaX    moment of inertia about the own X, for a SPATIAL world, where {@code inertia} is about the own Y; 0 for
  *                    that of a solid of the object's shape which has {@code inertia} about the own Y
  * @param inertiaZ    the same about the own Z
@@ -197,7 +198,7 @@ public record Body(
         return new Body(mass, inertia, surface, damping, turnDamping, speed, turn, floorFriction, inertiaX, inertiaZ);
     }
 
-    /** This body with sliding friction on the floor of a PLANAR world. */
+    /** This body with friction on the floor: of a PLANAR world, or on whatever is below it in a SPATIAL one. */
     public Body withFloorFriction(double friction) {
         return new Body(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, friction, inertiaX, inertiaZ);
     }
@@ -236,11 +237,18 @@ public record Body(
     /** A velocity within the limits of this body, in the same direction; the speed and the speed of turning each by itself. */
     public Twist limited(Twist velocity) {
         Checks.present("velocity", velocity);
-        double x = velocity.x();
-        double y = velocity.y();
-        double z = velocity.z();
-        double speed = Math.sqrt(x * x + y * y + z * z);
+        double[] v = {velocity.x(), velocity.y(), velocity.z(), velocity.ry()};
+        limit(v);
+        return new Twist(v[0], v[1], v[2], v[3]);
+    }
+
+    /** The same in place. */
+    void limit(double[] v) {
+        double speed = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         double share = speed > maxSpeed ? maxSpeed / speed : 1;
-        return new Twist(x * share, y * share, z * share, Quantity.clamp(velocity.ry(), maxTurn));
+        v[0] *= share;
+        v[1] *= share;
+        v[2] *= share;
+        v[3] = Quantity.clamp(v[3], maxTurn);
     }
 }

@@ -57,14 +57,20 @@ public record DifferentialDrive(double track, double maxSpeed, double maxAcceler
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        Checks.present("now", now);
-        Checks.present("body", body);
-        double step = Quantity.atLeastZero("seconds", seconds) == 0 ? 0 : maxAcceleration * seconds;
+        return Drives.next(this, now, body, seconds);
+    }
+
+    void next(double[] v, Body body, double seconds) {
+        double step = Drives.step(maxAcceleration, seconds);
         double fastest = Math.max(Math.abs(left), Math.abs(right));
         double share = fastest > maxSpeed ? maxSpeed / fastest : 1;
-        double aside = aside(now.ry());
-        double l = Quantity.toward(now.x() - aside, left * share, step);
-        double r = Quantity.toward(now.x() + aside, right * share, step);
-        return body.limited(new Twist((l + r) / 2, 0, 0, Degrees.toDegrees((r - l) / track)));
+        double aside = aside(v[3]);
+        double l = Quantity.toward(v[0] - aside, left * share, step);
+        double r = Quantity.toward(v[0] + aside, right * share, step);
+        v[0] = (l + r) / 2;
+        v[1] = 0;
+        v[2] = 0;
+        v[3] = Degrees.toDegrees((r - l) / track);
+        body.limit(v);
     }
 }

@@ -160,14 +160,10 @@ public final class Dynamics {
     }
 
     /**
-     * Drives a body from now on.
-     *
-     * @throws IllegalArgumentException if the world is SPATIAL
+     * Drives a body from now on. In a SPATIAL world a drive acts while the body stands on something, within what friction can
+     * give there: the body's own friction is that of its surface, or {@link Body#floorFriction} if that is more.
      */
     public void drive(String name, Drive drive) {
-        if (falling != null) {
-            throw new IllegalArgumentException("drives need a PLANAR world (got: a SPATIAL one, for \"" + name + "\")");
-        }
         state(name).drive = Checks.present("drive", drive);
     }
 

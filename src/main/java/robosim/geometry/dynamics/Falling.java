@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.space.Driver;
 import robosim.geometry.dynamics.space.Space;
 import robosim.geometry.dynamics.space.Touched;
 import robosim.geometry.engine.motion.Carrier;
@@ -21,6 +22,7 @@ final class Falling {
     private final Space space;
     private final SurfaceTable table;
     private final List<BodyState> order = new ArrayList<>();
+    private final double[] velocity = new double[4];
     private long changes = -1;
 
     Falling(Geometry world, Carrier carrier, SurfaceTable table, Point gravity) {
@@ -33,6 +35,7 @@ final class Falling {
         }
         double[] pull = {gravity.x(), gravity.y(), gravity.z()};
         space = new Space(carrier, world.width(), world.height(), world.length(), pull);
+        space.driveBy(this::next);
     }
 
     /** Refuses what cannot fall. */
@@ -88,11 +91,35 @@ final class Falling {
             double turn = body.maxTurn();
             space.limit(
                     b,
+                    body.floorFriction(),
                     body.damping(),
                     body.turnDamping(),
                     body.maxSpeed(),
                     turn < Double.POSITIVE_INFINITY ? Degrees.toRadians(turn) : turn);
         }
+    }
+
+    /** What the drive of a body makes of its velocity in a time. */
+    private boolean next(int b, Driver.Aim aim, double seconds) {
+        BodyState state = order.get(b);
+        Drive drive = state.drive;
+        if (drive == null) {
+            return false;
+        }
+        velocity[0] = aim.forward;
+        velocity[1] = 0;
+        velocity[2] = aim.right;
+        velocity[3] = Degrees.toDegrees(aim.turn);
+        Drives.next(drive, velocity, state.body, seconds);
+        aim.forward = velocity[0];
+        aim.right = velocity[2];
+        aim.turn = Degrees.toRadians(velocity[3]);
+        aim.acceleration = Drives.acceleration(drive);
+        aim.turnAcceleration = Drives.turnAcceleration(drive);
+        aim.rim = Drives.rim(drive);
+        aim.isAnyWay = Drives.isAnyWay(drive);
+        aim.isForce = drive instanceof ForceDrive;
+        return true;
     }
 
     static SpatialVelocity velocity(BodyState of) {

@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Twist;
 
@@ -25,17 +24,18 @@ public record ForceDrive(double x, double z, double torque) implements Drive {
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        Checks.present("now", now);
-        Checks.present("body", body);
-        Quantity.atLeastZero("seconds", seconds);
+        return Drives.next(this, now, body, seconds);
+    }
+
+    void next(double[] v, Body body, double seconds) {
         double slower = 1 + body.damping() * seconds;
         double turnSlower = 1 + body.turnDamping() * seconds;
         double push = seconds / body.mass();
         double turn = Degrees.toDegrees(torque * (seconds / body.inertia()));
-        return body.limited(new Twist(
-                (now.x() + x * push) / slower,
-                now.y() / slower,
-                (now.z() + z * push) / slower,
-                (now.ry() + turn) / turnSlower));
+        v[0] = (v[0] + x * push) / slower;
+        v[1] /= slower;
+        v[2] = (v[2] + z * push) / slower;
+        v[3] = (v[3] + turn) / turnSlower;
+        body.limit(v);
     }
 }

@@ -38,21 +38,26 @@ public record OmnidirectionalDrive(
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        Checks.present("now", now);
-        Checks.present("body", body);
-        boolean stands = Quantity.atLeastZero("seconds", seconds) == 0;
+        return Drives.next(this, now, body, seconds);
+    }
+
+    void next(double[] v, Body body, double seconds) {
         double asked = Math.sqrt(command.x() * command.x() + command.z() * command.z());
         double share = asked > maxSpeed ? maxSpeed / asked : 1;
-        double dx = command.x() * share - now.x();
-        double dz = command.z() * share - now.z();
+        double dx = command.x() * share - v[0];
+        double dz = command.z() * share - v[2];
         double change = Math.sqrt(dx * dx + dz * dz);
-        double most = stands ? 0 : maxAcceleration * seconds;
-        double turn = Quantity.toward(
-                now.ry(), Quantity.clamp(command.ry(), maxTurn), stands ? 0 : maxTurnAcceleration * seconds);
+        double most = Drives.step(maxAcceleration, seconds);
+        v[3] = Quantity.toward(v[3], Quantity.clamp(command.ry(), maxTurn), Drives.step(maxTurnAcceleration, seconds));
         if (change <= most) {
-            return body.limited(new Twist(command.x() * share, 0, command.z() * share, turn));
+            v[0] = command.x() * share;
+            v[2] = command.z() * share;
+        } else {
+            double made = most / change;
+            v[0] += dx * made;
+            v[2] += dz * made;
         }
-        double made = most / change;
-        return body.limited(new Twist(now.x() + dx * made, 0, now.z() + dz * made, turn));
+        v[1] = 0;
+        body.limit(v);
     }
 }

@@ -16,8 +16,14 @@ public record VelocityDrive(Twist velocity) implements Drive {
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        Checks.present("now", now);
-        Quantity.atLeastZero("seconds", seconds);
-        return Checks.present("body", body).limited(velocity);
+        return Drives.next(this, now, body, seconds);
+    }
+
+    void next(double[] v, Body body) {
+        v[0] = velocity.x();
+        v[1] = velocity.y();
+        v[2] = velocity.z();
+        v[3] = velocity.ry();
+        body.limit(v);
     }
 }

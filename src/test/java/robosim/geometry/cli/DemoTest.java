@@ -14,12 +14,15 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.motion.BodyAnswer;
 
 /** The main job on a small world, as two processes over TCP: environment, module, audit, picture, summary. */
 class DemoTest {
@@ -78,6 +81,50 @@ class DemoTest {
         assertThat(Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), "replay", folder.toString()))
                 .isZero();
         assertThat(out.toString()).contains("1 scenario, 402 steps, 3,013 moves and distances: all the same");
+    }
+
+    @Test
+    void theMovementIsHandedOverAndAudited(@TempDir Path folder, @TempDir Path compiled) throws Exception {
+        int code = demo(folder, "--drive");
+        assertThat(err.toString()).isEmpty();
+        assertThat(out.toString())
+                .contains("nothing is wrong", "200 steps of 2 robots", "driven ", "a step of 2 robots");
+        assertThat(code).isZero();
+        Properties audit = properties(folder.resolve("audit.properties"));
+        assertThat(audit)
+                .containsEntry("faults", "0")
+                .containsEntry("steps", "201")
+                .containsEntry("steps.places", "402")
+                .containsEntry("moves.asked", "0");
+        // A drive that meets nothing, or nothing but walls, would prove nothing.
+        assertThat(Integer.parseInt(audit.getProperty("steps.contacts"))).isBetween(3, 300);
+        assertThat(Integer.parseInt(audit.getProperty("steps.free"))).isBetween(100, 399);
+        assertThat(Double.parseDouble(
+                        properties(folder.resolve("environment.properties")).getProperty("drive.way")))
+                .isGreaterThan(5);
+        assertThat(folder.resolve("world.svg")).content().contains("drum", "20 s driven");
+        assertThat(Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), "replay", folder.toString()))
+                .isZero();
+        assertThat(out.toString()).contains("all the same");
+
+        // What the audit says where a step has put a robot where it cannot have been.
+        assertThat(Examples.compile(List.of(Examples.FOLDER.resolve("ConversationAudit.java")), compiled))
+                .isEmpty();
+        byte[] truth = Files.readAllBytes(folder.resolve("from-module.bin"));
+        rewrite(folder, truth, 3, bundle -> moved((StepBundle.Answer) bundle, new Point(-3.7, 0, 1)));
+        assertThat(Examples.audit(folder, compiled)).contains("deep in a box at (-3.9, 0.0)", "exit 1");
+        rewrite(folder, truth, 3, bundle -> moved((StepBundle.Answer) bundle, new Point(-2.5, 0, 1.5)));
+        assertThat(Examples.audit(folder, compiled)).contains("a robot that met nothing is off by", "exit 1");
+        rewrite(folder, truth, 3, bundle -> moved((StepBundle.Answer) bundle, new Point(-1, 0, -2)));
+        assertThat(Examples.audit(folder, compiled)).contains("the centre of drum went through pole", "exit 1");
+    }
+
+    /** The same answer, but for the place of the first body. */
+    private static StepBundle.Answer moved(StepBundle.Answer answer, Point to) {
+        List<BodyAnswer> bodies = new ArrayList<>(answer.bodies());
+        BodyAnswer first = bodies.get(0);
+        bodies.set(0, new BodyAnswer(first.objectName(), to, first.heading(), first.rotation(), first.velocity()));
+        return new StepBundle.Answer(bodies, answer.contacts(), answer.stopped());
     }
 
     @Test

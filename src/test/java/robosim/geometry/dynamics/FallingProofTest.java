@@ -234,6 +234,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("a427de9bedefec5b");
+        assertThat(Long.toHexString(digest)).isEqualTo("975ee45e52442613");
     }
 }

@@ -407,9 +407,6 @@ class FallingTest {
                 .withMessageContaining("sphere, box, cylinder or capsule");
         dynamics.add("ball", Body.of(1, 1));
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> dynamics.drive("ball", new VelocityDrive(new Twist(0, 0, 0, 0))))
-                .withMessageContaining("PLANAR");
-        assertThatIllegalArgumentException()
                 .isThrownBy(() -> new SpatialVelocity(0, Double.NaN, 0, 0, 0, 0))
                 .withMessageStartingWith("y ");
         flat.addObject(new SphereObject(new Point(0, 0, 0), 0.5).moveable("ball"));

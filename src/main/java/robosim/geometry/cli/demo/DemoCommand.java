@@ -53,7 +53,8 @@ import robosim.geometry.world.WorldWriter;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry demo",
-            "  robosim-geometry demo --world worlds/warehouse.xml --steps 500 --seed 7 -o warehouse"
+            "  robosim-geometry demo --world worlds/warehouse.xml --steps 500 --seed 7 -o warehouse",
+            "  robosim-geometry demo --drive --steps 1000"
         })
 public final class DemoCommand implements Callable<Integer> {
     @Spec
@@ -87,6 +88,13 @@ public final class DemoCommand implements Callable<Integer> {
             description =
                     "folder for the results (default: target/demo if there is a folder target, else robosim-demo)")
     private @Nullable Path place;
+
+    @Option(
+            names = "--drive",
+            description =
+                    "hands the movement over: in steps of 0.1 s the robots are driven, slide, push and bump, instead of"
+                            + " asking for moves of which some are refused")
+    private boolean drive;
 
     @Option(names = "--dial", description = "the environment listens and this module dials, as in RoboSim")
     private boolean dial;
@@ -222,6 +230,9 @@ public final class DemoCommand implements Callable<Integer> {
         arguments.addAll(List.of("--world", worldFile.toString(), "--record", output.toString()));
         arguments.addAll(List.of("--steps", String.valueOf(steps), "--seed", String.valueOf(seed)));
         arguments.addAll(List.of("--speed", String.valueOf(speed), watched ? "--progress" : "--quiet"));
+        if (drive) {
+            arguments.add("--drive");
+        }
         return arguments;
     }
 }

@@ -36,8 +36,23 @@ public final class Summary {
         return Double.parseDouble(environment.getProperty(key, "0"));
     }
 
+    /** Whether the environment handed the movement over. */
+    private boolean isDriven() {
+        return environment.containsKey("drive.seconds");
+    }
+
     /** One line, as the caption of a picture. */
     String line(boolean right) {
+        if (isDriven()) {
+            return format(
+                    "%s, %s: %.0f s driven, %s, %s; the audit found %s wrong",
+                    NumberText.count(count("robots"), "robot"),
+                    NumberText.count(count("steps"), "step"),
+                    micros("drive.seconds"),
+                    NumberText.count(count("drive.bumps"), "bump"),
+                    NumberText.count(count("distances"), "distance"),
+                    right ? "nothing" : "something");
+        }
         return format(
                 "%s, %s: %s asked, %,d refused, %s; the audit found %s wrong",
                 NumberText.count(count("robots"), "robot"),
@@ -61,7 +76,16 @@ public final class Summary {
         text.append(format(
                 "conversation  %s of %s, two processes over TCP%n",
                 NumberText.count(count("steps"), "step"), NumberText.count(count("robots"), "robot")));
-        text.append(format("moves         %,d asked, %,d made, %,d refused%n", asked, made, asked - made));
+        if (isDriven()) {
+            text.append(format(
+                    "driven        %.1f in %.1f s, %s, %,d stopped%n",
+                    micros("drive.way"),
+                    micros("drive.seconds"),
+                    NumberText.count(count("drive.bumps"), "bump"),
+                    count("drive.stopped")));
+        } else {
+            text.append(format("moves         %,d asked, %,d made, %,d refused%n", asked, made, asked - made));
+        }
         refusals(text);
         text.append(format("distances     %,d answered, %,d of them echoes%n", distances, count("echoes")));
         long rounds = Math.max(1, count("sonar.bundles"));
@@ -70,15 +94,18 @@ public final class Summary {
         row(text, "a bundle of " + distances / rounds + " distances", "sonar", 1);
         row(text, "one of its distances", "sonar", Math.max(1, distances / rounds));
         long each = Math.max(1, count("robots"));
-        row(text, "a bundle of " + each + " moves", "move", 1);
-        row(text, "one of its moves", "move", each);
+        if (isDriven()) {
+            row(text, "a step of " + NumberText.count(each, "robot"), "step", 1);
+        } else {
+            row(text, "a bundle of " + each + " moves", "move", 1);
+            row(text, "one of its moves", "move", each);
+        }
         return text.append(verdict).toString();
     }
 
     private void row(StringBuilder text, String what, String kind, long share) {
-        boolean sonar = kind.equals("sonar");
-        double median = sonar ? timings.sonarMicros(0.5) : timings.moveMicros(0.5);
-        double most = sonar ? timings.sonarMicros(0.99) : timings.moveMicros(0.99);
+        double median = timed(kind, 0.5);
+        double most = timed(kind, 0.99);
         text.append(format(
                 "  %-26s %7.1f us %6.1f us %7.1f us %6.1f us%n",
                 what,
@@ -86,6 +113,14 @@ public final class Summary {
                 micros(kind + ".99.us") / share,
                 median / share,
                 most / share));
+    }
+
+    private double timed(String kind, double share) {
+        return switch (kind) {
+            case "sonar" -> timings.sonarMicros(share);
+            case "step" -> timings.stepMicros(share);
+            default -> timings.moveMicros(share);
+        };
     }
 
     private void refusals(StringBuilder text) {

@@ -11,12 +11,14 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 
 /** How long the module's side of a conversation took, and what blocked moves. */
 public final class Timings implements SessionListener {
     private final Times sonar = new Times();
     private final Times moves = new Times();
+    private final Times steps = new Times();
     private final Map<String, Integer> refusedBy = new HashMap<>();
 
     @Override
@@ -39,6 +41,8 @@ public final class Timings implements SessionListener {
             sonar.add(nanoseconds);
         } else if (request instanceof MoveBundle) {
             moves.add(nanoseconds);
+        } else if (request instanceof StepBundle) {
+            steps.add(nanoseconds);
         }
     }
 
@@ -55,6 +59,11 @@ public final class Timings implements SessionListener {
     /** The time within which a given share of all move bundles was answered, in microseconds. */
     synchronized double moveMicros(double share) {
         return moves.micros(share);
+    }
+
+    /** The time within which a given share of all steps was answered, in microseconds. */
+    synchronized double stepMicros(double share) {
+        return steps.micros(share);
     }
 
     /** A growing list of durations in nanoseconds. */

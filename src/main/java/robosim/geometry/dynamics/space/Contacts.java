@@ -21,6 +21,9 @@ final class Contacts {
 
     double[] normal = new double[3 * FIRST];
 
+    /** Which of the pieces around the body it is with. */
+    int[] piece = new int[FIRST];
+
     /** How far the two are apart there. */
     double[] apart = new double[FIRST];
 
@@ -64,58 +67,22 @@ final class Contacts {
         body = Arrays.copyOf(body, room);
         other = Arrays.copyOf(other, room);
         object = Arrays.copyOf(object, room);
+        piece = Arrays.copyOf(piece, room);
         point = Arrays.copyOf(point, 3 * room);
         normal = Arrays.copyOf(normal, 3 * room);
         apart = Arrays.copyOf(apart, room);
         impulse = Arrays.copyOf(impulse, room);
     }
 
-    /**
-     * Takes out, from one contact on, those on an inner edge of a surface: where a piece is met at a point that does not
-     * stand out of the plane of a nearer contact, the body is on that plane, and the edge is none.
-     */
-    void dropInnerEdges(int from) {
-        int kept = from;
-        for (int k = from; k < count; k++) {
-            if (!isOnInnerEdge(from, k)) {
-                copy(k, kept++);
-            }
-        }
-        count = kept;
-    }
-
-    private boolean isOnInnerEdge(int from, int k) {
-        for (int m = from; m < count; m++) {
-            if (m == k || other[m] != other[k] || apart[m] > apart[k]) {
-                continue;
-            }
-            int a = 3 * m;
-            int b = 3 * k;
-            double same = normal[a] * normal[b] + normal[a + 1] * normal[b + 1] + normal[a + 2] * normal[b + 2];
-            if (same > 1 - 1e-9 || same < 0.5) {
-                continue; // one plane, or a corner that is sharp indeed
-            }
-            // Points lie midway, so the obstacle's own is half of the gap further back.
-            double high = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                double own = point[b + axis] - 0.5 * apart[k] * normal[b + axis];
-                double plane = point[a + axis] - 0.5 * apart[m] * normal[a + axis];
-                high += (own - plane) * normal[a + axis];
-            }
-            if (high < 1e-7) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private void copy(int from, int to) {
+    /** Moves a contact to another place. */
+    void copy(int from, int to) {
         if (from == to) {
             return;
         }
         body[to] = body[from];
         other[to] = other[from];
         object[to] = object[from];
+        piece[to] = piece[from];
         System.arraycopy(point, 3 * from, point, 3 * to, 3);
         System.arraycopy(normal, 3 * from, normal, 3 * to, 3);
         apart[to] = apart[from];

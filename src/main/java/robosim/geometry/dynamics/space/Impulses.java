@@ -28,10 +28,17 @@ final class Impulses {
     private double[] ease = new double[0];
     private double[] friction = new double[0];
     private boolean[] isOff = new boolean[0];
-    private final double[] arm = new double[3];
 
-    Impulses(List<Rigid> bodies) {
+    /** Of contacts below a driven body, that body, and else -1; and friction while wheels slide. */
+    private int[] wheel = new int[0];
+
+    private double[] slides = new double[0];
+    private final double[] arm = new double[3];
+    private final Traction traction;
+
+    Impulses(List<Rigid> bodies, Traction traction) {
         this.bodies = bodies;
+        this.traction = traction;
     }
 
     private double[] velocity(int b, boolean atEnd) {
@@ -47,32 +54,42 @@ final class Impulses {
     /**
      * Gives impulses.
      *
-     * @param atEnd   whether to the velocities at the end of the slice, and then without restitution
+     * @param driven  the one body whose drive acts, or -1 for all
+     * @param atEnd   whether to the velocities at the end of the slice, and then without restitution, but with drives
      * @param seconds what is left of the slice
      * @param gap     nearer than this bodies are kept from coming
      */
-    void solve(Contacts contacts, int from, boolean atEnd, double seconds, double gap, Surfaces surfaces) {
+    void solve(Contacts contacts, int driven, boolean atEnd, double seconds, double gap, Surfaces surfaces) {
         reserve(contacts.count);
         boolean any = false;
-        for (int k = from; k < contacts.count; k++) {
+        for (int k = 0; k < contacts.count; k++) {
             any |= prepare(contacts, k, atEnd, seconds, gap, surfaces);
+        }
+        if (atEnd) {
+            traction.prepare(contacts, wheel, isOff, driven, seconds);
         }
         for (int round = 0; any && round < MOST_ROUNDS; round++) {
             double most = 0;
-            for (int k = from; k < contacts.count; k++) {
+            for (int k = 0; k < contacts.count; k++) {
                 if (!isOff[k]) {
                     most = Math.max(most, push(contacts, k, atEnd));
                     most = Math.max(most, rub(contacts, k, atEnd));
                 }
             }
+            if (atEnd) {
+                most = Math.max(most, traction.roll(contacts, wheel, pushed, friction, slides));
+            }
             if (most < SMALL) {
                 break;
             }
         }
-        for (int k = from; k < contacts.count; k++) {
+        for (int k = 0; k < contacts.count; k++) {
             if (!isOff[k]) {
                 contacts.impulse[k] += pushed[k];
             }
+        }
+        if (atEnd) {
+            traction.finish();
         }
     }
 
@@ -82,6 +99,8 @@ final class Impulses {
             target = new double[room];
             pushed = new double[room];
             friction = new double[room];
+            slides = new double[room];
+            wheel = new int[room];
             rubbed = new double[2 * room];
             tangents = new double[6 * room];
             ease = new double[3 * room];
@@ -91,6 +110,7 @@ final class Impulses {
 
     private boolean prepare(Contacts c, int k, boolean atEnd, double seconds, double gap, Surfaces surfaces) {
         pushed[k] = 0;
+        wheel[k] = -1;
         rubbed[2 * k] = 0;
         rubbed[2 * k + 1] = 0;
         int own = bodies.get(c.body[k]).id;
@@ -115,13 +135,36 @@ final class Impulses {
         ease[3 * k] = 1 / lightness(c, k, c.normal, 3 * k);
         ease[3 * k + 1] = 1 / lightness(c, k, tangents, 6 * k);
         ease[3 * k + 2] = 1 / lightness(c, k, tangents, 6 * k + 3);
+        rubs(c, k, own, other, surfaces);
+        return true;
+    }
+
+    /** Works out the friction at a contact: of wheels that stand still, and for all else as it slides now. */
+    private void rubs(Contacts c, int k, int own, int other, Surfaces surfaces) {
+        double floor = floor(c, k, c.body[k], 1);
+        double otherFloor = c.other[k] < 0 ? 0 : floor(c, k, c.other[k], -1);
+        double still = mean(
+                Math.max(floor, surfaces.staticFriction(own)), Math.max(otherFloor, surfaces.staticFriction(other)));
+        double sliding = mean(
+                Math.max(floor, surfaces.slidingFriction(own)), Math.max(otherFloor, surfaces.slidingFriction(other)));
+        slides[k] = sliding;
+        friction[k] = wheel[k] >= 0 || slidesBy(c, k) <= STICK ? still : sliding;
+    }
+
+    /** A body's own friction with a floor, where the contact is below it, which may make that one of its wheels. */
+    private double floor(Contacts c, int k, int b, double sign) {
+        Rigid body = bodies.get(b);
+        boolean isWheel = Traction.isBelow(body, c.normal, 3 * k, sign);
+        if (isWheel && wheel[k] < 0) {
+            wheel[k] = b;
+        }
+        return isWheel || traction.carries(c.normal, 3 * k, sign) ? body.floorFriction : 0;
+    }
+
+    private double slidesBy(Contacts c, int k) {
         double s = speed(c, k, tangents, 6 * k, false);
         double t = speed(c, k, tangents, 6 * k + 3, false);
-        double slides = Math.sqrt(s * s + t * t);
-        friction[k] = slides > STICK
-                ? mean(surfaces.slidingFriction(own), surfaces.slidingFriction(other))
-                : mean(surfaces.staticFriction(own), surfaces.staticFriction(other));
-        return true;
+        return Math.sqrt(s * s + t * t);
     }
 
     private static double mean(double a, double b) {
@@ -198,7 +241,7 @@ final class Impulses {
     }
 
     private double rub(Contacts c, int k, boolean atEnd) {
-        if (friction[k] == 0) {
+        if (friction[k] == 0 || wheel[k] >= 0) {
             return 0;
         }
         double s = rubbed[2 * k] - speed(c, k, tangents, 6 * k, atEnd) * ease[3 * k + 1];

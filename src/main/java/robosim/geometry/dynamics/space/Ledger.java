@@ -1,5 +1,6 @@
 package robosim.geometry.dynamics.space;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** The energy of bodies in a slice, shared by those that touch each other; and which of them come to rest. */
@@ -15,6 +16,12 @@ final class Ledger {
     private final List<Rigid> bodies;
     private final double[] gravity;
 
+    // By group: the energy before and what drives have added, the kinetic one now, and the potential one gained.
+    private double[] before = new double[0];
+    private double[] moving = new double[0];
+    private double[] risen = new double[0];
+    private boolean[] isPressed = new boolean[0];
+
     Ledger(List<Rigid> bodies, double[] gravity) {
         this.bodies = bodies;
         this.gravity = gravity;
@@ -26,6 +33,8 @@ final class Ledger {
             Rigid body = bodies.get(b);
             body.group = b;
             body.isTouching = false;
+            body.work = 0;
+            body.lastWork = 0;
             body.turnInertia();
             if (!body.isAsleep) {
                 body.limit(seconds);
@@ -35,21 +44,29 @@ final class Ledger {
         }
     }
 
-    /** Notes that two bodies touch: they share their energy, and one that comes fast enough wakes the other. */
+    /**
+     * Notes that two bodies touch: they share their energy, and one that comes fast enough, or that a drive presses, wakes the
+     * other.
+     */
     void join(int a, int b) {
+        Rigid body = bodies.get(a);
         Rigid other = bodies.get(b);
         other.isTouching = true;
-        if (other.isAsleep && bodies.get(a).speed(bodies.get(a).v) > WAKE) {
+        if (other.isAsleep && (body.isPressed || body.speed(body.v) > WAKE)) {
             other.wake();
         }
-        int from = bodies.get(a).group;
+        int from = body.group;
         int to = other.group;
-        for (Rigid each : bodies) {
+        for (int k = 0; k < bodies.size(); k++) {
+            Rigid each = bodies.get(k);
             each.group = each.group == from ? to : each.group;
         }
     }
 
-    /** Energy never grows: what rounding, or restitution together with friction, would add is taken from the speed. */
+    /**
+     * Energy grows by no more than the work of drives: what rounding, or restitution together with friction, would add is taken
+     * from the speed.
+     */
     void finish(double seconds) {
         for (int b = 0; b < bodies.size(); b++) {
             Rigid body = bodies.get(b);
@@ -57,34 +74,50 @@ final class Ledger {
                 System.arraycopy(body.u, 0, body.v, 0, 6);
             }
         }
-        for (int group = 0; group < bodies.size(); group++) {
-            double before = 0;
-            double moving = 0;
-            double risen = 0;
-            for (Rigid body : bodies) {
-                if (body.group == group && !body.isAsleep) {
-                    before += body.energy;
-                    moving += body.kinetic(body.v);
-                    risen += body.risen(gravity);
-                }
-            }
-            if (moving > 0 && moving + risen > before) {
-                double share = Math.sqrt(Math.max(0, before - risen) / moving);
-                for (Rigid body : bodies) {
-                    if (body.group == group) {
-                        for (int k = 0; k < 6; k++) {
-                            body.v[k] *= share;
-                        }
-                    }
+        sum();
+        for (int b = 0; b < bodies.size(); b++) {
+            Rigid body = bodies.get(b);
+            int group = body.group;
+            body.isPressed = isPressed[group];
+            if (moving[group] > 0 && moving[group] + risen[group] > before[group]) {
+                double share = Math.sqrt(Math.max(0, before[group] - risen[group]) / moving[group]);
+                for (int k = 0; k < 6; k++) {
+                    body.v[k] *= share;
                 }
             }
         }
-        for (Rigid body : bodies) {
+        for (int b = 0; b < bodies.size(); b++) {
+            Rigid body = bodies.get(b);
             if (!body.isAsleep) {
-                body.slow = body.isTouching && body.speed(body.v) < SLOW ? body.slow + seconds : 0;
+                body.slow = body.isTouching && !body.isPressed && body.speed(body.v) < SLOW ? body.slow + seconds : 0;
                 if (body.slow > REST) {
                     body.sleep();
                 }
+            }
+        }
+    }
+
+    /** What the bodies of each group have. */
+    private void sum() {
+        int count = bodies.size();
+        if (before.length < count) {
+            before = new double[count];
+            moving = new double[count];
+            risen = new double[count];
+            isPressed = new boolean[count];
+        }
+        Arrays.fill(before, 0);
+        Arrays.fill(moving, 0);
+        Arrays.fill(risen, 0);
+        Arrays.fill(isPressed, false);
+        for (int b = 0; b < count; b++) {
+            Rigid body = bodies.get(b);
+            if (!body.isAsleep) {
+                int group = body.group;
+                before[group] += body.energy + body.work;
+                moving[group] += body.kinetic(body.v);
+                risen[group] += body.risen(gravity);
+                isPressed[group] |= body.isDriving;
             }
         }
     }

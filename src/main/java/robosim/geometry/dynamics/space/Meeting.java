@@ -58,10 +58,33 @@ final class Meeting {
         pointX = 0.5 * (gjk.ax() + gjk.bx());
         pointY = 0.5 * (gjk.ay() + gjk.by());
         pointZ = 0.5 * (gjk.az() + gjk.bz());
-        if (!takeFace(otherKind, other, otherAt)) {
-            takeFace(kind, row, at);
-        }
+        chooseFace(kind, row, at, otherKind, other, otherAt);
         return true;
+    }
+
+    /**
+     * Makes the direction that of a face, if it is one but for rounding and separates the two by more. Of a body that tips over
+     * an edge that is its own face: what overhangs is below the other one.
+     */
+    private void chooseFace(LeafKind kind, double[] row, int at, LeafKind otherKind, double[] other, int otherAt) {
+        double x = nx;
+        double y = ny;
+        double z = nz;
+        double best = along(kind, row, at, otherKind, other, otherAt, x, y, z);
+        for (int which = 0; which < 2; which++) {
+            if (which == 0 ? takeFace(otherKind, other, otherAt) : takeFace(kind, row, at)) {
+                double room = along(kind, row, at, otherKind, other, otherAt, nx, ny, nz);
+                if (room >= best) {
+                    best = room;
+                    x = nx;
+                    y = ny;
+                    z = nz;
+                }
+                nx = x;
+                ny = y;
+                nz = z;
+            }
+        }
     }
 
     /** Whether the foremost point of a piece is above a face of a box: the direction is that of the face. */
@@ -130,6 +153,13 @@ final class Meeting {
         double gap = dx * (own.x - others.x) + dy * (own.y - others.y) + dz * (own.z - others.z);
         double size = Math.sqrt(dx * dx + dy * dy + dz * dz);
         return gap / size - own.margin - others.margin - Gjk.ROUNDOFF * (own.extent + others.extent);
+    }
+
+    /** How far a piece rises above a plane through a point, along its unit normal. */
+    double height(LeafKind kind, double[] row, int at, double[] point, double[] normal, int of) {
+        others.spatial(kind, row, at, point[of], point[of + 1], point[of + 2], 1);
+        others.find(normal[of], normal[of + 1], normal[of + 2]);
+        return others.x * normal[of] + others.y * normal[of + 1] + others.z * normal[of + 2] + others.margin;
     }
 
     /** Adds the points at which two pieces touch that were measured last, or are nearer than a reach. */

@@ -25,6 +25,23 @@ final class Rigid {
     double maxSpeed = Double.POSITIVE_INFINITY;
     double maxTurn = Double.POSITIVE_INFINITY;
 
+    /** Its own friction with what carries it is at least this. */
+    double floorFriction;
+
+    /** Whether it has a drive, whether that moves it, and whether it stood on its wheels in the last slice. */
+    boolean isDriven;
+
+    boolean isDriving;
+    boolean isOnWheels;
+
+    /** Whether a drive moves it or what it touched in the last slice, directly or not. */
+    boolean isPressed;
+
+    /** What its drive does in this slice, joules, and of that what is still to come. */
+    double work;
+
+    double lastWork;
+
     /** Where it is, laid out as in the table of objects. */
     final double[] place = new double[ObjectTable.PLACE];
 
@@ -48,6 +65,7 @@ final class Rigid {
     int group;
 
     boolean isTouching;
+    boolean isCarried;
     boolean isAsleep;
     boolean isStopped;
 
@@ -134,10 +152,13 @@ final class Rigid {
         return Math.sqrt(of[at] * of[at] + of[at + 1] * of[at + 1] + of[at + 2] * of[at + 2]);
     }
 
-    /** Slows it by its damping, and holds it within its limits. */
+    /** Slows it by its damping, unless it is for its drive to do that, and holds it within its limits. */
     void limit(double seconds) {
-        scale(v, 0, 1 / (1 + damping * seconds));
-        scale(v, 3, 1 / (1 + turnDamping * seconds));
+        if (!isDriven || !isOnWheels) {
+            scale(v, 0, 1 / (1 + damping * seconds));
+            scale(v, 3, 1 / (1 + turnDamping * seconds));
+        }
+        isOnWheels = false;
         double speed = length(v, 0);
         if (speed > maxSpeed) {
             scale(v, 0, maxSpeed / speed);

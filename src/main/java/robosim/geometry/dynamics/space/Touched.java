@@ -1,24 +1,28 @@
 package robosim.geometry.dynamics.space;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /** Who touched whom in a step: one entry for each body and what it touched, in the order in which they were first told. */
 public final class Touched {
-    private final Map<Long, Integer> entries = new HashMap<>();
+    private static final int FIRST = 64;
+
     private final Contacts all = new Contacts();
-    private final List<Long> keys = new ArrayList<>();
-    private final List<@Nullable String> names = new ArrayList<>();
+
+    /** The two of each entry as one number. */
+    private long[] keys = new long[FIRST];
+
+    /** The names of the two of each entry. */
+    private @Nullable String[] names = new String[2 * FIRST];
+
+    /** Entries by the hash of their keys, each plus one; 0 for none. Twice as long as the keys. */
+    private int[] table = new int[2 * FIRST];
 
     void clear() {
-        entries.clear();
+        Arrays.fill(table, 0);
+        Arrays.fill(names, 0, 2 * all.count, null);
         all.clear();
-        keys.clear();
-        names.clear();
     }
 
     public int count() {
@@ -29,9 +33,28 @@ public final class Touched {
         return ((long) body << 32) | (object & 0xffff_ffffL);
     }
 
+    /** Where a key is in the table, or where it belongs. */
+    private int slot(long key) {
+        int mask = table.length - 1;
+        int slot = (int) ((key * 0x9E37_79B9_7F4A_7C15L) >>> 40) & mask;
+        while (table[slot] != 0 && keys[table[slot] - 1] != key) {
+            slot = (slot + 1) & mask;
+        }
+        return slot;
+    }
+
+    private void grow() {
+        keys = Arrays.copyOf(keys, 2 * keys.length);
+        names = Arrays.copyOf(names, 2 * names.length);
+        table = new int[2 * table.length];
+        for (int entry = 0; entry < all.count; entry++) {
+            table[slot(keys[entry])] = entry + 1;
+        }
+    }
+
     /** The entry of the same two in another step, or -1. */
     public int find(Touched of, int entry) {
-        return entries.getOrDefault(of.keys.get(entry), -1);
+        return table[slot(of.keys[entry])] - 1;
     }
 
     /**
@@ -45,11 +68,20 @@ public final class Touched {
         int body = isSecond ? of.object[k] : id;
         int object = isSecond ? id : of.object[k];
         long key = key(body, object);
-        Integer known = entries.putIfAbsent(key, all.count);
-        if (known != null) {
-            all.impulse[known] += of.impulse[k];
+        int slot = slot(key);
+        if (table[slot] != 0) {
+            all.impulse[table[slot] - 1] += of.impulse[k];
             return;
         }
+        int entry = all.count;
+        if (entry == keys.length) {
+            grow();
+            slot = slot(key);
+        }
+        table[slot] = entry + 1;
+        keys[entry] = key;
+        names[2 * entry] = objects.value(body).name();
+        names[2 * entry + 1] = object < 0 ? null : objects.value(object).name();
         int c = 3 * k;
         double sign = isSecond ? -1 : 1;
         all.add(
@@ -63,20 +95,17 @@ public final class Touched {
                 sign * of.normal[c + 1] + 0.0,
                 sign * of.normal[c + 2] + 0.0,
                 of.apart[k]);
-        all.impulse[all.count - 1] = of.impulse[k];
-        keys.add(key);
-        names.add(objects.value(body).name());
-        names.add(object < 0 ? null : objects.value(object).name());
+        all.impulse[entry] = of.impulse[k];
     }
 
     /** The name of the body. */
     public String body(int entry) {
-        return String.valueOf(names.get(2 * entry));
+        return String.valueOf(names[2 * entry]);
     }
 
     /** The name of the other object; null for one without a name and for the border of the world. */
     public @Nullable String other(int entry) {
-        return names.get(2 * entry + 1);
+        return names[2 * entry + 1];
     }
 
     /** A coordinate of the point of contact. */

@@ -1,8 +1,6 @@
 package robosim.geometry.dynamics.space;
 
 import robosim.geometry.engine.motion.Placer;
-import robosim.geometry.exact.Attitude;
-import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -15,6 +13,12 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  * direction separates both poses from a piece by more than that, the motion between them is free. Where a body rests, it is
  * first lifted by that much along the contact, by a swept move, then turned, and then let down by another one. The world
  * decides in the end whether the body is free where it has come to, exactly.
+ *
+ * <p>What tips over an edge is separated from it by a direction that turns too, from {@code n} to {@code n'}. On a straight line
+ * between these the support of the piece is at most that between its ends, as it is convex, and so is that of the body but for
+ * the curve that the direction makes in its frame: with the turn {@code t}, {@code e = |n - n'|} and a displacement {@code d},
+ * the gap is at least the one between those at the ends less {@code e |d| / 4 + reach (t^2 + 2 t e) / 8}; for e = 0 that is the
+ * sagitta.
  */
 final class Way {
     /** Bodies stop so many metres before contact. */
@@ -41,9 +45,14 @@ final class Way {
     private final LeafColumn before = new LeafColumn(1);
     private final LeafColumn after = new LeafColumn(1);
     private final double[] place = new double[Pose.PLACE];
-    private final double[] turn = new double[9];
-    private final double[] rotation = new double[9];
+    private final Turning turner = new Turning();
     private final double[] up = new double[3];
+
+    // A part of the way: the angle, the displacement, and the reach of the body.
+    private double part;
+
+    private double displaced;
+    private double reach;
 
     /** By how much less than it was lifted a body is let down. */
     private double stay;
@@ -59,10 +68,22 @@ final class Way {
     private double[] rooms = new double[0];
     private boolean[] isNear = new boolean[0];
 
+    /** Whether a direction that turns separates a piece; that before and after, three numbers each. */
+    private boolean[] isTurning = new boolean[0];
+
+    private double[] first = new double[0];
+    private double[] second = new double[0];
+
+    /** More than this they have to be separated by. */
+    private double[] needs = new double[0];
+
     /** Parts of the way that have been made, and before which of them the distance of a piece was measured. */
     private int parts;
 
     private int[] measured = new int[0];
+
+    /** The square of the share that a direction which turns would separate; 0 for none. */
+    private double turning;
 
     /** The share of what was tried that may be free, where it was not. */
     private double hope;
@@ -81,7 +102,7 @@ final class Way {
             double share = way == 0 ? 1 : placer.toContact(body.id, d[0], d[1], d[2], GAP);
             read(body);
             if (body.isBall && turned > 0) {
-                turn(body.place, angle, share, body.place);
+                turner.turn(body.place, angle, share, body.place);
                 placer.put(body.id, body.place);
             }
             return share;
@@ -94,6 +115,10 @@ final class Way {
             ends = new double[2 * near.count];
             rooms = new double[2 * near.count];
             isNear = new boolean[2 * near.count];
+            isTurning = new boolean[2 * near.count];
+            needs = new double[2 * near.count];
+            first = new double[6 * near.count];
+            second = new double[6 * near.count];
             measured = new int[2 * near.count];
         }
         double rest = 1;
@@ -120,43 +145,20 @@ final class Way {
         System.arraycopy(placer.objects.places(), placer.objects.place(body.id), body.place, 0, Pose.PLACE);
     }
 
-    void turn(double[] from, double[] angle, double share, double[] to) {
-        double size = Rigid.length(angle, 0);
-        double half = 0.5 * size * share;
-        double sine = size == 0 ? 0 : StrictMath.sin(half) / size;
-        double w = StrictMath.cos(half);
-        double x = sine * angle[0];
-        double y = sine * angle[1];
-        double z = sine * angle[2];
-        turn[0] = 1 - 2 * (y * y + z * z);
-        turn[1] = 2 * (x * y - w * z);
-        turn[2] = 2 * (x * z + w * y);
-        turn[3] = 2 * (x * y + w * z);
-        turn[4] = 1 - 2 * (x * x + z * z);
-        turn[5] = 2 * (y * z - w * x);
-        turn[6] = 2 * (x * z - w * y);
-        turn[7] = 2 * (y * z + w * x);
-        turn[8] = 1 - 2 * (x * x + y * y);
-        Rotations.multiply(turn, 0, from, 3, rotation, 0);
-        Rotations.orthonormalise(rotation, 0);
-        if (from != to) {
-            System.arraycopy(from, 0, to, 0, Pose.PLACE);
-        }
-        Attitude.orient(to, 3, rotation);
-    }
-
     private boolean isMade(Rigid body, double[] d, double[] angle, double turned, double share) {
-        turn(body.place, angle, share, place);
+        turner.turn(body.place, angle, share, place);
         for (int axis = 0; axis < 3; axis++) {
             place[axis] = body.place[axis] + share * d[axis];
             place[Pose.LOST + axis] = 0;
         }
         near.leaf(body, body.place, before);
         near.leaf(body, place, after);
-        double part = turned * share;
+        part = turned * share;
         double sagitta = body.reach * part * part / 8 * (1 + 1e-9);
         double moved = (Rigid.length(d, 0) + body.reach * turned) * share;
-        if (!isFree(sagitta, moved) && !isFreeAbove(sagitta)) {
+        displaced = Rigid.length(d, 0) * share;
+        reach = body.reach;
+        if (!isFree(sagitta, moved) && !isFreeAbove()) {
             return false;
         }
         if (!placer.isFree(body.id, place)) {
@@ -178,11 +180,17 @@ final class Way {
         up[1] = 0;
         up[2] = 0;
         for (int k = 0; k < near.count; k++) {
+            isTurning[k] = false;
+            needs[k] = sagitta;
+            turning = 0;
             if (!isPast(k, sagitta, moved)) {
-                if (!(room > -2 * sagitta - 2 * GAP)) {
+                if (turning > 0 || !(room > -2 * sagitta - 2 * GAP)) {
                     // Along the direction that is known, the most that may be free.
                     double share = (begins[k] - 2 * sagitta - GAP) / (begins[k] - ends[k]);
-                    hope = room == Double.NEGATIVE_INFINITY ? 0.25 : Math.max(0x1p-6, Math.min(0.9, share));
+                    share = turning > 0 ? 0.9 * Math.sqrt(turning) : share;
+                    hope = room == Double.NEGATIVE_INFINITY && turning == 0
+                            ? 0.25
+                            : Math.max(0x1p-6, Math.min(0.9, share));
                     up[0] = 0;
                     up[1] = 0;
                     up[2] = 0;
@@ -201,7 +209,7 @@ final class Way {
      * Whether the way is free if the body is lifted before it and let down after it; what is let down a little less, so that it
      * does not touch, is where it then comes to.
      */
-    private boolean isFreeAbove(double sagitta) {
+    private boolean isFreeAbove() {
         double size = Rigid.length(up, 0);
         if (size < 0.1) {
             return false;
@@ -210,19 +218,21 @@ final class Way {
             up[axis] /= size;
         }
         double lift = 0;
+        double most = 0;
         for (int k = 0; k < near.count; k++) {
-            if (isNear[k] && rooms[k] <= sagitta) {
+            if (isNear[k] && rooms[k] <= needs[k]) {
                 double steep = steep(k);
                 if (steep < 0.2) {
                     return false;
                 }
-                lift = Math.max(lift, (1.5 * sagitta + GAP - rooms[k]) / steep);
+                most = Math.max(most, needs[k]);
+                lift = Math.max(lift, (1.5 * needs[k] + GAP - rooms[k]) / steep);
                 if (ends[k] < GAP / 2) {
                     stay = Math.max(stay, (GAP - ends[k]) / steep);
                 }
             }
         }
-        if (stay > 2 * sagitta + 4 * GAP) {
+        if (stay > 2 * most + 4 * GAP) {
             return false;
         }
         for (int k = 0; k < near.count; k++) {
@@ -230,7 +240,7 @@ final class Way {
                 double rise = steep(k) * (1 - 1e-9);
                 // The bounds are lower ones, and rounding of what is added is far below the room that is asked for.
                 boolean stands = begins[k] > 0 && ends[k] + stay * rise > GAP / 8;
-                if (!stands || rooms[k] + lift * rise <= sagitta + GAP / 8) {
+                if (!stands || rooms[k] + lift * rise <= needs[k] + GAP / 8) {
                     return false;
                 }
             }
@@ -242,7 +252,11 @@ final class Way {
     }
 
     private double steep(int k) {
-        return near.direction[3 * k] * up[0] + near.direction[3 * k + 1] * up[1] + near.direction[3 * k + 2] * up[2];
+        return isTurning[k] ? Math.min(steep(first, k), steep(second, k)) : steep(near.direction, k);
+    }
+
+    private double steep(double[] n, int k) {
+        return n[3 * k] * up[0] + n[3 * k + 1] * up[1] + n[3 * k + 2] * up[2];
     }
 
     /**
@@ -270,6 +284,9 @@ final class Way {
             near.apart[k] = meeting.apart + passed;
             near.most[k] = meeting.most;
             adopt(k);
+            first[3 * k] = meeting.nx;
+            first[3 * k + 1] = meeting.ny;
+            first[3 * k + 2] = meeting.nz;
             isNear[k] = meeting.apart <= moved;
             if (!isNear[k] || room > sagitta) {
                 return true;
@@ -278,8 +295,35 @@ final class Way {
         // No direction separates them by more than they are apart.
         if (near.most[k] > sagitta && meets(after, k)) {
             adopt(k);
+            if (room <= sagitta) {
+                return isPastTurning(k);
+            }
         }
         return room > sagitta;
+    }
+
+    /** Whether a direction that turns from the one before to the one after does; else {@link #turning} tells by how much. */
+    private boolean isPastTurning(int k) {
+        int n = 3 * k;
+        second[n] = meeting.nx;
+        second[n + 1] = meeting.ny;
+        second[n + 2] = meeting.nz;
+        double x = second[n] - first[n];
+        double y = second[n + 1] - first[n + 1];
+        double z = second[n + 2] - first[n + 2];
+        double change = Math.sqrt(x * x + y * y + z * z);
+        double need = (change * displaced / 4 + reach * part * (part + 2 * change) / 8) * (1 + 1e-9);
+        double begin = along(before, k, first);
+        double end = along(after, k, second);
+        double least = Math.min(begin, end);
+        if (least > need) {
+            isTurning[k] = true;
+            needs[k] = need;
+            take(k, begin, end);
+            return true;
+        }
+        turning = least > 0 ? least / need : 0;
+        return false;
     }
 
     private void take(int k, double begin, double end) {
@@ -311,19 +355,18 @@ final class Way {
     }
 
     private double begin(int k) {
-        return along(before, k);
+        return along(before, k, near.direction);
     }
 
     private double end(int k) {
-        return along(after, k);
+        return along(after, k, near.direction);
     }
 
     private boolean meets(LeafColumn leaf, int k) {
         return meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE);
     }
 
-    private double along(LeafColumn leaf, int k) {
-        double[] n = near.direction;
+    private double along(LeafColumn leaf, int k, double[] n) {
         return meeting.along(
                 leaf.kind(0),
                 leaf.rows(),

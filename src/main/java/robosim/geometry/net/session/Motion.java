@@ -21,6 +21,7 @@ import robosim.geometry.dynamics.Surface;
 import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Bounds;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.StepBundle;
@@ -45,6 +46,9 @@ public final class Motion {
     private final Geometry world;
     private final Dynamics dynamics;
 
+    /** What has no surface of its own where heights count: the floors that bodies stand and drive on are objects there. */
+    private static final Surface FLOOR = new Surface(0, BodyRequest.FLOOR_FRICTION, BodyRequest.FLOOR_FRICTION);
+
     /** The bodies in the order in which they became such, and what drives each. */
     private final Set<String> bodies = new LinkedHashSet<>();
 
@@ -65,7 +69,7 @@ public final class Motion {
     public Motion(Geometry world, Runnable breath) {
         this.world = world;
         this.breath = breath;
-        this.dynamics = new Dynamics(world, Surface.SMOOTH);
+        this.dynamics = new Dynamics(world, world.dimension() == Dimension.SPATIAL ? FLOOR : Surface.SMOOTH);
         dynamics.pausing(breath);
     }
 

@@ -18,7 +18,8 @@ import robosim.geometry.exact.Checks;
  * @param turnDamping the same of the speed of turning
  * @param maxSpeed    m/s; infinite for no limit
  * @param maxTurn     <b>radians</b> a second; infinite for no limit
- * @param floorFriction sliding friction on the floor of a planar world, which slows what nothing drives; 0 for what rolls
+ * @param floorFriction sliding friction on the floor of a planar world, which slows what nothing drives; 0 for what rolls. In a
+ *                    spatial world its own friction with what is below it, unless that of its surface is more
  * @param drive       what drives it; null for what it had, at first nothing: it is pushed, and rolls out
  * @param velocity    its velocity; null for what it had, at first none
  */

@@ -11,7 +11,8 @@ import robosim.geometry.exact.Checks;
  * @param mass          kg; 0 for what its shape weighs at 200 kg/m<sup>3</sup>, about the density of a small robot
  * @param inertia       kg m<sup>2</sup> about the vertical; 0 for that of a solid of its shape, or of the box around it
  * @param surface       how it bounces and rubs
- * @param floorFriction sliding friction on the floor of a planar world; 0 for what rolls
+ * @param floorFriction sliding friction on the floor of a planar world; 0 for what rolls. In a spatial world its own friction
+ *                      with what is below it, unless that of its surface is more
  * @param damping       by how much the speed falls, as a share of it each second
  * @param turnDamping   the same of the speed of turning
  * @param maxSpeed      m/s; infinite for no limit

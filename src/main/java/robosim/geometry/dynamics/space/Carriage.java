@@ -1,0 +1,215 @@
+package robosim.geometry.dynamics.space;
+
+import java.util.List;
+import robosim.geometry.dynamics.step.Surfaces;
+import robosim.geometry.engine.objects.ObjectTable;
+
+/** Carries bodies through a slice of time, from collision to collision. */
+final class Carriage {
+    /** Most collisions of a body in a slice. */
+    private static final int MOST_EVENTS = 8;
+
+    /** So often one after the other a body may get no farther than by such a share of what is left. */
+    private static final int MOST_IDLE = 3;
+
+    private static final double LITTLE = 0x1p-7;
+
+    /** So many bodies in a row make way for each other. */
+    private static final int MOST_AHEAD = 64;
+
+    private final List<Rigid> bodies;
+    private final double[] gravity;
+    private final Way way;
+    private final Turning turning = new Turning();
+    private final Gathering gathering;
+    private final Impulses impulses;
+    private final Contacts contacts;
+    private final Runnable tell;
+    private final double[] d = new double[3];
+    private final double[] angle = new double[3];
+    private final double[] middle = new double[ObjectTable.PLACE];
+    private final double[] spare = new double[6];
+
+    /**
+     * For some bodies.
+     *
+     * @param tell runs after each collision, when its contacts and impulses are known
+     */
+    Carriage(
+            List<Rigid> bodies,
+            double[] gravity,
+            Way way,
+            Gathering gathering,
+            Impulses impulses,
+            Contacts contacts,
+            Runnable tell) {
+        this.bodies = bodies;
+        this.gravity = gravity;
+        this.way = way;
+        this.gathering = gathering;
+        this.impulses = impulses;
+        this.contacts = contacts;
+        this.tell = tell;
+    }
+
+    /** Lets gravity act on a body: the velocity at the end of a time. */
+    void fall(Rigid body, double seconds) {
+        if (body.isAsleep) {
+            return;
+        }
+        System.arraycopy(body.v, 0, body.u, 0, 6);
+        for (int axis = 0; axis < 3; axis++) {
+            body.u[axis] += gravity[axis] * seconds;
+        }
+    }
+
+    /** Lets a slice begin, in which no body has been carried yet. */
+    void begin() {
+        for (int b = 0; b < bodies.size(); b++) {
+            bodies.get(b).isCarried = bodies.get(b).isAsleep;
+        }
+    }
+
+    /** Carries a body through a slice unless that has been done. */
+    void carry(int b, double seconds, Surfaces surfaces) {
+        if (!bodies.get(b).isCarried) {
+            carry(b, seconds, surfaces, 0);
+        }
+    }
+
+    /** Carries a body from collision to collision; what is in its way and has not been carried yet goes first. */
+    private void carry(int b, double seconds, Surfaces surfaces, int depth) {
+        Rigid body = bodies.get(b);
+        body.isCarried = true;
+        double rest = seconds;
+        int idle = 0;
+        for (int event = 0; event < MOST_EVENTS && idle < MOST_IDLE; event++) {
+            for (int axis = 0; axis < 3; axis++) {
+                d[axis] = 0.5 * (body.v[axis] + body.u[axis]) * rest;
+            }
+            spin(body, rest);
+            System.arraycopy(body.place, 0, middle, 0, body.place.length);
+            double share = way.go(body, d, angle);
+            if (!body.isBall) {
+                body.keepMomentum(middle, body.u, body.place, spare, 3);
+                System.arraycopy(spare, 3, body.u, 3, 3);
+                body.turnInertia();
+            }
+            if (share >= 1) {
+                System.arraycopy(body.u, 0, body.v, 0, 6);
+                return;
+            }
+            idle = share > LITTLE ? 0 : idle + 1;
+            double time = time(body, share, rest);
+            for (int k = 0; k < 6; k++) {
+                body.v[k] += (body.u[k] - body.v[k]) * (time / rest);
+            }
+            body.lastWork *= 1 - time / rest;
+            rest -= time;
+            if (!(rest > 0)) {
+                System.arraycopy(body.v, 0, body.u, 0, 6);
+                return;
+            }
+            boolean hasGone = false;
+            for (int ahead = ahead(b, depth); ahead >= 0; ahead = ahead(b, depth)) {
+                carry(ahead, seconds, surfaces, depth + 1);
+                hasGone = true;
+            }
+            if (!hasGone) {
+                hit(b, rest, surfaces);
+            }
+        }
+        body.isStopped = true;
+        for (int k = 0; k < 6; k++) {
+            body.v[k] = 0.5 * body.u[k];
+            body.u[k] = body.v[k];
+        }
+    }
+
+    /** A body that is in the way of another one and has not been carried yet; -1 for none. */
+    private int ahead(int b, int depth) {
+        if (depth == MOST_AHEAD) {
+            return -1;
+        }
+        contacts.clear();
+        gathering.gather(b, true);
+        for (int k = 0; k < contacts.count; k++) {
+            int other = contacts.other[k];
+            if (other >= 0 && !bodies.get(other).isCarried && !bodies.get(other).isAsleep) {
+                return other;
+            }
+        }
+        return -1;
+    }
+
+    /** The angle by which a body turns in a time: of one that turns freely, with the velocity halfway (midpoint method). */
+    private void spin(Rigid body, double seconds) {
+        for (int axis = 0; axis < 3; axis++) {
+            angle[axis] = 0.5 * (body.v[3 + axis] + body.u[3 + axis]) * seconds;
+        }
+        if (body.isBall || body.isTouching) {
+            return;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            angle[axis] *= 0.5;
+        }
+        turning.turn(body.place, angle, 1, middle);
+        body.keepMomentum(body.place, body.u, middle, spare, 3);
+        for (int axis = 0; axis < 3; axis++) {
+            angle[axis] = spare[3 + axis] * seconds;
+        }
+    }
+
+    /** When a share of the way was made that begins with one velocity and ends with another one. */
+    private double time(Rigid body, double share, double rest) {
+        double way = Rigid.length(d, 0);
+        if (way == 0) {
+            return share * rest;
+        }
+        double begins = (body.v[0] * d[0] + body.v[1] * d[1] + body.v[2] * d[2]) / way;
+        double ends = (body.u[0] * d[0] + body.u[1] * d[1] + body.u[2] * d[2]) / way;
+        double gains = (ends - begins) / rest;
+        double made = share * way;
+        double root = begins * begins + 2 * gains * made;
+        double sum = begins + Math.sqrt(Math.max(0, root));
+        double time = root > 0 && sum > 0 ? 2 * made / sum : share * rest;
+        return Math.max(0, Math.min(rest, time));
+    }
+
+    /** Resolves the collision of a body that has met something on its way. */
+    private void hit(int b, double rest, Surfaces surfaces) {
+        Rigid body = bodies.get(b);
+        body.work -= body.lastWork;
+        body.lastWork = 0;
+        contacts.clear();
+        gathering.gather(b, true);
+        for (int k = 0; k < contacts.count; k++) {
+            remember(contacts.other[k]);
+        }
+        impulses.solve(contacts, b, false, rest, Way.GAP, surfaces);
+        for (int k = 0; k < contacts.count; k++) {
+            pass(contacts.other[k]);
+        }
+        fall(body, rest);
+        impulses.solve(contacts, b, true, rest, Way.GAP, surfaces);
+        tell.run();
+    }
+
+    private void remember(int other) {
+        if (other >= 0) {
+            Rigid body = bodies.get(other);
+            System.arraycopy(body.v, 0, body.known, 0, 6);
+        }
+    }
+
+    /** What another body was given now, it has at the end of the slice too; once. */
+    private void pass(int other) {
+        if (other >= 0) {
+            Rigid body = bodies.get(other);
+            for (int k = 0; k < 6; k++) {
+                body.u[k] += body.v[k] - body.known[k];
+                body.known[k] = body.v[k];
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package robosim.geometry.dynamics.space;
+
+import java.util.Arrays;
+import java.util.List;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/** Finds where bodies touch. */
+final class Gathering {
+    /** Contacts are looked for within so many metres. */
+    private static final double TOUCH = 1e-4;
+
+    /** What rises above a plane by less than so many metres is flush with it. */
+    private static final double FLUSH = 1e-7;
+
+    private final List<Rigid> bodies;
+    private final Ledger ledger;
+    private final Nearby near;
+    private final Contacts contacts;
+    private final Meeting meeting = new Meeting();
+    private final LeafColumn leaf = new LeafColumn(1);
+    private int[] bodyOf = new int[0];
+
+    Gathering(List<Rigid> bodies, Ledger ledger, Nearby near, Contacts contacts) {
+        this.bodies = bodies;
+        this.ledger = ledger;
+        this.near = near;
+        this.contacts = contacts;
+    }
+
+    /** Forgets which objects are bodies; ids are below a limit. */
+    void clear(int limit) {
+        if (bodyOf.length < limit) {
+            bodyOf = new int[limit + 16];
+        }
+        Arrays.fill(bodyOf, -1);
+    }
+
+    void add(int object, int body) {
+        bodyOf[object] = body;
+    }
+
+    private int bodyOf(int object) {
+        return object < 0 || object >= bodyOf.length ? -1 : bodyOf[object];
+    }
+
+    /** Finds the contacts of a body; those with other bodies that will find them too only if asked. */
+    void gather(int b, boolean all) {
+        Rigid body = bodies.get(b);
+        near.find(body, 0, 0, 0, body.reach + TOUCH);
+        near.leaf(body, body.place, leaf);
+        int from = contacts.count;
+        for (int k = 0; k < near.count; k++) {
+            int other = bodyOf(near.object[k]);
+            if (other >= 0 && !all && other < b && !bodies.get(other).isAsleep) {
+                continue;
+            }
+            int at = k * Leaf.STRIDE;
+            if (meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, at) && meeting.apart <= TOUCH) {
+                body.isTouching = true;
+                if (other >= 0) {
+                    ledger.join(b, other);
+                }
+                int added = contacts.count;
+                meeting.points(
+                        leaf.kind(0),
+                        leaf.rows(),
+                        0,
+                        near.kind[k],
+                        near.rows,
+                        at,
+                        b,
+                        other,
+                        near.object[k],
+                        TOUCH,
+                        contacts);
+                Arrays.fill(contacts.piece, added, contacts.count, k);
+            }
+        }
+        dropInnerEdges(from);
+    }
+
+    /**
+     * Takes out, from one contact on, those on an inner edge of a surface: where a piece that does not rise above the plane of
+     * a nearer contact is met, the body is on that plane, and the edge is none.
+     */
+    private void dropInnerEdges(int from) {
+        int kept = from;
+        for (int k = from; k < contacts.count; k++) {
+            if (!isOnInnerEdge(from, k)) {
+                contacts.copy(k, kept++);
+            }
+        }
+        contacts.count = kept;
+    }
+
+    private boolean isOnInnerEdge(int from, int k) {
+        double[] normal = contacts.normal;
+        for (int m = from; m < contacts.count; m++) {
+            if (m == k || contacts.other[m] != contacts.other[k] || contacts.apart[m] > contacts.apart[k]) {
+                continue;
+            }
+            int a = 3 * m;
+            int b = 3 * k;
+            double same = normal[a] * normal[b] + normal[a + 1] * normal[b + 1] + normal[a + 2] * normal[b + 2];
+            if (same > 1 - 1e-9 || same < 0.5) {
+                continue; // one plane, or a corner that is sharp indeed
+            }
+            // Points lie midway, so the obstacle's own is half of the gap further back.
+            double back = 0.5 * contacts.apart[m];
+            int piece = contacts.piece[k];
+            double high =
+                    meeting.height(near.kind[piece], near.rows, piece * Leaf.STRIDE, contacts.point, normal, a) + back;
+            if (high < FLUSH) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
