@@ -3,6 +3,7 @@ package robosim.geometry.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -11,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
@@ -43,42 +45,69 @@ class DemoTest {
             </world>
             """;
 
+    /** An auditor that doubts everything, and takes no time. */
+    private static final String DOUBTING = """
+            class ConversationAudit {
+                public static void main(String[] a) {
+                    System.out.println("1 FAULTS");
+                    System.exit(1);
+                }
+            }
+            """;
+
+    /** What one run leaves, for all tests that only read it. */
+    @TempDir
+    static Path recorded;
+
+    private static int code;
+    private static String said;
+    private static String complained;
+
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
+
+    @BeforeAll
+    static void record() throws Exception {
+        DemoTest run = new DemoTest();
+        code = run.demo(recorded);
+        said = run.out.toString();
+        complained = run.err.toString();
+    }
 
     private int demo(Path folder, String... more) throws Exception {
         Path world = folder.resolve("small.xml");
         Files.writeString(world, WORLD);
-        String[] arguments = new String[7 + more.length];
+        String[] arguments = new String[9 + more.length];
         System.arraycopy(
-                new String[] {"demo", "--world", world.toString(), "--steps", "200", "-o", folder.toString()},
+                new String[] {
+                    "demo", "--world", world.toString(), "--steps", "200", "--speed", "0.1", "-o", folder.toString()
+                },
                 0,
                 arguments,
                 0,
-                7);
-        System.arraycopy(more, 0, arguments, 7, more.length);
+                9);
+        System.arraycopy(more, 0, arguments, 9, more.length);
         return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
     }
 
     @Test
-    void twoHundredStepsOnASmallWorldAreAllRight(@TempDir Path folder) throws Exception {
-        int code = demo(folder, "--speed", "0.1");
-        assertThat(err.toString()).isEmpty();
-        assertThat(out.toString()).contains("nothing is wrong", "200 steps of 2 robots");
+    void twoHundredStepsOnASmallWorldAreAllRight() throws Exception {
+        assertThat(complained).isEmpty();
+        assertThat(said).contains("nothing is wrong", "200 steps of 2 robots");
         assertThat(code).isZero();
-        assertThat(folder.resolve("world.svg")).content().contains("drum", "refusal", "ping", "scale-bar");
-        assertThat(folder.resolve("world.png")).isNotEmptyFile();
-        assertThat(Files.readString(folder.resolve("summary.txt"))).contains("400 asked", "2,613 answered");
-        Properties audit = properties(folder.resolve("audit.properties"));
+        assertThat(recorded.resolve("world.svg")).content().contains("drum", "refusal", "ping", "scale-bar");
+        assertThat(recorded.resolve("world.png")).isNotEmptyFile();
+        assertThat(Files.readString(recorded.resolve("summary.txt"))).contains("400 asked", "2,613 answered");
+        Properties audit = properties(recorded.resolve("audit.properties"));
         assertThat(audit).containsEntry("faults", "0").containsEntry("moves.asked", "400");
         // A walk that meets nothing, or goes nowhere, would prove nothing.
         assertThat(Integer.parseInt(audit.getProperty("moves.refused"))).isBetween(1, 200);
         assertThat(Double.parseDouble(audit.getProperty("distances.largest.error")))
                 .isLessThan(1e-9);
         assertThat(Integer.parseInt(
-                        properties(folder.resolve("environment.properties")).getProperty("echoes")))
+                        properties(recorded.resolve("environment.properties")).getProperty("echoes")))
                 .isBetween(500, 2612);
-        assertThat(Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), "replay", folder.toString()))
+        assertThat(Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), "replay", recorded.toString()))
                 .isZero();
         assertThat(out.toString()).contains("1 scenario, 402 steps, 3,013 moves and distances: all the same");
     }
@@ -127,36 +156,34 @@ class DemoTest {
         return new StepBundle.Answer(bodies, answer.contacts(), answer.stopped());
     }
 
-    @Test
-    void theSameSeedMakesTheSameConversationWhoeverDials(@TempDir Path first, @TempDir Path second, @TempDir Path third)
-            throws Exception {
-        assertThat(demo(first)).isZero();
-        assertThat(demo(second, "--dial")).isZero();
-        assertThat(demo(third, "--seed", "2")).isZero();
-        for (String file : new String[] {"to-module.bin", "from-module.bin"}) {
-            assertThat(first.resolve(file)).hasSameBinaryContentAs(second.resolve(file));
-            assertThat(Files.mismatch(first.resolve(file), third.resolve(file))).isNotNegative();
-        }
-        assertThat(first.resolve("world.svg")).hasSameTextualContentAs(second.resolve("world.svg"));
+    /** The programs with the auditor that doubts, in a folder. */
+    private static String doubting(Path folder) throws IOException {
+        Path programs = Files.createDirectories(folder.resolve("programs"));
+        Files.copy(Examples.FOLDER.resolve("ReferenceEnvironment.java"), programs.resolve("ReferenceEnvironment.java"));
+        Files.writeString(programs.resolve("ConversationAudit.java"), DOUBTING);
+        return programs.toString();
     }
 
     @Test
-    void failsWhereTheAuditFindsAnything(@TempDir Path folder) throws Exception {
-        Path examples = Files.createDirectories(folder.resolve("programs"));
-        Files.copy(Examples.FOLDER.resolve("ReferenceEnvironment.java"), examples.resolve("ReferenceEnvironment.java"));
-        // An auditor that doubts everything.
-        Files.writeString(
-                examples.resolve("ConversationAudit.java"),
-                "class ConversationAudit { public static void main(String[] a) {"
-                        + " System.out.println(\"1 FAULTS\"); System.exit(1); } }");
-        assertThat(demo(folder, "--examples", examples.toString())).isEqualTo(ExitCodes.FINDINGS);
-        assertThat(Files.readString(folder.resolve("summary.txt"))).contains("1 FAULTS");
-        assertThat(Files.readString(folder.resolve("world.svg"))).contains("the audit found something wrong");
+    void theSeedMakesTheConversationWhoeverDialsAndFaultsFail(@TempDir Path dialled, @TempDir Path other)
+            throws Exception {
+        assertThat(demo(dialled, "--dial")).isZero();
+        assertThat(demo(other, "--seed", "2", "--examples", doubting(other))).isEqualTo(ExitCodes.FINDINGS);
+        for (String file : new String[] {"to-module.bin", "from-module.bin"}) {
+            assertThat(recorded.resolve(file)).hasSameBinaryContentAs(dialled.resolve(file));
+            assertThat(Files.mismatch(recorded.resolve(file), other.resolve(file)))
+                    .isNotNegative();
+        }
+        assertThat(recorded.resolve("world.svg")).hasSameTextualContentAs(dialled.resolve("world.svg"));
+        assertThat(Files.readString(other.resolve("summary.txt"))).contains("1 FAULTS");
+        assertThat(Files.readString(other.resolve("world.svg"))).contains("the audit found something wrong");
     }
 
     @Test
     void aTamperedRecordingIsFoundOut(@TempDir Path folder, @TempDir Path compiled) throws Exception {
-        assertThat(demo(folder)).isZero();
+        for (String file : new String[] {"small.xml", "to-module.bin", "from-module.bin"}) {
+            Files.copy(recorded.resolve(file), folder.resolve(file));
+        }
         Path source = Examples.FOLDER.resolve("ConversationAudit.java");
         assertThat(Examples.compile(List.of(source), compiled)).isEmpty();
         assertThat(Examples.audit(folder, compiled)).contains("nothing is wrong");

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.model.Accuracy;
@@ -71,7 +72,7 @@ class AgainstReferenceTest {
     @EnumSource(Dimension.class)
     void pairsAtRandom(Dimension dimension) {
         RandomObjects objects = new RandomObjects(new SplittableRandom(11), 1.2);
-        int count = 1000;
+        int count = Effort.cases(1000);
         int hits = 0;
         for (int k = 0; k < count; k++) {
             hits += check(objects.plain(), objects.plain(), dimension) ? 1 : 0;
@@ -85,7 +86,7 @@ class AgainstReferenceTest {
     void pairsWithinUlpsOfContact(Dimension dimension) {
         RandomObjects objects = new RandomObjects(new SplittableRandom(12), 0.6);
         int met = 0;
-        int count = 100;
+        int count = Effort.cases(100, 40);
         for (int k = 0; k < count; k++) {
             GeometryObject a = objects.plain();
             GeometryObject b = objects.plain();
@@ -190,7 +191,7 @@ class AgainstReferenceTest {
         SplittableRandom random = new SplittableRandom(13);
         RandomObjects objects = new RandomObjects(random, 1);
         RandomObjects starts = new RandomObjects(random, 4);
-        int count = 2000;
+        int count = Effort.cases(2000);
         int hits = 0;
         for (int k = 0; k < count; k++) {
             GeometryObject object = objects.plain();

@@ -38,7 +38,7 @@ class CapsuleMovesTest {
         RandomObjects objects = new RandomObjects(random, 3);
         int met = 0;
         int free = 0;
-        int count = Effort.cases(20, 14);
+        int count = Effort.cases(20, dimension == Dimension.PLANAR ? 14 : 8);
         for (int k = 0; k < count; k++) {
             GeometryObject still = objects.plain();
             if (still.kind() == GeometryObject.Kind.GROUP || still.kind() == GeometryObject.Kind.CYLINDER) {

@@ -167,7 +167,7 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int hits = 0;
         int misses = 0;
-        int steps = 900;
+        int steps = Effort.cases(900);
         for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             if (step % 3 != 0) {
@@ -188,9 +188,9 @@ public class QuadTreeTest {
                 }
             }
         }
-        assertThat(hits).isGreaterThan(50);
+        assertThat(hits).isGreaterThan(Effort.cases(50));
         boolean isCrowd = scene == Scene.ONE_PLACE || scene == Scene.ONE_CORNER;
-        assertThat(misses).as("left out").isGreaterThan(isCrowd ? 0 : 50);
+        assertThat(misses).as("left out").isGreaterThan(isCrowd ? 0 : Effort.cases(50));
     }
 
     @ParameterizedTest
@@ -202,7 +202,7 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int inside = 0;
         int near = 0;
-        int steps = 900;
+        int steps = Effort.cases(900);
         for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
@@ -228,7 +228,7 @@ public class QuadTreeTest {
                 }
             }
         }
-        assertThat(near).isGreaterThan(100);
+        assertThat(near).isGreaterThan(Effort.cases(100));
         assertThat(inside).isPositive();
     }
 
@@ -242,7 +242,7 @@ public class QuadTreeTest {
         QuadCursor cursor = tree.cursor();
         int met = 0;
         int passedBy = 0;
-        int steps = 900;
+        int steps = Effort.cases(900);
         for (int step = 0; step < steps; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
@@ -268,8 +268,8 @@ public class QuadTreeTest {
                 }
             }
         }
-        assertThat(met).isGreaterThan(100);
-        assertThat(passedBy).isGreaterThan(100);
+        assertThat(met).isGreaterThan(Effort.cases(100));
+        assertThat(passedBy).isGreaterThan(Effort.cases(100));
     }
 
     /** Whether a corner of a box, or a middle, is certainly in a sector within a limit. */

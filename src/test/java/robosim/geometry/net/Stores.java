@@ -3,7 +3,11 @@ package robosim.geometry.net;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,7 +18,7 @@ final class Stores {
     private final Path folder;
 
     /** A module and an environment that trust each other, and a stranger who trusts the module. */
-    Stores(Path folder) throws IOException, InterruptedException {
+    Stores(Path folder) throws IOException, InterruptedException, GeneralSecurityException {
         this.folder = folder;
         for (String who : List.of("module", "environment", "stranger")) {
             keytool(
@@ -32,28 +36,22 @@ final class Stores {
                     "CN=" + who,
                     "-ext",
                     "SAN=ip:127.0.0.1,dns:localhost");
-            keytool(
-                    who + ".p12",
-                    "-exportcert",
-                    "-alias",
-                    who,
-                    "-file",
-                    folder.resolve(who + ".cer").toString());
         }
         trust("module", "environment");
         trust("environment", "module");
         trust("stranger", "module");
     }
 
-    private void trust(String who, String whom) throws IOException, InterruptedException {
-        keytool(
-                who + "-trusts.p12",
-                "-importcert",
-                "-noprompt",
-                "-alias",
+    private void trust(String who, String whom) throws IOException, GeneralSecurityException {
+        char[] password = PASSWORD.toCharArray();
+        KeyStore trusts = KeyStore.getInstance("PKCS12");
+        trusts.load(null, password);
+        trusts.setCertificateEntry(
                 whom,
-                "-file",
-                folder.resolve(whom + ".cer").toString());
+                KeyStore.getInstance(path(whom + ".p12").toFile(), password).getCertificate(whom));
+        try (OutputStream out = Files.newOutputStream(path(who + "-trusts.p12"))) {
+            trusts.store(out, password);
+        }
     }
 
     private void keytool(String store, String... arguments) throws IOException, InterruptedException {
@@ -61,6 +59,8 @@ final class Stores {
         command.add(Path.of(System.getProperty("java.home"), "bin", "keytool").toString());
         command.addAll(List.of(arguments));
         command.addAll(List.of(
+                "-J-XX:TieredStopAtLevel=1",
+                "-J-XX:+UseSerialGC",
                 "-storetype",
                 "PKCS12",
                 "-storepass",

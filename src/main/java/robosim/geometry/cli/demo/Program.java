@@ -35,6 +35,8 @@ public final class Program implements AutoCloseable {
     static Program start(List<String> program, boolean watched, List<String> arguments) throws IOException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        // It runs for seconds, most of them to compile the program: the JVM's second compiler takes more than it saves.
+        command.add("-XX:TieredStopAtLevel=1");
         command.add("-Dstdout.encoding=UTF-8");
         command.add("-Dfile.encoding=UTF-8");
         command.add("-cp");

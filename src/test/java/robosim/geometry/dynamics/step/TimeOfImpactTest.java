@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 
 /** When two meet, against a walk through many times; also where they touch at first and another corner comes down later. */
 class TimeOfImpactTest {
@@ -37,7 +38,7 @@ class TimeOfImpactTest {
         SplittableRandom random = new SplittableRandom(7);
         int met = 0;
         int never = 0;
-        for (int k = 0; k < 20000; k++) {
+        for (int k = 0; k < Effort.cases(20_000); k++) {
             double angle = random.nextInt(3) == 0 ? 0 : random.nextDouble(-3e-3, 3e-3);
             pieces.turn(0, Math.cos(angle), Math.sin(angle));
             bodies.x[0] = random.nextDouble(-4, 4);
@@ -66,8 +67,8 @@ class TimeOfImpactTest {
             met += time < 0.05 ? 1 : 0;
             never += time < 0.05 ? 0 : 1;
         }
-        assertThat(met).isGreaterThan(300);
-        assertThat(never).isGreaterThan(300);
+        assertThat(met).isGreaterThan(Effort.cases(300));
+        assertThat(never).isGreaterThan(Effort.cases(300));
     }
 
     /**

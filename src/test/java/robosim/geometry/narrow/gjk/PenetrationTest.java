@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Rows;
@@ -31,7 +32,7 @@ class PenetrationTest {
         LeafKind[] kinds = Leaves.KINDS;
         int deep = 0;
         int closed = 0;
-        for (int n = 0; n < 1080; n++) {
+        for (int n = 0; n < Effort.cases(1080); n++) {
             LeafKind kind = kinds[n % kinds.length];
             double[] a = Rows.random(first, random, 0.7);
             double[] b = Rows.random(kind, random, 0.7);
@@ -51,7 +52,7 @@ class PenetrationTest {
             closed += told.subtract(new BigDecimal(proven)).compareTo(share) <= 0 ? 1 : 0;
             assertThat(penetration.spatial(kind, b, 0, first, a, 0)).as(pair).isEqualTo(depth);
         }
-        assertThat(deep).isGreaterThan(400);
+        assertThat(deep).isGreaterThan(Effort.cases(400));
         assertThat(closed).isGreaterThan(deep * 99 / 100);
     }
 
@@ -60,7 +61,7 @@ class PenetrationTest {
     void inThePlaneToo(LeafKind first) {
         SplittableRandom random = new SplittableRandom(62);
         int deep = 0;
-        for (int n = 0; n < 720; n++) {
+        for (int n = 0; n < Effort.cases(720); n++) {
             LeafKind kind = Leaves.KINDS[n % Leaves.KINDS.length];
             double[] a = Rows.random(first, random, 0.7);
             double[] b = Rows.random(kind, random, 0.7);
@@ -81,7 +82,7 @@ class PenetrationTest {
             assertThat(penetration.proven()).as(pair).isBetween(depth - 1e-9, sampled);
             assertThat(depth).as(pair).isBetween(sampled - 1e-2, sampled + 1e-12);
         }
-        assertThat(deep).isGreaterThan(200);
+        assertThat(deep).isGreaterThan(Effort.cases(200));
     }
 
     /** Of two rings of directions that nearly tie the depth told is still no more than the least. */

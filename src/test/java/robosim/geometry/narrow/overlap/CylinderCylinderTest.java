@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Rows;
@@ -27,7 +28,7 @@ class CylinderCylinderTest {
         int touching = 0;
         int doubtful = 0;
         int close = 0;
-        for (int n = 0; n < 2000; n++) {
+        for (int n = 0; n < Effort.cases(2000); n++) {
             double scale = Math.scalb(1.0, n % 5 == 0 ? random.nextInt(-40, 41) : 0);
             double[] direction = new double[3];
             LeafKind kindA = n % 3 == 0 ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER;
@@ -78,9 +79,9 @@ class CylinderCylinderTest {
             }
             close += Math.abs(width) < bound ? 1 : 0;
         }
-        assertThat(apart).isGreaterThan(700);
-        assertThat(touching).isGreaterThan(400);
-        assertThat(close).isGreaterThan(300);
+        assertThat(apart).isGreaterThan(Effort.cases(700));
+        assertThat(touching).isGreaterThan(Effort.cases(400));
+        assertThat(close).isGreaterThan(Effort.cases(300));
         assertThat(doubtful).isBetween(1, close / 2);
     }
 
@@ -89,7 +90,7 @@ class CylinderCylinderTest {
     void distancesAreHardlyBelowTheTruth() {
         SplittableRandom random = new SplittableRandom(103);
         double worst = 0;
-        for (int n = 0; n < 1500; n++) {
+        for (int n = 0; n < Effort.cases(1500); n++) {
             double[] direction = new double[3];
             LeafKind kindA = n % 3 == 0 ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER;
             double[] a = cylinder(random, 1);
@@ -253,7 +254,7 @@ class CylinderCylinderTest {
     void parallelCylindersAreExactToTheLastBit() {
         SplittableRandom random = new SplittableRandom(104);
         int touching = 0;
-        int count = 20000;
+        int count = Effort.cases(20_000);
         for (int n = 0; n < count; n++) {
             double[] a = cylinder(random, 1);
             double[] b = cylinder(random, 1);

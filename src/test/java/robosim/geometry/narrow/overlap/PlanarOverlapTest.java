@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
@@ -184,7 +185,7 @@ public class PlanarOverlapTest {
     void skewedBoxesAreTheParallelogramsThatTheyAre() {
         PlanarRows rows = new PlanarRows(6);
         int hits = 0;
-        int count = 1000;
+        int count = Effort.cases(1000);
         for (int k = 0; k < count; k++) {
             LeafKind kind = rows.exactKind();
             double[] a = rows.row(LeafKind.UPRIGHT_BOX, 1, 1);
@@ -201,7 +202,7 @@ public class PlanarOverlapTest {
         PlanarRows rows = new PlanarRows(7);
         LeafKind[] kinds = Leaves.KINDS;
         int hits = 0;
-        int count = 1000;
+        int count = Effort.cases(1000);
         for (int k = 0; k < count; k++) {
             LeafKind kindA = k % 2 == 0 ? LeafKind.CYLINDER : LeafKind.PRISM;
             LeafKind kindB = kinds[rows.random().nextInt(kinds.length)];

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
@@ -71,7 +72,7 @@ class DoubleDoubleOverlapTest {
     @Test
     void theGapOfTwoBoxesIsWithinItsBound() {
         double worst = 0;
-        for (int k = 0; k < 20_000; k++) {
+        for (int k = 0; k < Effort.cases(20_000); k++) {
             double[] a = rows.row(k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX, 1, 1);
             double[] b = rows.row(k % 3 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX, k % 5 == 0 ? 1e6 : 1, 1);
             double gx = a[6];
@@ -89,7 +90,7 @@ class DoubleDoubleOverlapTest {
     @Test
     void theSquaresOfADiscAndABoxAreWithinTheirBound() {
         double worst = 0;
-        for (int k = 0; k < 20_000; k++) {
+        for (int k = 0; k < Effort.cases(20_000); k++) {
             double[] disc = rows.row(LeafKind.SPHERE, k % 5 == 0 ? 1e6 : 1, 1);
             double[] box = rows.row(LeafKind.UPRIGHT_BOX, 1, 1);
             int side = scratch.fine.discRectangle(disc[0], disc[2], disc[3], box, 0);
@@ -111,7 +112,7 @@ class DoubleDoubleOverlapTest {
         long exactBefore = total(exact);
         int asked = 0;
         int hits = 0;
-        for (int k = 0; k < 3000; k++) {
+        for (int k = 0; k < Effort.cases(3000); k++) {
             LeafKind kindA = kinds[k % 3];
             LeafKind kindB = kinds[k / 3 % 3];
             double factor = Math.scalb(1.0, 20 * rows.random().nextInt(-2, 3));

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -21,7 +22,7 @@ class PlainRaysTest {
     @EnumSource(names = {"BOX", "UPRIGHT_BOX", "CYLINDER", "UPRIGHT_CYLINDER"})
     void plainNumbersSayTheSameOfRandomRays(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(31);
-        for (int i = 0; i < 60_000; i++) {
+        for (int i = 0; i < Effort.cases(60_000); i++) {
             double size = Math.scalb(1, random.nextInt(-30, 31));
             double[] row = Leaves.random(kind, random, size);
             double[] o = Leaves.vector(random, 3 * size);
@@ -32,9 +33,9 @@ class PlainRaysTest {
             }
             compare(kind, row, o, d);
         }
-        assertThat(sure).isGreaterThan(15_000);
-        assertThat(missed).isGreaterThan(15_000);
-        assertThat(left).isBetween(10, 15_000);
+        assertThat(sure).isGreaterThan(Effort.cases(15_000));
+        assertThat(missed).isGreaterThan(Effort.cases(15_000));
+        assertThat(left).isBetween(Effort.cases(10), Effort.cases(15_000));
     }
 
     /** Along edges and faces, through corners, from the surface, off by some ulps: mostly for the slabs. */
@@ -42,7 +43,7 @@ class PlainRaysTest {
     @EnumSource(names = {"BOX", "UPRIGHT_BOX", "CYLINDER", "UPRIGHT_CYLINDER"})
     void plainNumbersSayTheSameWhereEverythingTies(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(32);
-        for (int i = 0; i < 60_000; i++) {
+        for (int i = 0; i < Effort.cases(60_000); i++) {
             double[] row = random.nextBoolean() ? Leaves.grid(kind, random) : Leaves.random(kind, random, 2);
             double[] o = random.nextBoolean() ? corner(kind, row, random) : Leaves.gridVector(random, 5);
             double[] to = corner(kind, row, random);
@@ -59,8 +60,8 @@ class PlainRaysTest {
                 compare(kind, row, o, d);
             }
         }
-        assertThat(sure).isGreaterThan(1000);
-        assertThat(left).isGreaterThan(9000);
+        assertThat(sure).isGreaterThan(Effort.cases(1000));
+        assertThat(left).isGreaterThan(Effort.cases(9000));
     }
 
     /** Rotations are kept as they are given, orthonormal to 1e-9; rays that pass an edge as near as that. */
@@ -68,7 +69,7 @@ class PlainRaysTest {
     @EnumSource(names = {"BOX", "UPRIGHT_BOX", "CYLINDER"})
     void plainNumbersSayTheSameWhereColumnsAreNotQuiteOrthonormal(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(33);
-        for (int i = 0; i < 60_000; i++) {
+        for (int i = 0; i < Effort.cases(60_000); i++) {
             double[] row = Leaves.random(kind, random, 2);
             double off = random.nextBoolean() ? 4e-10 : 1e-11;
             for (int k = 6; k < 15; k++) {
@@ -81,7 +82,7 @@ class PlainRaysTest {
             double[] o = {to[0] - back * d[0], to[1] - back * d[1], to[2] - back * d[2]};
             compare(kind, row, o, d);
         }
-        assertThat(sure).isGreaterThan(1000);
+        assertThat(sure).isGreaterThan(Effort.cases(1000));
     }
 
     /** A point in the shape's own frame on its surface but for a share, and on two faces at once where that is possible. */

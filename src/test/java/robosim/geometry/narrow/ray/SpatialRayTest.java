@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Scratch;
@@ -28,7 +29,7 @@ public class SpatialRayTest {
             mode = EnumSource.Mode.EXCLUDE)
     void agreesWithDecimalsOnRandomRays(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(kind.ordinal());
-        for (int i = 0; i < 1500; i++) {
+        for (int i = 0; i < Effort.cases(1500); i++) {
             double size = Math.scalb(1, random.nextInt(-30, 31));
             double[] row = Leaves.random(kind, random, size);
             double[] o = Leaves.vector(random, 3 * size);
@@ -43,7 +44,7 @@ public class SpatialRayTest {
             mode = EnumSource.Mode.EXCLUDE)
     void agreesWithDecimalsWhereEverythingTies(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(100 + kind.ordinal());
-        for (int i = 0; i < 3000; i++) {
+        for (int i = 0; i < Effort.cases(3000); i++) {
             double[] row = Leaves.grid(kind, random);
             double[] o = Leaves.gridVector(random, 5);
             double[] d = Leaves.gridVector(random, 2);
@@ -75,7 +76,7 @@ public class SpatialRayTest {
             mode = EnumSource.Mode.EXCLUDE)
     void agreesWithDecimalsFromAMillionAway(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(200 + kind.ordinal());
-        for (int i = 0; i < 800; i++) {
+        for (int i = 0; i < Effort.cases(800); i++) {
             double[] row = Leaves.random(kind, random, 1);
             double[] way = Leaves.vector(random, 1);
             double[] o = {way[0] * 1e6, way[1] * 1e6, way[2] * 1e6};
@@ -89,7 +90,7 @@ public class SpatialRayTest {
     @EnumSource(names = {"UPRIGHT_CYLINDER", "SPHERE", "CYLINDER", "UPRIGHT_CAPSULE", "CAPSULE"})
     void agreesWithDecimalsOnGrazingRays(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(300 + kind.ordinal());
-        for (int i = 0; i < 2000; i++) {
+        for (int i = 0; i < Effort.cases(2000); i++) {
             double[] row = Leaves.random(kind, random, 1);
             double far = i % 2 == 0 ? 1e6 : 3;
             // A point at about the radius from the axis, and a direction across both.

@@ -32,7 +32,7 @@ class MovingBallTest {
     @Test
     void timesAreRoundedDownToTheNextDouble() {
         LeafKind[] kinds = {LeafKind.UPRIGHT_BOX, LeafKind.BOX, LeafKind.TRIANGLE, LeafKind.SPHERE};
-        int count = Effort.cases(320, 120);
+        int count = Effort.cases(320, 80);
         for (int k = 0; k < count; k++) {
             LeafKind kind = kinds[k % 4];
             double[] b = SweepRows.random(kind, 1, random);

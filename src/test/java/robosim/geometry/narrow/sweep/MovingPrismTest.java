@@ -7,6 +7,7 @@ import java.math.MathContext;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -24,7 +25,7 @@ class MovingPrismTest {
     void compareWithSlabsInDecimals() {
         SplittableRandom random = new SplittableRandom(3);
         int[] counts = new int[4];
-        for (int k = 0; k < 100_000; k++) {
+        for (int k = 0; k < Effort.cases(100_000); k++) {
             boolean planar = random.nextBoolean();
             boolean isCoarse = random.nextInt(3) == 0;
             double[] a = prism(random, isCoarse);
@@ -61,10 +62,10 @@ class MovingPrismTest {
                                 span[0].subtract(span[0].multiply(EARLY)).subtract(LEAST));
             }
         }
-        assertThat(counts[0]).isGreaterThan(10_000);
-        assertThat(counts[1]).isGreaterThan(30);
-        assertThat(counts[2]).isGreaterThan(10_000);
-        assertThat(counts[3]).isGreaterThan(5_000);
+        assertThat(counts[0]).isGreaterThan(Effort.cases(10_000));
+        assertThat(counts[1]).isGreaterThan(Effort.cases(30));
+        assertThat(counts[2]).isGreaterThan(Effort.cases(10_000));
+        assertThat(counts[3]).isGreaterThan(Effort.cases(5_000));
     }
 
     /** From the latest time at which a gap closes to the earliest at which one opens, from the rows' numbers alone. */

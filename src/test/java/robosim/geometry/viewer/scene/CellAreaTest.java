@@ -7,6 +7,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GridObject;
@@ -124,7 +125,7 @@ class CellAreaTest {
         for (double heading : new double[] {0, 90, 33}) {
             GridObject grid = grid(random, heading);
             CellArea area = area(grid);
-            for (int k = 0; k < 1000; k++) {
+            for (int k = 0; k < Effort.cases(1000); k++) {
                 double x = random.nextDouble(-4, 10);
                 double z = random.nextDouble(-7, 4);
                 double deepest = Double.NEGATIVE_INFINITY;
@@ -154,7 +155,7 @@ class CellAreaTest {
                 }
             }
         }
-        assertThat(inside).isBetween(200, 1500);
-        assertThat(far).isBetween(200, 2500);
+        assertThat(inside).isBetween(Effort.cases(200), Effort.cases(1500));
+        assertThat(far).isBetween(Effort.cases(200), Effort.cases(2500));
     }
 }
