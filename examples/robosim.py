@@ -33,9 +33,10 @@ from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Se
 
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
-    "pinhole", "directions", "sense", "poses", "edges", "pose", "place", "add", "remove", "go", "world", "named", "body",
-    "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Change", "Pose", "World", "LeftOut", "Scan", "Velocity",
-    "Body", "Contact", "Step", "Error", "NotDone", "ProtocolFault", "RequestError",
+    "pinhole", "directions", "sense", "picture", "poses", "edges", "pose", "place", "add", "remove", "go", "go_to_contact",
+    "go_and_slide", "world", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
+    "SlideContact", "Obstacle", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
+    "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
 
 Json = Dict[str, Any]
@@ -86,11 +87,21 @@ class Pose(NamedTuple):
     heading: float
 
 
+class Obstacle(NamedTuple):
+    """An object that is in the way, told so that it is known without a name too."""
+
+    index: int  # in the init's list, from 0; objects that were added later are counted on from its end
+    name: str  # empty for an object without one
+    kind: str  # "box", "cylinder", "sphere", "capsule", "mesh", "group" or "grid"
+    center: List[float]
+
+
 class Change(NamedTuple):
     """Whether a change was made. It is true where it was: `if module.place(...)`."""
 
     done: bool
     obstacle: Optional[str]  # what is in the way, "" for an object without a name; None for the border, or where done
+    obstacles: Sequence[Obstacle] = ()  # with identify=True: all that are in the way, at most 16, the first added first
 
     def __bool__(self) -> bool:
         return self.done
@@ -105,9 +116,31 @@ class Went(NamedTuple):
     obstacle: Optional[str] = None  # what blocks, "" for an object without a name; None for the border, or where made
     contact: Optional[List[float]] = None
     normal: Optional[List[float]] = None  # from what blocks towards the object
+    obstacles: Sequence[Obstacle] = ()  # of move_to_contact, and with identify=True: what blocks, none for the border
 
     def __bool__(self) -> bool:
         return self.made
+
+
+class SlideContact(NamedTuple):
+    """A contact of a move that slides."""
+
+    obstacle: Optional[Obstacle]  # None for the border
+    point: List[float]
+    normal: List[float]  # from what blocks towards the object
+
+
+class Slid(NamedTuple):
+    """What became of a move that slides. It is true where nothing was in its way."""
+
+    displacement: List[float]  # of the centre along the world's axes
+    length: float  # of the way made
+    left: List[float]  # what was still to go where the object stopped, along the world's axes
+    turn_fraction: float  # the share of the turn that was made
+    contacts: List[SlideContact]  # in the order in which they were met
+
+    def __bool__(self) -> bool:
+        return not self.contacts
 
 
 class Move(NamedTuple):
@@ -377,15 +410,18 @@ def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 
           rotation: Optional[Vector] = None, min: float = 0.0, max: float = math.inf, width: float = 0.0,
           sees_carrier: bool = False, normals: bool = False, objects: bool = False,
           motion: Optional[Json] = None) -> Json:
-    """All beams of a sensor on an object: `at` a place of its own frame, facing a heading there or with a rotation."""
+    """All beams of a sensor on an object: `at` a place of its own frame, facing a heading there or with a rotation.
+    Without a name, "", those of a sensor that nothing carries: `at` is a place of the world."""
     mount: Json = {"place": list(at)}
     if rotation is not None:
         mount["rotation"] = list(rotation)
     elif heading != 0:
         mount["heading"] = heading
-    request = {"kind": "sense", "objectName": name, "mount": mount, "pattern": pattern, "min": min,
+    request = {"kind": "sense", "mount": mount, "pattern": pattern, "min": min,
                "max": None if math.isinf(max) else max, "width": width, "seesCarrier": sees_carrier,
                "normals": normals, "objects": objects}
+    if name:
+        request["objectName"] = name
     return request if motion is None else {**request, "motion": motion}
 
 
@@ -416,14 +452,18 @@ def pose(name: str) -> Json:
     return {"kind": "pose", "objectName": name}
 
 
-def place(name: str, center: Vector, heading: float = 0.0) -> Json:
+def place(name: str, center: Vector, heading: float = 0.0, identify: bool = False) -> Json:
     """Puts an object upright at a place where it touches nothing, without a way to it."""
-    return {"kind": "place", "objectName": name, "center": list(center), "heading": heading}
+    return _identified({"kind": "place", "objectName": name, "center": list(center), "heading": heading}, identify)
 
 
-def add(thing: Json, overlapping: bool = False) -> Json:
+def add(thing: Json, overlapping: bool = False, identify: bool = False) -> Json:
     """Adds an object; only where it touches nothing, unless it may overlap."""
-    return {"kind": "add", "object": thing, "overlapping": overlapping}
+    return _identified({"kind": "add", "object": thing, "overlapping": overlapping}, identify)
+
+
+def _identified(request: Json, identify: bool) -> Json:
+    return {**request, "identify": True} if identify else request
 
 
 def remove(name: str) -> Json:
@@ -431,9 +471,22 @@ def remove(name: str) -> Json:
     return {"kind": "remove", "objectName": name}
 
 
-def go(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0) -> Json:
+def go(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
+       identify: bool = False) -> Json:
     """A move whose answer says what blocks it."""
-    return {"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rx": rx, "ry": ry}
+    return _identified({"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rx": rx, "ry": ry}, identify)
+
+
+def go_to_contact(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
+                  clearance: float = 0.0) -> Json:
+    """A move as far as the way is free, and so far from what blocks it."""
+    return {**go(name, x, y, z, rx, ry), "kind": "moveToContact", "clearance": clearance}
+
+
+def go_and_slide(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
+                 clearance: float = 0.0, bends: int = 4) -> Json:
+    """A move that goes on along what blocks it, at so many contacts."""
+    return {**go(name, x, y, z, rx, ry), "kind": "moveAndSlide", "clearance": clearance, "bends": bends}
 
 
 def world() -> Json:
@@ -441,7 +494,7 @@ def world() -> Json:
     return {"kind": "world"}
 
 
-Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, World, RequestError]
+Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, RequestError]
 
 
 class Module:
@@ -616,12 +669,25 @@ class Module:
         return answer
 
     def move(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
-             ry: float = 0.0) -> Went:
-        """Moves an object along its own axes, then turns it; all or nothing."""
-        return self._one(go(name, x, y, z, rx, ry))
+             ry: float = 0.0, identify: bool = False) -> Went:
+        """Moves an object along its own axes, then turns it; all or nothing. With `identify` the answer's `obstacles` tell
+        what blocks by its index too, for objects without a name."""
+        return self._one(go(name, x, y, z, rx, ry, identify))
+
+    def move_to_contact(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
+                        ry: float = 0.0, clearance: float = 0.0) -> Went:
+        """Moves an object as far as the way is free, up to a clearance from what blocks it. The answer's fractions are
+        the shares that were made; it is true where all of the move was."""
+        return self._one(go_to_contact(name, x, y, z, rx, ry, clearance))
+
+    def move_and_slide(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
+                       ry: float = 0.0, clearance: float = 0.0, bends: int = 4) -> Slid:
+        """Moves an object and, where it is blocked, on along what blocks it, at so many contacts; then turns it."""
+        return self._one(go_and_slide(name, x, y, z, rx, ry, clearance, bends))
 
     def sense(self, name: str, pattern: Json, **options: Any) -> Scan:
-        """All beams of a sensor on an object, with the options of the function `sense`."""
+        """All beams of a sensor on an object, with the options of the function `sense`; without a name, "", of one that
+        stands in the world."""
         return self._one(sense(name, pattern, **options))
 
     def scan(self, name: str, first: float = 0.0, step: Optional[float] = None, count: int = 360,
@@ -649,13 +715,14 @@ class Module:
         """Where an object is."""
         return self._one(pose(name))
 
-    def place(self, name: str, center: Vector, heading: float = 0.0) -> Change:
-        """Puts an object upright at a place where it touches nothing, without a way to it."""
-        return self._one(place(name, center, heading))
+    def place(self, name: str, center: Vector, heading: float = 0.0, identify: bool = False) -> Change:
+        """Puts an object upright at a place where it touches nothing, without a way to it. With `identify` the answer's
+        `obstacles` are all that it would touch there."""
+        return self._one(place(name, center, heading, identify))
 
-    def add(self, thing: Json, overlapping: bool = False) -> Change:
+    def add(self, thing: Json, overlapping: bool = False, identify: bool = False) -> Change:
         """Adds an object; only where it touches nothing, unless it may overlap."""
-        return self._one(add(thing, overlapping))
+        return self._one(add(thing, overlapping, identify))
 
     def remove(self, name: str) -> Change:
         """Removes an object; not done where there is none of that name."""
@@ -664,6 +731,14 @@ class Module:
     def world(self) -> World:
         """What became of the last init."""
         return self._one(world())
+
+
+def _obstacle(told: Json) -> Obstacle:
+    return Obstacle(told["index"], told.get("name", ""), told["kind"], told["center"])
+
+
+def _obstacles(answer: Json) -> Sequence[Obstacle]:
+    return tuple(_obstacle(told) for told in answer.get("obstacles", ()))
 
 
 def _read(kind: str, answer: Json) -> Answer:
@@ -679,14 +754,18 @@ def _read(kind: str, answer: Json) -> Answer:
             return [bool(bits[k >> 3] >> (k & 7) & 1) for k in range(answer["count"])]
         if kind == "pose":
             return Pose(answer["center"], answer["rotation"], answer["heading"])
-        if kind == "move":
+        if kind in ("move", "moveToContact"):
             return Went(answer["made"], answer.get("fraction", 1.0), answer.get("turnFraction", 1.0),
-                        answer.get("obstacle"), answer.get("contact"), answer.get("normal"))
+                        answer.get("obstacle"), answer.get("contact"), answer.get("normal"), _obstacles(answer))
+        if kind == "moveAndSlide":
+            contacts = [SlideContact(_obstacle(c["obstacle"]) if "obstacle" in c else None, c["point"], c["normal"])
+                        for c in answer["contacts"]]
+            return Slid(answer["displacement"], answer["length"], answer["left"], answer["turnFraction"], contacts)
         if kind == "world":
             left = [LeftOut(o["index"], o.get("name", ""), o["reason"]) for o in answer["leftOut"]]
             return World(answer["added"], left, answer["width"], answer["height"], answer["length"],
                          answer["dimension"], answer["accuracy"])
-        return Change(answer["done"], answer.get("obstacle"))
+        return Change(answer["done"], answer.get("obstacle"), _obstacles(answer))
     except (KeyError, TypeError, ValueError, IndexError) as e:
         raise ProtocolFault(f"an answer to {kind} must have its fields (got: {str(answer)[:100]}): {e!r}") from None
 

@@ -11,6 +11,7 @@ import robosim.geometry.net.pace.PacedOutput;
 import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
+import robosim.geometry.net.session.Opening;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -185,16 +186,15 @@ final class Connection implements Runnable {
         message = 1;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
-            String refusal = refusal(request, channel.messageBytes(), session.objectCount());
-            if (refusal != null) {
-                channel.refuse(refusal);
-                throw new ProtocolException(refusal);
+            if (message == 1 && !(request instanceof InitBundle)) {
+                open(channel, session);
             }
+            refuse(channel, refusal(request, channel.messageBytes(), session.objectCount()));
             if (request instanceof BatchRequestBundle batch) {
                 in.needs(batch.workBytes());
             }
             int before = session.objectCount();
-            Reply reply = reply(channel, session, request);
+            Reply reply = reply(channel, session, request, channel.messageBytes());
             if (session.objectCount() < before && request instanceof BatchRequestBundle) {
                 worldMemory.shrink(session.objectCount(), before);
             }
@@ -210,10 +210,28 @@ final class Connection implements Runnable {
         LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message + ", its end");
     }
 
-    private @Nullable Reply reply(MessageChannel channel, Session session, Bundle request) {
+    private static void refuse(MessageChannel channel, @Nullable String refusal) throws ProtocolException {
+        if (refusal != null) {
+            channel.refuse(refusal);
+            throw new ProtocolException(refusal);
+        }
+    }
+
+    /** Makes the world with which connections begin; only now, when the peer has been admitted and needs one. */
+    private void open(MessageChannel channel, Session session) throws ProtocolException {
+        Opening opening = around.opening();
+        if (!opening.requests().isEmpty()) {
+            refuse(channel, worldMemory.claim(opening.bytes()));
+            for (Bundle request : opening.requests()) {
+                reply(channel, session, request, opening.bytes());
+            }
+        }
+    }
+
+    private @Nullable Reply reply(MessageChannel channel, Session session, Bundle request, int bytes) {
         try {
             Reply reply = session.reply(request);
-            if (request instanceof InitBundle && channel.messageBytes() >= HEAVY_BYTES) {
+            if (request instanceof InitBundle && bytes >= HEAVY_BYTES) {
                 turn.heavy(); // the first queries build its indexes
             }
             return reply;
@@ -260,7 +278,7 @@ final class Connection implements Runnable {
     private static int additions(BatchRequestBundle batch) {
         int additions = 0;
         for (BatchRequest request : batch.requests()) {
-            additions += request instanceof WorldRequest.Add ? 1 : 0;
+            additions += request instanceof WorldRequest about && about.addition() != null ? 1 : 0;
         }
         return additions;
     }

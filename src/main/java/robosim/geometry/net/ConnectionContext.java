@@ -5,6 +5,7 @@ import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.LogBudget;
+import robosim.geometry.net.session.Opening;
 
 /** What all connections of one server or client share. */
 record ConnectionContext(
@@ -14,7 +15,8 @@ record ConnectionContext(
         CpuTurns turns,
         MessageMemory messageMemory,
         WorldMemory worldMemory,
-        LogBudget log) {
+        LogBudget log,
+        Opening opening) {
     ConnectionContext(NetOptions options, Figures figures, Watchdog watchdog) {
         this(
                 options,
@@ -23,6 +25,7 @@ record ConnectionContext(
                 CpuTurns.ofThisMachine(),
                 MessageMemory.ofThisProcess(),
                 WorldMemory.ofThisProcess(),
-                new LogBudget(System::nanoTime));
+                new LogBudget(System::nanoTime),
+                Opening.of(options.opening()));
     }
 }

@@ -1,9 +1,12 @@
 package robosim.geometry.net;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageTranslator;
 
 /**
@@ -16,6 +19,9 @@ import robosim.geometry.protocol.MessageTranslator;
  * @param quotas  how much peers may request
  * @param access     who may connect
  * @param redial     how a client dials again; null for a client that dials once
+ * @param opening    requests that each connection's session carries out before the peer's first one, of which the first is
+ *                   an InitBundle; none of them if the peer's first request is an InitBundle itself. Nobody but the
+ *                   listener gets their answers
  */
 public record NetOptions(
         SessionOptions session,
@@ -24,8 +30,9 @@ public record NetOptions(
         Timeouts timeouts,
         Quotas quotas,
         Access access,
-        @Nullable Redial redial) {
-    /** Refuses null, except for {@code redial}. */
+        @Nullable Redial redial,
+        List<Bundle> opening) {
+    /** Refuses null, except for {@code redial}, and an opening that begins without a world or has an answer. */
     public NetOptions {
         Checks.present("session", session);
         Checks.present("listeners", listeners);
@@ -33,6 +40,26 @@ public record NetOptions(
         Checks.present("timeouts", timeouts);
         Checks.present("quotas", quotas);
         Checks.present("access", access);
+        opening = Checks.copy("opening", opening, Bundle.class);
+        boolean isWorldFirst = opening.isEmpty() || opening.get(0) instanceof InitBundle;
+        if (!isWorldFirst || opening.stream().anyMatch(Bundle::isAnswer)) {
+            throw new IllegalArgumentException("opening must be requests, the first of them an InitBundle (got: "
+                    + opening.stream()
+                            .map(each -> each.getClass().getSimpleName())
+                            .toList() + ")");
+        }
+    }
+
+    /** Options of connections that begin without a world. */
+    public NetOptions(
+            SessionOptions session,
+            Function<String, SessionListener> listeners,
+            MessageTranslator translator,
+            Timeouts timeouts,
+            Quotas quotas,
+            Access access,
+            @Nullable Redial redial) {
+        this(session, listeners, translator, timeouts, quotas, access, redial, List.of());
     }
 
     /**
@@ -52,22 +79,22 @@ public record NetOptions(
 
     /** These options with another session. */
     public NetOptions withSession(SessionOptions other) {
-        return new NetOptions(other, listeners, translator, timeouts, quotas, access, redial);
+        return new NetOptions(other, listeners, translator, timeouts, quotas, access, redial, opening);
     }
 
     /** These options with listeners. */
     public NetOptions withListeners(Function<String, SessionListener> others) {
-        return new NetOptions(session, others, translator, timeouts, quotas, access, redial);
+        return new NetOptions(session, others, translator, timeouts, quotas, access, redial, opening);
     }
 
     /** These options with another translator. */
     public NetOptions withTranslator(MessageTranslator other) {
-        return new NetOptions(session, listeners, other, timeouts, quotas, access, redial);
+        return new NetOptions(session, listeners, other, timeouts, quotas, access, redial, opening);
     }
 
     /** These options with other timeouts. */
     public NetOptions withTimeouts(Timeouts other) {
-        return new NetOptions(session, listeners, translator, other, quotas, access, redial);
+        return new NetOptions(session, listeners, translator, other, quotas, access, redial, opening);
     }
 
     /** These options with other timeouts within a message. */
@@ -77,7 +104,7 @@ public record NetOptions(
 
     /** These options with other quotas. */
     public NetOptions withQuotas(Quotas other) {
-        return new NetOptions(session, listeners, translator, timeouts, other, access, redial);
+        return new NetOptions(session, listeners, translator, timeouts, other, access, redial, opening);
     }
 
     /** These options with another maximum number of connections. */
@@ -87,11 +114,17 @@ public record NetOptions(
 
     /** These options with TLS, a secret or both. */
     public NetOptions withAccess(@Nullable Tls tls, @Nullable Secret secret) {
-        return new NetOptions(session, listeners, translator, timeouts, quotas, new Access(tls, secret), redial);
+        return new NetOptions(
+                session, listeners, translator, timeouts, quotas, new Access(tls, secret), redial, opening);
     }
 
     /** These options for a client that dials again; null for one that dials once. */
     public NetOptions withRedial(@Nullable Redial other) {
-        return new NetOptions(session, listeners, translator, timeouts, quotas, access, other);
+        return new NetOptions(session, listeners, translator, timeouts, quotas, access, other, opening);
+    }
+
+    /** These options for connections that begin with a world: see {@link #opening}. */
+    public NetOptions withOpening(List<Bundle> requests) {
+        return new NetOptions(session, listeners, translator, timeouts, quotas, access, redial, requests);
     }
 }

@@ -37,7 +37,6 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
-import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 
 /**
@@ -48,6 +47,7 @@ import robosim.geometry.protocol.batch.WorldRequest;
  *   <li>An {@link InitBundle} makes a new world, which replaces the previous one once it is complete; if it cannot be
  *       made, the previous one stays. Objects are added unchecked and may overlap. An object that cannot be added,
  *       because its name is taken or it would leave the world, is left out and logged by name.
+ *   <li>An {@link InitBundle.Answered} is an InitBundle and the question what became of it, and observed as these two.
  *   <li>A {@link MoveBundle} is answered by the moves that were made, in order, each tried in the world as the earlier
  *       ones left it. The answer contains the requests themselves, unchanged to the bit.
  *   <li>A {@link SonarRequestBundle} is answered by one distance for each request, in order.
@@ -118,8 +118,9 @@ public final class Session {
     public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
         this(options, listener, name, log, World::of);
         this.world = World.over(Checks.present("world", world));
-        about.begin(world.objects().size());
-        for (GeometryObject object : world.objects()) {
+        List<GeometryObject> objects = world.objects();
+        about.beginWith(objects);
+        for (GeometryObject object : objects) {
             String mover = object.name();
             if (object.isMoveable() && mover != null) {
                 moveable.add(mover);
@@ -170,9 +171,13 @@ public final class Session {
      * @throws IllegalArgumentException if it {@linkplain Bundle#isAnswer is an answer}
      */
     public @Nullable Reply reply(Bundle request) {
+        if (request instanceof InitBundle.Answered asked) {
+            reply(asked.init());
+            return reply(InitBundle.Answered.QUESTION);
+        }
         if (request == null || request.isAnswer()) {
             throw new IllegalArgumentException(
-                    "request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle"
+                    "request must be an InitBundle, an InitBundle.Answered, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle"
                             + " or a StepBundle (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
@@ -216,7 +221,7 @@ public final class Session {
             about.failed(Reasons.of(e));
             return;
         }
-        about.begin(0);
+        about.begin(init.objects());
         Set<String> names = new HashSet<>();
         Set<String> movers = new HashSet<>();
         int index = 0;
@@ -320,9 +325,7 @@ public final class Session {
 
     private BatchAnswer answer(BatchRequest request, int index, List<Problem> problems) {
         String name = request.objectName();
-        boolean isOfMover = request instanceof WorldRequest
-                ? request instanceof WorldRequest.Place || request instanceof WorldRequest.Go
-                : !(request instanceof PictureRequest picture) || picture.isCarried();
+        boolean isOfMover = request.isAboutMover();
         if (world == null || (isOfMover && !moveable.contains(name))) {
             problems.add(unknown(name, index, "its batches have no answer"));
             return new NoAnswer();

@@ -11,6 +11,7 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
@@ -24,6 +25,7 @@ import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
@@ -49,6 +51,7 @@ final class AllowedClasses {
 
     private static final Set<Class<?>> BUNDLES = Set.of(
             InitBundle.class,
+            InitBundle.Answered.class,
             WorldSettings.class,
             MoveBundle.class,
             MoveRequest.class,
@@ -98,11 +101,19 @@ final class AllowedClasses {
             WorldRequest.Add.class,
             WorldRequest.Remove.class,
             WorldRequest.Go.class,
+            WorldRequest.GoToContact.class,
+            WorldRequest.GoAndSlide.class,
+            WorldRequest.Identify.class,
             WorldAnswer.LeftOut.class,
             WorldAnswer.Described.class,
             WorldAnswer.Located.class,
             WorldAnswer.Changed.class,
             WorldAnswer.Went.class,
+            WorldAnswer.Identified.class,
+            WorldAnswer.Slid.class,
+            WorldAnswer.Contact.class,
+            Obstacle.class,
+            GeometryObject.Kind.class,
             int[].class,
             byte[].class);
 

@@ -6,6 +6,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /**
  * Requests of several kinds, carried out in order: all beams of sensors, many poses and edges of planners, pictures,
@@ -68,7 +69,8 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
     public long workBytes() {
         long bytes = 0;
         for (BatchRequest request : requests) {
-            bytes += bytesOfItem(request) * request.size();
+            bytes +=
+                    request instanceof WorldRequest about ? about.answerBytes() : bytesOfItem(request) * request.size();
         }
         return bytes;
     }

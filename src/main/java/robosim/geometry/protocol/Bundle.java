@@ -5,6 +5,7 @@ import java.io.Serializable;
 /** One message. */
 public sealed interface Bundle extends Serializable
         permits InitBundle,
+                InitBundle.Answered,
                 MoveBundle,
                 SonarRequestBundle,
                 DistanceBundle,

@@ -151,7 +151,8 @@ final class BundleInputStream extends ObjectInputStream {
     private void addAdditions(List<?> items) throws IOException {
         long sum = 0;
         for (Object item : items) {
-            sum += item instanceof WorldRequest.Add add ? partsOf(add.object()) : 0;
+            GeometryObject addition = item instanceof WorldRequest request ? request.addition() : null;
+            sum += addition == null ? 0 : partsOf(addition);
         }
         add(sum);
     }

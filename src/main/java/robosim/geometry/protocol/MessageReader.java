@@ -24,6 +24,9 @@ public final class MessageReader {
     private final MessageTranslator translator;
     private @Nullable BundleInputStream objects;
 
+    /** What the last message asks besides; null if nothing. */
+    private @Nullable Bundle followUp;
+
     /** Reads the module's own records. */
     public MessageReader(InputStream in) {
         this(in, MessageTranslator.RECORDS, MessagePace.NONE);
@@ -36,12 +39,18 @@ public final class MessageReader {
     }
 
     /**
-     * Waits for the next bundle.
+     * Waits for the next bundle. An {@link InitBundle.Answered} comes as two: its {@link InitBundle}, and the question what
+     * became of it.
      *
      * @return null if the stream ends between two messages
      * @throws ProtocolException if the bytes are not a message, or the stream fails or ends inside one
      */
     public @Nullable Bundle read() throws ProtocolException {
+        Bundle next = followUp;
+        if (next != null) {
+            followUp = null;
+            return next;
+        }
         try {
             boolean open = objects != null || open();
             return open && input.awaitMessage() >= 0 ? decode() : null;
@@ -75,7 +84,12 @@ public final class MessageReader {
         if (message == null) {
             throw new ProtocolException("a message must be a bundle (got: null)");
         }
-        return Objects.requireNonNull(translator.decode(message), "the translator returned no bundle");
+        Bundle bundle = Objects.requireNonNull(translator.decode(message), "the translator returned no bundle");
+        if (bundle instanceof InitBundle.Answered asked) {
+            followUp = InitBundle.Answered.QUESTION;
+            return asked.init();
+        }
+        return bundle;
     }
 
     /** The size in bytes of the last message read, without a reset before it. */

@@ -97,11 +97,13 @@ final class BatchMismatch {
                     + (picture.isCarried() ? "by " + Text.quoted(picture.objectName()) : "in the world");
         }
         if (request instanceof WorldRequest) {
-            return Text.line(request.toString());
+            return "request for " + Text.line(request.toString());
         }
         String what =
                 request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
-        return "batch of " + request.size() + " " + what + " of " + Text.quoted(request.objectName());
+        boolean isCarried = request.isAboutMover(); // a sensor may stand in the world
+        return "batch of " + request.size() + " " + what
+                + (isCarried ? " of " + Text.quoted(request.objectName()) : " in the world");
     }
 
     private static String words(BatchAnswer answer, int item) {

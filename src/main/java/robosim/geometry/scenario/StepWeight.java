@@ -51,7 +51,8 @@ final class StepWeight {
         } else if (step.request() instanceof BatchRequestBundle batch) {
             for (BatchRequest request : batch.requests()) {
                 weight += 1 + text(request.objectName());
-                weight += request instanceof WorldRequest.Add add ? of(List.of(add.object())) : 0;
+                GeometryObject addition = request instanceof WorldRequest about ? about.addition() : null;
+                weight += addition == null ? 0 : of(List.of(addition));
             }
             weight += batch.workBytes() / UNIT_BYTES;
         } else if (step.request() instanceof StepBundle bodies) {

@@ -16,12 +16,15 @@ import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.net.WatchServer;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
-import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /**
  * Lets the sessions of a server or a client be watched: each watcher gets a scenario, line by line, that begins with
@@ -149,13 +152,13 @@ public final class Watching implements Function<String, SessionListener>, WatchS
                 return;
             }
             begun = true;
-            List<GeometryObject> present = request instanceof InitBundle ? world.objects() : null;
+            List<GeometryObject> present = isOtherObjects(request) ? world.objects() : null;
             synchronized (Watching.this) {
                 steps++;
                 if (present != null) {
                     begin(present, world);
                 }
-                follow(world, reply);
+                follow(world, request, reply);
                 if (!watchers.isEmpty()) {
                     tell(new Step(0, List.of(), request, reply, timing(askedAt, nanoseconds)));
                 }
@@ -180,12 +183,33 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             moved.clear();
         }
 
-        /** Records the places of the objects that an answer says were moved. */
-        private void follow(Geometry world, @Nullable Reply reply) {
+        /** Whether a request may change which objects there are. */
+        private static boolean isOtherObjects(Bundle request) {
+            return request instanceof InitBundle
+                    || (request instanceof BatchRequestBundle batch
+                            && batch.requests().stream()
+                                    .anyMatch(each -> each instanceof WorldRequest.Remove
+                                            || (each instanceof WorldRequest about && about.addition() != null)));
+        }
+
+        /** Records the places of the objects that were moved. */
+        private void follow(Geometry world, Bundle request, @Nullable Reply reply) {
             if (reply != null && reply.bundle() instanceof MoveBundle made) {
-                for (MoveRequest move : made.moves()) {
-                    moved.put(move.objectName(), world.getObject(move.objectName()));
+                made.moves().forEach(move -> follow(world, move.objectName()));
+            } else if (reply != null && reply.bundle() instanceof StepBundle.Answer stepped) {
+                stepped.bodies().forEach(body -> follow(world, body.objectName()));
+            } else if (request instanceof BatchRequestBundle batch) {
+                for (BatchRequest each : batch.requests()) {
+                    if (each instanceof WorldRequest && each.isAboutMover()) {
+                        follow(world, each.objectName());
+                    }
                 }
+            }
+        }
+
+        private void follow(Geometry world, String moving) {
+            if (world.hasObject(moving)) {
+                moved.put(moving, world.getObject(moving));
             }
         }
 

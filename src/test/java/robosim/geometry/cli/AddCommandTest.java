@@ -89,6 +89,27 @@ class AddCommandTest extends CommandRun {
         assertThat(out.toString()).contains("Added ", "Wrote " + xml);
     }
 
+    /** A colour of its own for each, in the world, in pictures and in what is included. */
+    @Test
+    void aRobotMayHaveAColour() throws IOException {
+        Path xml = folder.resolve("world.xml");
+        assertThat(run("add", map(), xml, "disc:0.3@1,2#ff8000", "cart=box:0.6x0.4@-1,-2,90#00Ff7f"))
+                .isEqualTo(ExitCodes.FINE);
+        World world = WorldReader.read(xml);
+        List<WorldObject> all = world.objects();
+        assertThat(all.get(all.size() - 2).color()).isEqualTo("#ff8000");
+        assertThat(all.get(all.size() - 1).color()).isEqualTo("#00ff7f");
+        assertThat(last(world).material().color()).hasToString("#00ff7f");
+        assertThat(last(world).heading()).isEqualTo(90);
+        Path other = folder.resolve("other.xml");
+        assertThat(run("convert", map(), other, "--robot", "disc:0.3@1,2#ff8000"))
+                .isEqualTo(ExitCodes.FINE);
+        assertThat(last(WorldReader.read(other)).material().color()).hasToString("#ff8000");
+        assertThat(run("add", map(), folder.resolve("no.xml"), "disc:0.3@1,2#ff80"))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("[,HEADING][#RRGGBB]");
+    }
+
     @Test
     void addIncludesAMap() throws IOException {
         Path xml = folder.resolve("world.xml");
@@ -137,7 +158,7 @@ class AddCommandTest extends CommandRun {
             value = {
                 "disc:0.3@5.6,2|a robot must stand where nothing is",
                 "disc:0.3@500,2|a robot must stand within the world of ",
-                "disc:0.3|a robot must be [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING] or ",
+                "disc:0.3|a robot must be [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING][#RRGGBB] or ",
                 "disc:1x2x3@1,2|a robot must be ",
                 "box:1@1,2|a robot must be ",
                 "map=disc:0.3@1,2|a robot must have a name of its own (got twice: map)",

@@ -31,7 +31,7 @@ class RenderRecordingTest extends CommandRun {
                         frames))
                 .as("%s", err)
                 .isZero();
-        assertThat(out.toString()).contains("frame-0.png to ").contains("frame-2.png");
+        assertThat(out.toString()).contains("frame-0.png to ").contains("frame-2.png: steps 2 to 10, every 4");
         assertThat(folder.resolve("frame-3.png")).doesNotExist();
         assertThat(Files.readAllBytes(folder.resolve("frame-0.png")))
                 .isNotEqualTo(Files.readAllBytes(folder.resolve("frame-2.png")));
@@ -53,6 +53,34 @@ class RenderRecordingTest extends CommandRun {
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("--steps is for a recording");
         assertThat(folder).isEmptyDirectory();
+    }
+
+    /** A plan at a height has what is there, and no more. */
+    @Test
+    void aPlanAtAHeight() throws IOException {
+        Path world = Files.writeString(
+                folder.resolve("w.xml"),
+                "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20'>"
+                        + "<box name='low' center='4 -1.5 0' width='1' height='1' length='2'/>"
+                        + "<sphere name='ball' center='0 0 0' radius='1'/></world>");
+        Path low = folder.resolve("low.svg");
+        assertThat(run("render", world, "--slice", "-1.25", "-o", low))
+                .as("%s", err)
+                .isZero();
+        assertThat(low).content().contains("1 object").contains("low").doesNotContain("ball");
+        Path middle = folder.resolve("middle.svg");
+        assertThat(run("render", world, "--slice", "0.6", "-o", middle)).isZero();
+        assertThat(middle).content().contains("ball", "r=\"").doesNotContain("low");
+        Path png = folder.resolve("middle.png");
+        assertThat(run("render", world, "--slice", "0.6", "-o", png)).isZero();
+        assertThat(png).exists();
+        for (String height : new String[] {"2.5", "NaN"}) {
+            assertThat(run("render", world, "--slice", height, "-o", png)).isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString()).contains("--slice must be a height within the world, from -2.0 to 2.0");
+        }
+        assertThat(run("render", "worlds/scenarios/wandering.scenario.jsonl", "--slice", "0", "-o", png))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("--slice is for a world");
     }
 
     /** The image of a map is input too. */

@@ -81,6 +81,47 @@ class ScanCommandTest {
         }
     }
 
+    /** A depth camera given on the command line, on a robot that was put there on the command line too. */
+    @Test
+    void aDepthCameraOnARobotThatWasAdded() throws IOException {
+        Path world = folder.resolve("room.xml");
+        Files.writeString(
+                world,
+                "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20'>"
+                        + "<box name='wall' center='4 0 0' width='1' height='4' length='20'/></world>");
+        Path robots = folder.resolve("robots.xml");
+        assertThat(run("add", world.toString(), robots.toString(), "eye=disc:0.2x0.5@0,0", "back=disc:0.2x0.5@-3,0"))
+                .isZero();
+        Path npy = folder.resolve("depth.npy");
+        String[] scan = {"scan", robots.toString(), "--depth", "8x6,60", "--on", "eye", "--at", "0.2,0.3,0", "-o", ""};
+        scan[scan.length - 1] = npy.toString();
+        assertThat(run(scan)).isZero();
+        assertThat(out.toString()).contains("6 x 8 ranges");
+        ByteBuffer numbers = ByteBuffer.wrap(Files.readAllBytes(npy)).order(ByteOrder.LITTLE_ENDIAN);
+        double[] depths = new double[48];
+        numbers.position(numbers.capacity() - 8 * depths.length)
+                .asDoubleBuffer()
+                .get(depths);
+        for (int k = 0; k < 24; k++) { // upward: along the axis, as far everywhere on a wall across
+            assertThat(depths[k]).isCloseTo(3.3, org.assertj.core.data.Offset.offset(1e-9));
+        }
+        Path ply = folder.resolve("seen.ply");
+        assertThat(run("scan", robots.toString(), "--depth", "8x6", "--at", "0,0,0", "-o", ply.toString()))
+                .isZero();
+        assertThat(points(ply)).isBetween(8, 48);
+        for (String wrong : new String[] {"8", "8x6,", "0x6", "8x6,180", "99999x99999", "8x6,1.2.3"}) {
+            out.getBuffer().setLength(0);
+            assertThat(run("scan", robots.toString(), "--depth", wrong, "-o", ply.toString()))
+                    .as(wrong)
+                    .isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(out.toString()).contains("--depth").contains("(got: ");
+        }
+        out.getBuffer().setLength(0);
+        assertThat(run("scan", robots.toString(), "--depth", "8x6", "--sensor", "a", "-o", ply.toString()))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(out.toString()).contains("--depth must not be given with --sensor");
+    }
+
     @Test
     void sensorsOfAWorldInSdf() throws IOException {
         Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);

@@ -21,10 +21,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.batch.WorldAnswer;
 
 /** {@code serve} and {@code connect}: who is let in, what is printed, how they end. */
 class ServeCommandTest {
@@ -68,6 +70,9 @@ class ServeCommandTest {
                     serve 0 --stall 0                  | stall must be from a millisecond to a day (got: PT0S)
                     serve 0 --connections 0            | connections must be at least 1 (got: 0)
                     serve 0 --max-objects 0            | objects must be at least 1 (got: 0)
+                    serve 0 --world no.such.xml        | --world must be a file that exists
+                    serve 0 --world pom.xml            | pom.xml
+                    serve 0 --models no.such           | --models must be a folder
                     serve 0 --figures -1               | --figures must be at least 0 (got: -1)
                     connect localhost 1 --once         | cannot reach an environment at localhost:1
                     """)
@@ -102,6 +107,46 @@ class ServeCommandTest {
             assertThat(rest).noneMatch(line -> line.contains("horse"));
             assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
         } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    /** A world from a file, with the bodies of its robots: in each connection it begins anew. */
+    @Test
+    void connectionsBeginWithTheWorldOfAFile() throws Exception {
+        Process process = start("serve", "0", "--world", "worlds/pushing.xml");
+        try (BufferedReader output = reader(process.getInputStream())) {
+            assertThat(lineWith(output, "worlds/pushing.xml")).endsWith("pushing.xml, 11 objects");
+            String listening = lineWith(output, "Listening on");
+            int port = Integer.parseInt(listening.substring(listening.lastIndexOf(':') + 1));
+            for (int k = 0; k < 2; k++) {
+                try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                    socket.setSoTimeout(20_000);
+                    socket.getOutputStream().write("""
+                                    {"type":"hello","version":1}
+                                    {"type":"batch","requests":[{"kind":"world"},{"kind":"pose","objectName":"cart"}]}
+                                    {"type":"step","seconds":0,"commands":[{"objectName":"cart","forward":1}]}
+                                    {"type":"step","seconds":1}
+                                    """.getBytes(StandardCharsets.UTF_8));
+                    BufferedReader in = reader(socket.getInputStream());
+                    assertThat(in.readLine()).contains("\"hello\"");
+                    assertThat(in.readLine()).contains("{\"added\":11,\"leftOut\":[]", "{\"center\":[-4.0,-1.0,0.0]");
+                    assertThat(in.readLine()).contains("\"objectName\":\"drum\"", "\"refused\":[]");
+                    assertThat(in.readLine()).contains("\"velocity\":{\"x\":1.0");
+                }
+            }
+            try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                socket.setSoTimeout(20_000);
+                MessageWriter writer = new MessageWriter(socket.getOutputStream());
+                writer.write(new InitBundle.Answered(new InitBundle(List.of())));
+                BatchAnswerBundle told = (BatchAnswerBundle) new MessageReader(socket.getInputStream()).read();
+                assertThat(((WorldAnswer.Described) told.answers().get(0)).added())
+                        .as("who sends a world has that one")
+                        .isZero();
+            }
+        } finally {
+            process.toHandle().destroy();
+            process.waitFor(20, TimeUnit.SECONDS);
             process.destroyForcibly();
         }
     }

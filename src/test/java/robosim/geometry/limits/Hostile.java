@@ -19,6 +19,7 @@ import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
@@ -97,6 +98,9 @@ final class Hostile {
             batches.addAll(BatchSamples.frames());
             batches.addAll(BatchSamples.pictures());
             batches.addAll(BatchSamples.world());
+            batches.addAll(BatchSamples.obstacles());
+            batches.add(
+                    new InitBundle.Answered((InitBundle) BatchSamples.world().get(3)));
             for (Bundle bundle : batches) {
                 ByteArrayOutputStream one = new ByteArrayOutputStream();
                 new MessageWriter(one).write(bundle);
@@ -131,6 +135,8 @@ final class Hostile {
         lines.add(JsonLines.write(new Reply(BatchSamples.world().get(1))));
         lines.add(JsonLines.write(BatchSamples.world().get(3)));
         lines.add(JsonLines.write(BatchSamples.world().get(3)).replaceFirst("\\{", "{\"answer\":true,"));
+        lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.obstacles().get(1))));
         lines.add(JsonLines.write(new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "why")))));
         lines.add(lines.get(1) + "\n" + lines.get(4) + "\n" + lines.get(1));
         return lines.stream()

@@ -75,6 +75,32 @@ class BatchEndsTest {
         }
     }
 
+    /** An init that asks, in both encodings, each followed by more without waiting. */
+    @Test
+    void anInitThatAsksIsToldWhatBecameOfIt() throws IOException {
+        InitBundle init =
+                new InitBundle(List.of(WORLD.objects().get(0), WORLD.objects().get(0)));
+        Session session = new Session();
+        Bundle told = Objects.requireNonNull(session.answer(new InitBundle.Answered(init)));
+        try (GeometryServer server = new GeometryServer(0)) {
+            try (Peer peer = Peer.dial(server.port())) {
+                peer.send(new InitBundle.Answered(init));
+                peer.send(new InitBundle.Answered(WORLD));
+                peer.send(BATCH);
+                assertThat(peer.receive()).isEqualTo(told);
+                assertThat(peer.receive()).isEqualTo(new Session().answer(new InitBundle.Answered(WORLD)));
+                assertThat(peer.receive()).isEqualTo(truth(BATCH).bundle());
+            }
+            try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+                BufferedReader in =
+                        talk(socket, JsonLines.write(new InitBundle.Answered(init)), JsonLines.write(BATCH));
+                assertThat(in.readLine()).contains("\"hello\"");
+                assertThat(in.readLine()).isEqualTo(JsonLines.write(new Reply(told)));
+                assertThat(in.readLine()).startsWith("{\"type\":\"answers\"");
+            }
+        }
+    }
+
     private static BufferedReader talk(Socket socket, String... lines) throws IOException {
         socket.setSoTimeout(60_000);
         String text = "{\"type\":\"hello\",\"version\":1}\n" + String.join("\n", lines) + "\n";

@@ -192,6 +192,46 @@ class BatchSessionTest {
                 .isGreaterThan(20);
     }
 
+    /** A sensor that stands in the world, and one that moves through it. */
+    @Test
+    void sensorsThatNothingCarriesHaveTheBitsOfGeometry() {
+        Geometry world = init(Dimension.SPATIAL);
+        Mount tower = new Mount(
+                new Point(0.5, 0.3, 1), new Numbers(Pose.of(new Point(), 35).rotation()));
+        RayPattern fan = RayPattern.fan(0, Degrees.toDegrees(0.01), 600);
+        int robots = 0;
+        for (ScanMotion moving : new ScanMotion[] {ScanMotion.NONE, new ScanMotion(0.5, 2, 0, 0.5, Math.PI / 2)}) {
+            boolean isStill = moving.equals(ScanMotion.NONE);
+            SenseRequest request =
+                    new SenseRequest("", tower, new BeamPattern.Fan(0, 0.01, 600), 0, 15, 0, false, true, true, moving);
+            SenseAnswer answer = (SenseAnswer) ask(request).get(0);
+            SenseBuffer seen =
+                    new SenseBuffer(SenseBuffer.Extra.OBJECTS, SenseBuffer.Extra.PARTS, SenseBuffer.Extra.NORMALS);
+            SenseOptions options = SenseOptions.range(0, 15);
+            world.sense(
+                    tower.pose(),
+                    isStill ? fan : fan.withDuration(0.5),
+                    isStill ? options : options.withMotion(new Twist(2, 0, 0.5, 90)),
+                    seen);
+            int echoes = 0;
+            for (int k = 0; k < fan.size(); k++) {
+                assertThat(answer.distances().get(k)).as(moving + " beam " + k).isEqualTo(seen.distance(k));
+                assertThat(answer.normals().get(3 * k)).isEqualTo(seen.normalX(k));
+                GeometryObject object = seen.object(k);
+                int index = answer.objects().get(k);
+                assertThat(index < 0).isEqualTo(object == null);
+                echoes += index < 0 ? 0 : 1;
+            }
+            assertThat(echoes).isBetween(60, 590);
+            robots += answer.names().contains("robot") ? 1 : 0;
+        }
+        assertThat(robots).as("a fixed sensor sees robots too").isPositive();
+        Session empty = new Session();
+        Reply none = Objects.requireNonNull(empty.reply(new BatchRequestBundle(
+                List.of(new SenseRequest("", tower, new BeamPattern.Fan(0, 0, 1), 0, 1, 0, false, false)))));
+        assertThat(none.problems()).extracting(Object::toString).containsExactly("0: there is no world yet");
+    }
+
     @Test
     void patternsHaveTheBitsOfGeometry() {
         Geometry world = init(Dimension.SPATIAL);

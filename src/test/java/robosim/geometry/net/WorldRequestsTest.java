@@ -6,9 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.SlideResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -31,6 +33,7 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
@@ -161,6 +164,210 @@ class WorldRequestsTest {
                         "4: no moveable object \"ball\"");
         assertThat(((BatchAnswerBundle) refused.bundle()).answers().get(3)).isEqualTo(WorldAnswer.Went.MADE);
         assertThat(session.objectCount()).isEqualTo(3);
+    }
+
+    private static WorldAnswer.Identified told(WorldAnswer answer, Obstacle... obstacles) {
+        return new WorldAnswer.Identified(answer, List.of(obstacles));
+    }
+
+    private static WorldAnswer.Identified blocked(Obstacle... obstacles) {
+        return told(new WorldAnswer.Changed(false, obstacles.length == 0 ? null : obstacles[0].name()), obstacles);
+    }
+
+    private static WorldRequest.Identify place(double x, double z) {
+        return new WorldRequest.Identify(new WorldRequest.Place("robot", new Point(x, 0, z), 0));
+    }
+
+    /** Two objects without a name, one that is left out, and numbers that go on where the init's end. */
+    @Test
+    void whatHasNoNameIsToldByItsIndex() {
+        GeometryObject block = new BoxObject(new Point(0, 0, -3), 4, 2, 0.2);
+        session.reply(new InitBundle(List.of(WALL, POST, WALL, ROBOT, block), SPATIAL));
+        Obstacle wall = new Obstacle(0, "wall", GeometryObject.Kind.BOX, WALL.center());
+        Obstacle post = new Obstacle(1, "", GeometryObject.Kind.CYLINDER, POST.center());
+        Obstacle third = new Obstacle(4, "", GeometryObject.Kind.BOX, block.center());
+        Obstacle ball = new Obstacle(5, "ball", GeometryObject.Kind.SPHERE, new Point(0, 0, -3));
+        Obstacle crumb = new Obstacle(6, "", GeometryObject.Kind.SPHERE, new Point(0, 0, -3.5));
+        Obstacle second = new Obstacle(7, "ball", GeometryObject.Kind.SPHERE, new Point(0, 0, 3));
+        WorldAnswer done = new WorldAnswer.Changed(true, null);
+        GeometryObject small = new SphereObject(new Point(0, 0, -3.5), 0.1);
+        GeometryObject red = new SphereObject(ball.center(), 0.3).moveable("ball");
+        assertThat(ask(
+                        place(3, 0),
+                        place(-3.2, 0),
+                        place(9.9, 0),
+                        place(0, -3),
+                        new WorldRequest.Identify(new WorldRequest.Add(red, false)),
+                        new WorldRequest.Identify(new WorldRequest.Add(red, true)),
+                        new WorldRequest.Identify(new WorldRequest.Add(small, false)),
+                        new WorldRequest.Identify(new WorldRequest.Add(small.movedTo(new Point(30, 0, 0)), true)),
+                        place(0, -3.2),
+                        new WorldRequest.Remove("ball"),
+                        new WorldRequest.Add(red.movedTo(new Point(0, 0, 2)), false),
+                        new WorldRequest.Place("ball", second.center(), 0),
+                        place(0, 3),
+                        place(0, 0),
+                        new WorldRequest.Identify(go(5, 0)),
+                        new WorldRequest.Identify(go(-5, 0)),
+                        new WorldRequest.Identify(go(0, 1))))
+                .startsWith(
+                        blocked(wall),
+                        blocked(post),
+                        blocked(),
+                        blocked(third),
+                        blocked(third),
+                        told(done),
+                        told(done),
+                        blocked(),
+                        blocked(third, ball, crumb),
+                        done,
+                        done,
+                        done,
+                        blocked(second),
+                        told(done))
+                .endsWith(told(WorldAnswer.Went.MADE))
+                .extracting(answer ->
+                        answer instanceof WorldAnswer.Identified told && told.answer() instanceof WorldAnswer.Went
+                                ? told.obstacles()
+                                : List.of())
+                .containsSubsequence(List.of(wall), List.of(post), List.of());
+        session.reply(new InitBundle(List.of(ROBOT, POST), SPATIAL));
+        assertThat(ask(place(-3, 0)).get(0)).as("a new world begins at 0").isEqualTo(blocked(post));
+    }
+
+    @Test
+    void manyThatAreInTheWayAreToldUpToAnEnd() {
+        List<GeometryObject> objects = new ArrayList<>(List.of(ROBOT));
+        for (int k = 0; k < 20; k++) {
+            objects.add(new SphereObject(new Point(5, 0, 0), 1 + k));
+        }
+        session.reply(new InitBundle(objects, SPATIAL.withSize(100, 100, 100)));
+        WorldAnswer.Identified told = (WorldAnswer.Identified) ask(place(5, 0)).get(0);
+        assertThat(told.obstacles())
+                .extracting(Obstacle::index)
+                .containsExactly(1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 13L, 14L, 15L, 16L);
+        assertThat(told.answer()).isEqualTo(new WorldAnswer.Changed(false, ""));
+    }
+
+    /** Numbers go on, however many come and go before anybody asks. */
+    @Test
+    void numbersGoOnForAsLongAsObjectsComeAndGo() {
+        for (int count : new int[] {3, 1500}) {
+            session.reply(new InitBundle(List.of(ROBOT), SPATIAL));
+            GeometryObject ball = new SphereObject(new Point(0, 0, 4), 0.3).named("ball");
+            for (int k = 0; k < count; k++) {
+                assertThat(ask(new WorldRequest.Add(ball, false), new WorldRequest.Remove("ball")))
+                        .containsOnly(new WorldAnswer.Changed(true, null));
+            }
+            ask(
+                    new WorldRequest.Add(ball, false),
+                    new WorldRequest.Add(new SphereObject(new Point(0, 0, 6), 0.3), false));
+            assertThat(ask(place(0, 4), place(0, 6)))
+                    .containsExactly(
+                            blocked(new Obstacle(1L + count, "ball", GeometryObject.Kind.SPHERE, ball.center())),
+                            blocked(new Obstacle(2L + count, "", GeometryObject.Kind.SPHERE, new Point(0, 0, 6))));
+        }
+    }
+
+    /** A session over a world that somebody else made. */
+    @Test
+    void objectsOfAGivenWorldAreCountedAsItListsThem() {
+        Geometry world = new Geometry(20, 6, 20);
+        List.of(WALL, POST, ROBOT).forEach(world::addObject);
+        Session over = new Session(
+                world.snapshot().toGeometry(),
+                SessionOptions.ROBOSIM,
+                SessionListener.NONE,
+                "test",
+                System.getLogger("test"));
+        Reply reply = Objects.requireNonNull(over.reply(new BatchRequestBundle(List.of(place(-3, 0)))));
+        assertThat(((BatchAnswerBundle) reply.bundle()).answers())
+                .containsExactly(blocked(new Obstacle(1, "", GeometryObject.Kind.CYLINDER, POST.center())));
+    }
+
+    @Test
+    void anInitThatAsksIsAnswered() {
+        InitBundle init = new InitBundle(List.of(WALL, ROBOT, WALL), SPATIAL);
+        BatchAnswerBundle told =
+                (BatchAnswerBundle) Objects.requireNonNull(session.answer(new InitBundle.Answered(init)));
+        assertThat(told.answers()).isEqualTo(ask(new WorldRequest.Describe()));
+        assertThat(((WorldAnswer.Described) told.answers().get(0)).leftOut()).hasSize(1);
+    }
+
+    /** The same moves to a contact, and along it, in a world of our own. */
+    @Test
+    void movesToAContactAndAlongItAreThoseOfGeometry() {
+        SplittableRandom random = new SplittableRandom(23);
+        List<GeometryObject> objects = new ArrayList<>(List.of(WALL, POST, ROBOT));
+        for (int k = 0; k < 30; k++) {
+            Point at = new Point(16 * random.nextDouble() - 8, 0, 16 * random.nextDouble() - 8);
+            objects.add(new BoxObject(at, 1, 1, 0.5).turned(0, 90 * random.nextDouble()));
+        }
+        session.reply(new InitBundle(objects, SPATIAL));
+        Geometry world = new Geometry(20, 6, 20);
+        objects.forEach(world::addObjectUnchecked);
+        int made = 0;
+        int bends = 0;
+        int borders = 0;
+        for (int k = 0; k < 400; k++) {
+            double x = 6 * random.nextDouble() - 1;
+            double z = 2 * random.nextDouble() - 1;
+            double ry = 6 * random.nextDouble() - 3;
+            Move move = new Move(x, 0, z, 0, Degrees.toDegrees(ry));
+            if (k % 2 == 0) {
+                MoveResult truth = world.moveToContact("robot", move, 0.01);
+                WorldAnswer.Identified told =
+                        (WorldAnswer.Identified) ask(new WorldRequest.GoToContact("robot", x, 0, z, 0, ry, 0.01))
+                                .get(0);
+                WorldAnswer.Went went = (WorldAnswer.Went) told.answer();
+                assertThat(went.made()).isEqualTo(truth.allowed());
+                assertThat(went.fraction()).isEqualTo(truth.fraction());
+                assertThat(went.turnFraction()).isEqualTo(truth.turnFraction());
+                assertThat(went.contact()).isEqualTo(truth.contact());
+                assertThat(went.normal()).isEqualTo(truth.normal());
+                assertThat(told.obstacles()).isEqualTo(obstacles(objects, truth.obstacle()));
+                made += went.made() ? 1 : 0;
+            } else {
+                SlideResult truth = world.moveAndSlide("robot", move, 0.01, 3);
+                WorldAnswer.Slid slid =
+                        (WorldAnswer.Slid) ask(new WorldRequest.GoAndSlide("robot", x, 0, z, 0, ry, 0.01, 3))
+                                .get(0);
+                assertThat(slid.displacement()).isEqualTo(truth.made());
+                assertThat(slid.length()).isEqualTo(truth.length());
+                assertThat(slid.left()).isEqualTo(truth.left());
+                assertThat(slid.turnFraction()).isEqualTo(truth.turnFraction());
+                assertThat(slid.contacts()).hasSameSizeAs(truth.contacts());
+                for (int c = 0; c < slid.contacts().size(); c++) {
+                    WorldAnswer.Contact contact = slid.contacts().get(c);
+                    assertThat(contact.point())
+                            .isEqualTo(truth.contacts().get(c).point());
+                    assertThat(contact.normal())
+                            .isEqualTo(truth.contacts().get(c).normal());
+                    Obstacle obstacle = contact.obstacle();
+                    assertThat(obstacle == null ? List.of() : List.of(obstacle))
+                            .isEqualTo(
+                                    obstacles(objects, truth.contacts().get(c).obstacle()));
+                    borders += obstacle == null ? 1 : 0;
+                }
+                bends += slid.contacts().size() > 1 ? 1 : 0;
+            }
+            assertThat(Objects.requireNonNull(session.world()).getObject("robot"))
+                    .isEqualTo(world.getObject("robot"));
+        }
+        assertThat(made).isBetween(40, 195);
+        assertThat(bends).isGreaterThan(10);
+        assertThat(borders).isGreaterThan(3);
+    }
+
+    /** What the answer should have for an object of a list; none has moved but the robot. */
+    private static List<Obstacle> obstacles(List<GeometryObject> objects, @Nullable GeometryObject met) {
+        for (int k = 0; met != null && k < objects.size(); k++) {
+            if (objects.get(k).equals(met)) {
+                String name = Objects.requireNonNullElse(met.name(), "");
+                return List.of(new Obstacle(k, name, met.kind(), met.center()));
+            }
+        }
+        return List.of();
     }
 
     @Test

@@ -31,6 +31,7 @@ class BatchMessageTest {
     private static final String FRAMES = "frames.ser";
     private static final String PICTURES = "pictures.ser";
     private static final String WORLD = "world-requests.ser";
+    private static final String OBSTACLES = "obstacles.ser";
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
@@ -38,6 +39,7 @@ class BatchMessageTest {
         bundles.addAll(BatchSamples.frames());
         bundles.addAll(BatchSamples.pictures());
         bundles.addAll(BatchSamples.world());
+        bundles.addAll(BatchSamples.obstacles());
         byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
         assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
     }
@@ -48,13 +50,28 @@ class BatchMessageTest {
         assertThat(MessageTest.readAll(StoredBytesTest.stored(FRAMES))).isEqualTo(BatchSamples.frames());
         assertThat(MessageTest.readAll(StoredBytesTest.stored(PICTURES))).isEqualTo(BatchSamples.pictures());
         assertThat(MessageTest.readAll(StoredBytesTest.stored(WORLD))).isEqualTo(BatchSamples.world());
+        List<Bundle> last = new ArrayList<>(BatchSamples.obstacles());
+        last.add(BatchSamples.world().get(2));
+        last.add(InitBundle.Answered.QUESTION);
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(OBSTACLES))).isEqualTo(last);
     }
 
-    /** Whoever knows no requests about the world understands all others. */
+    /** Whoever knows no requests about the world, or none of the later ones, understands all others. */
     @Test
     void batchesAreWrittenAsEver() throws IOException {
         assertThat(MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)))
                 .isEqualTo(StoredBytesTest.stored(FRAMES));
+        assertThat(MessageTest.write(BatchSamples.world().toArray(Bundle[]::new)))
+                .isEqualTo(StoredBytesTest.stored(WORLD));
+    }
+
+    @Test
+    void anInitThatAsksIsReadAsTwoMessages() throws IOException {
+        InitBundle init = (InitBundle) BatchSamples.world().get(2);
+        byte[] bytes = MessageTest.write(new InitBundle.Answered(init), BatchSamples.requests());
+        assertThat(MessageTest.readAll(bytes))
+                .containsExactly(init, InitBundle.Answered.QUESTION, BatchSamples.requests());
+        assertThatThrownBy(() -> new InitBundle.Answered(null)).hasMessage("init must be given (got: null)");
     }
 
     /** A mesh of many triangles costs five bytes each time that it is added again. */
@@ -71,6 +88,20 @@ class BatchMessageTest {
         assertThatThrownBy(() -> MessageTest.readAll(MessageTest.write(new BatchRequestBundle(times(most + 1, add)))))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("must have at most 16000000 parts, counted at every reference");
+        WorldRequest asking = new WorldRequest.Identify(add);
+        assertThatThrownBy(
+                        () -> MessageTest.readAll(MessageTest.write(new BatchRequestBundle(times(most + 1, asking)))))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("must have at most 16000000 parts, counted at every reference");
+    }
+
+    /** A few bytes ask for an answer of many contacts: its memory is claimed before the work begins. */
+    @Test
+    void longAnswersAreCounted() {
+        WorldRequest.GoAndSlide slide = new WorldRequest.GoAndSlide("r", 1, 0, 0, 0, 0, 0, 64);
+        assertThat(new BatchRequestBundle(times(1000, slide)).workBytes()).isEqualTo(1000L * 65 * 256);
+        assertThat(new BatchRequestBundle(times(1000, new WorldRequest.Locate("r"))).workBytes())
+                .isEqualTo(1000);
     }
 
     private static List<BatchRequest> times(int count, BatchRequest request) {
@@ -162,6 +193,9 @@ class BatchMessageTest {
             Files.write(
                     Path.of(args[0], WORLD),
                     MessageTest.write(BatchSamples.world().toArray(Bundle[]::new)));
+            List<Bundle> last = new ArrayList<>(BatchSamples.obstacles());
+            last.add(new InitBundle.Answered((InitBundle) BatchSamples.world().get(2)));
+            Files.write(Path.of(args[0], OBSTACLES), MessageTest.write(last.toArray(Bundle[]::new)));
         }
     }
 }

@@ -5,6 +5,7 @@ import robosim.geometry.material.Color;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
@@ -16,6 +17,7 @@ import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
@@ -156,6 +158,56 @@ public final class BatchSamples {
                 new InitBundle(List.of(), WorldSettings.NONE.withDimension(Dimension.SPATIAL)),
                 new InitBundle(List.of(), new WorldSettings(0, 4, 0, null, Accuracy.OBB)),
                 new InitBundle(List.of(), WorldSettings.NONE));
+    }
+
+    /** What came after those: answers that tell objects without a name, moves to a contact and along it, fixed sensors. */
+    public static List<Bundle> obstacles() {
+        Obstacle nameless = new Obstacle(4, "", GeometryObject.Kind.BOX, new Point(0, 0, -3));
+        Obstacle named = new Obstacle((1L << 53) - 1, "wall \u00e9", GeometryObject.Kind.GRID, new Point(1e-300, 2, 3));
+        Point contact = new Point(1, 2, 3);
+        Point normal = new Point(-1, 0, 0);
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new WorldRequest.Identify(new WorldRequest.Place("robot", new Point(1, -0.5, 0), 2)),
+                        new WorldRequest.Identify(
+                                new WorldRequest.Add(new SphereObject(new Point(3, 0, 0), 0.5).named("ball"), true)),
+                        new WorldRequest.Identify(
+                                new WorldRequest.Add(new BoxObject(new Point(3, 0, 0), 1, 2, 3), false)),
+                        new WorldRequest.Identify(new WorldRequest.Go("robot", 1, -0.0, 0x1p100, 1e-320, Math.PI / 2)),
+                        new WorldRequest.GoToContact("robot", 1, 0, -2, 0, Math.PI, 0.01),
+                        new WorldRequest.GoToContact("", -0.0, 0x1p100, 0, -7, 0, 0),
+                        new WorldRequest.GoAndSlide("robot", 3, 0, 4, 0.5, 0, 1e-300, 64),
+                        new WorldRequest.GoAndSlide("\u00e9", 0, 0, 0, 0, 0, 0, 0),
+                        new SenseRequest(
+                                "",
+                                new Mount(new Point(5, 2, 0), Numbers.of(0, 0, 1, 0, 1, 0, -1, 0, 0)),
+                                new BeamPattern.Fan(0, 1, 4),
+                                0.5,
+                                30,
+                                0,
+                                false,
+                                true,
+                                true,
+                                new ScanMotion(0.1, 1, 0, 0, 2)))),
+                new BatchAnswerBundle(List.of(
+                        new WorldAnswer.Identified(new WorldAnswer.Changed(true, null), List.of()),
+                        new WorldAnswer.Identified(new WorldAnswer.Changed(false, null), List.of()),
+                        new WorldAnswer.Identified(new WorldAnswer.Changed(false, ""), List.of(nameless, named)),
+                        new WorldAnswer.Identified(WorldAnswer.Went.MADE, List.of()),
+                        new WorldAnswer.Identified(
+                                new WorldAnswer.Went(false, 0.25, 0, "wall \u00e9", contact, normal), List.of(named)),
+                        new WorldAnswer.Identified(
+                                new WorldAnswer.Went(false, 1, 0.5, null, contact, normal), List.of()),
+                        new WorldAnswer.Slid(new Point(1, 0, -2), 3.5, new Point(0, 0, 0x1p100), 0, List.of()),
+                        new WorldAnswer.Slid(
+                                new Point(),
+                                0,
+                                new Point(),
+                                1,
+                                List.of(
+                                        new WorldAnswer.Contact(nameless, contact, normal),
+                                        new WorldAnswer.Contact(null, contact, normal),
+                                        new WorldAnswer.Contact(named, new Point(), new Point(0, 0, 1)))))));
     }
 
     /** The bundles. */

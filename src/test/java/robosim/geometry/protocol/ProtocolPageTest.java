@@ -2,6 +2,8 @@ package robosim.geometry.protocol;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -20,6 +22,35 @@ import robosim.geometry.net.GeometryServer;
 class ProtocolPageTest {
     private static final String TO = "--> ";
     private static final String FROM = "<-- ";
+
+    /** Every type of message and every kind of request that the schema has is in the conversation. */
+    @Test
+    void theConversationHasEveryMessage() throws IOException {
+        String said = String.join(
+                "\n",
+                Files.readAllLines(Path.of("docs", "protocol.md")).stream()
+                        .filter(line -> line.startsWith(TO) || line.startsWith(FROM))
+                        .toList());
+        JsonNode schema = new ObjectMapper()
+                .readTree(Files.readString(Path.of("docs", "protocol.schema.json")))
+                .get("$defs");
+        int shown = 0;
+        for (String end : List.of("toModule", "fromModule")) {
+            for (JsonNode message : schema.get(end).findValues("$ref")) {
+                JsonNode type = schema.at(message.asText().substring("#/$defs".length()) + "/properties/type/const");
+                assertThat(said).contains("{\"type\":" + type);
+                shown++;
+            }
+        }
+        for (JsonNode request :
+                schema.at("/batch/properties/requests/items/oneOf").findValues("$ref")) {
+            JsonNode kind = schema.at(request.asText().substring("#/$defs".length()) + "/properties/kind/const");
+            assertThat(said).contains("{\"kind\":" + kind);
+            shown++;
+        }
+        assertThat(shown).isGreaterThanOrEqualTo(26);
+        assertThat(said).contains("\"identify\":true", "\"answer\":true", "{\"kind\":\"sense\",\"mount\"");
+    }
 
     @Test
     @Timeout(60)
@@ -43,7 +74,7 @@ class ProtocolPageTest {
             }
             assertThat(in.readLine()).as("after the error").isNull();
         }
-        assertThat(asked).isEqualTo(10);
-        assertThat(answered).isEqualTo(9);
+        assertThat(asked).isEqualTo(11);
+        assertThat(answered).isEqualTo(10);
     }
 }

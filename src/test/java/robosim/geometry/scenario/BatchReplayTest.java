@@ -8,9 +8,11 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionOptions;
@@ -25,8 +27,11 @@ import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Batches are recorded, replayed and compared bit for bit. */
 class BatchReplayTest {
@@ -40,12 +45,16 @@ class BatchReplayTest {
             new SenseRequest("rover", new BeamPattern.Fan(0, 0, 1))));
 
     private static List<Step> recorded() throws IOException {
+        return recorded(BATCH);
+    }
+
+    private static List<Step> recorded(BatchRequestBundle batch) throws IOException {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         ScenarioHeader header = new ScenarioHeader("batches", SessionOptions.ROBOSIM);
         try (Recorder recorder = new Recorder("test", () -> new ScenarioWriter(file, header), null)) {
             Session session = new Session(SessionOptions.ROBOSIM, recorder, "test", new QuietLog());
             session.reply(WORLD);
-            session.reply(BATCH);
+            session.reply(batch);
         }
         List<Step> steps = new ArrayList<>();
         try (ScenarioReader reader = ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "batches")) {
@@ -66,6 +75,38 @@ class BatchReplayTest {
             assertThat(replay.step(step)).isNull();
         }
         assertThat(replay.compared()).isEqualTo(6);
+    }
+
+    /** What blocks, by its index; slides; and a sensor in the world. */
+    @Test
+    void movesAlongWhatBlocksAreRecordedAndReplayed() throws IOException {
+        BatchRequestBundle moves = new BatchRequestBundle(List.of(
+                new WorldRequest.Identify(new WorldRequest.Go("robot", 5, 0, 0, 0, 0)),
+                new WorldRequest.GoToContact("robot", 5, 0, 0, 0, 0, 0.1),
+                new WorldRequest.GoAndSlide("robot", 1, 0, 1, 0, 0, 0.1, 4),
+                new WorldRequest.Identify(new WorldRequest.Go("robot", 0, 0, 0.5, 0, 0)),
+                new SenseRequest("", new BeamPattern.Fan(0, 1, 4))));
+        List<Step> steps = recorded(moves);
+        assertThat(steps).extracting(Step::request).containsExactly(WORLD, moves);
+        Replay replay = new Replay(SessionOptions.ROBOSIM);
+        for (Step step : steps) {
+            assertThat(replay.step(step)).isNull();
+        }
+        Reply told = Objects.requireNonNull(steps.get(1).expected());
+        List<BatchAnswer> answers = new ArrayList<>(((BatchAnswerBundle) told.bundle()).answers());
+        WorldAnswer.Identified first = (WorldAnswer.Identified) answers.get(0);
+        assertThat(first.obstacles()).extracting(Obstacle::index).containsExactly(0L);
+        assertThat(((WorldAnswer.Slid) answers.get(2)).contacts()).hasSize(1);
+        answers.set(
+                0,
+                new WorldAnswer.Identified(
+                        first.answer(), List.of(new Obstacle(7, "wall", GeometryObject.Kind.BOX, new Point(3, 0, 0)))));
+        Replay other = new Replay(SessionOptions.ROBOSIM);
+        other.step(steps.get(0));
+        assertThat(String.valueOf(other.step(new Step(moves, new Reply(new BatchAnswerBundle(answers))))))
+                .contains("step 2, request 0, a request for Identify[request=Go[objectName=robot")
+                .contains("index=7")
+                .contains("index=0");
     }
 
     private static String mismatch(int index, BatchAnswer wanted) throws IOException {

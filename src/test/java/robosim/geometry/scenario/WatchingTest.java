@@ -21,11 +21,15 @@ import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.net.WatchServer;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.motion.DriveCommand;
 
 /** What watchers are told, without sockets. */
 class WatchingTest {
@@ -113,6 +117,30 @@ class WatchingTest {
         // And whoever carries it on gets the session's own answers.
         Replay replay = new Replay(SessionOptions.ROBOSIM);
         assertThat(steps).allSatisfy(step -> assertThat(replay.step(step)).isNull());
+    }
+
+    /** Moves and changes in batches, and steps, are moves too. */
+    @Test
+    void whoComesLateIsToldWhatBatchesAndStepsMoved() throws Exception {
+        GeometryObject ball = new CylinderObject(new Point(-5, 0, 5), 0.5, 1).moveable("ball");
+        List<Bundle> requests = List.of(
+                new BatchRequestBundle(List.of(new WorldRequest.Go("r", 0.5, 0, 0, 0, 0))),
+                new BatchRequestBundle(List.of(new WorldRequest.GoToContact("r", 9, 0, 0, 0, 0, 0.25))),
+                new BatchRequestBundle(List.of(new WorldRequest.Place("r", new Point(0, 0, 2), 1))),
+                new BatchRequestBundle(List.of(new WorldRequest.Add(ball, false), new WorldRequest.Remove("wall"))),
+                new StepBundle(1, List.of(), List.of(new DriveCommand("r", 1, 0, 0))));
+        for (int count = 1; count <= requests.size(); count++) {
+            Held held = new Held("session " + count).world(WALL, ROBOT);
+            requests.subList(0, count).forEach(held.session::reply);
+            WatchServer.Lines lines = join();
+            held.session.reply(LOOK);
+            InitBundle now = (InitBundle) told(lines).get(0).request();
+            assertThat(now.objects())
+                    .as("after " + count)
+                    .containsExactlyInAnyOrderElementsOf(held.session.world().objects());
+            assertThat(now.objects()).doesNotContain(ROBOT);
+            held.listener.ended();
+        }
     }
 
     @Test

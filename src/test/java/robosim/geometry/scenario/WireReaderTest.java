@@ -7,10 +7,12 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.Session;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -21,7 +23,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 
 class WireReaderTest {
-    private static final Bundle INIT = new InitBundle(List.of(new CylinderObject(new Point(), 1, 1).moveable("r")));
+    private static final InitBundle INIT = new InitBundle(List.of(new CylinderObject(new Point(), 1, 1).moveable("r")));
     private static final Bundle MOVES = new MoveBundle(List.of(Conversation.move("r", 1, 0)));
     private static final Bundle SONARS = new SonarRequestBundle(List.of(new SonarRequest("r", 1, 0)));
     private static final Bundle HEARD = new DistanceBundle(List.of(Double.POSITIVE_INFINITY));
@@ -52,6 +54,17 @@ class WireReaderTest {
             assertThat(reader.next()).isEqualTo(new Step(SONARS, new Reply(HEARD)));
             assertThat(reader.next()).isNull();
             assertThat(reader.header().title()).isEqualTo("to");
+        }
+    }
+
+    /** An init that was answered is replayed as an init and the question. */
+    @Test
+    void anAnsweredInitMeetsItsAnswer() throws Exception {
+        Bundle told = Objects.requireNonNull(new Session().answer(new InitBundle.Answered(INIT)));
+        try (WireReader reader = open(List.of(new InitBundle.Answered(INIT), MOVES), List.of(told, MOVES))) {
+            assertThat(reader.next()).isEqualTo(new Step(INIT, null));
+            assertThat(reader.next()).isEqualTo(new Step(InitBundle.Answered.QUESTION, new Reply(told)));
+            assertThat(reader.next()).isEqualTo(new Step(MOVES, new Reply(MOVES)));
         }
     }
 

@@ -80,20 +80,58 @@ def moves(module):
 
 
 def changes(module):
-    same(module.place("robot", [3, 0, 0]), (False, "wall"))
-    same(module.place("robot", [-3, 0, 3]), (False, ""))
-    same(module.place("robot", [19.9, 0, 0]), (False, None))
+    same(module.place("robot", [3, 0, 0]), (False, "wall", ()))
+    same(module.place("robot", [-3, 0, 3]), (False, "", ()))
+    same(module.place("robot", [19.9, 0, 0]), (False, None, ()))
     same(bool(module.place("robot", [0, 0, 0], heading=-math.pi / 2)), True)
     same(module.pose("robot").heading, -math.pi / 2)
-    same(module.place("robot", [0, 0, 0]), (True, None))
+    same(module.place("robot", [0, 0, 0]), (True, None, ()))
     ball = sphere([0.1, 0, 0.2], 0.1, name="ball 2", moveable=True)
-    same(module.add(ball), (False, "robot"))
-    same(module.add(ball, overlapping=True), (True, None))
+    same(module.add(ball), (False, "robot", ()))
+    same(module.add(ball, overlapping=True), (True, None, ()))
     same(module.pose("ball 2").center, [0.1, 0, 0.2])
-    same(module.remove("ball 2"), (True, None))
-    same(module.remove("ball 2"), (False, None))
+    same(module.remove("ball 2"), (True, None, ()))
+    same(module.remove("ball 2"), (False, None, ()))
     refused(lambda: module.pose("ball 2"), 'no object "ball 2"')
     refused(lambda: module.place("wall", [0, 0, 0]), 'no moveable object "wall"')
+
+
+def blocked(module):
+    """What blocks, by its index too; moves to a contact and along it."""
+    posts = [box([3, 0, 0], 0.2, 2, 4), cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True),
+             sphere([0, 0, 4], 0.5)]
+    module.init(posts, width=20, height=10, length=20)
+    wall = robosim.Obstacle(0, "", "box", [3, 0, 0])
+    ball = robosim.Obstacle(2, "", "sphere", [0, 0, 4])
+    new = robosim.Obstacle(3, "new", "sphere", [0, 0, 5])
+    same(module.place("robot", [3, 0, 1], identify=True), (False, "", (wall,)))
+    same(module.place("robot", [3, 0, 1]).obstacles, ())
+    same(module.add(sphere([0, 0, 5], 0.6, name="new"), identify=True), (False, "", (ball,)))
+    same(module.add(sphere([0, 0, 5], 0.6, name="new"), overlapping=True, identify=True), (True, None, ()))
+    same(module.place("robot", [0, 0, 4.5], identify=True).obstacles, (ball, new))
+    same(module.place("robot", [0, 0, 4.5], identify=False).obstacles, ())
+    same(module.place("robot", [9.9, 0, 0], identify=True), (False, None, ()))
+    same(module.move("robot", x=5, identify=True).obstacles, (wall,))
+    same(module.move("robot", x=5).obstacles, ())
+    docked = module.move_to_contact("robot", x=5, clearance=0.25)
+    same((docked.made, docked.obstacle, docked.obstacles), (False, "", (wall,)))
+    near(module.pose("robot").center[0], 2.4)
+    near(docked.fraction, 0.48)
+    same(module.move_to_contact("robot", x=-2).made, True)
+    slid = module.move_and_slide("robot", x=5, z=1)
+    same((bool(slid), len(slid.contacts), slid.contacts[0].obstacle), (False, 1, wall))
+    same(slid.contacts[0].normal, [-1, 0, 0])
+    near(slid.displacement[2], 1)
+    near(module.pose("robot").center[2], 1)
+    same(bool(module.move_and_slide("robot", x=-1, ry=0.5)), True)
+    out = module.move_and_slide("robot", x=-50, bends=0, clearance=0.1)
+    same((len(out.contacts), out.contacts[0].obstacle, out.turn_fraction), (1, None, 1))
+    answers = module.batch([robosim.go_to_contact("robot", x=1), robosim.go_and_slide("robot", z=1, bends=2),
+                            robosim.go("robot", x=50, identify=True)])
+    same((answers[0].made, answers[1].contacts, len(answers[2].obstacles)), (True, [], 1))
+    tower = module.scan("", count=4, at=(0, 0, 0), objects=True)
+    same((tower[0], tower.name(0), tower[3], tower.name(3)), (2.9, "", 3.5, ""))
+    same(module.sense("", robosim.fan(0, 0, 1), at=(1, 0, 0), heading=math.pi)[0], INF)
 
 
 def sensors(module):
@@ -216,6 +254,7 @@ def main():
         changes(module)
         sensors(module)
         together(module)
+        blocked(module)
         steps(module)
         drives(module, sys.argv[2])
         try:

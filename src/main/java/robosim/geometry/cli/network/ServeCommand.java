@@ -2,24 +2,37 @@ package robosim.geometry.cli.network;
 
 import java.io.PrintWriter;
 import java.net.InetAddress;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Ports;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.net.GeometryServer;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.scenario.drive.WorldOpening;
+import robosim.geometry.world.WorldException;
 
 /** Serves environments that dial in, until the process is ended. */
 @Command(
         name = "serve",
         description = {
             "Serves environment modules that dial in, until it is ended.",
-            "It holds no world: each connection sends its own, as robosim.load of examples/robosim.py does with a file."
+            "Each connection sends its own world, as robosim.load of examples/robosim.py does with a file, or begins with"
+                    + " that of --world, which is its own from then on."
         },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
@@ -28,6 +41,7 @@ import robosim.geometry.net.GeometryServer;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry serve 5555",
+            "  robosim-geometry serve 5555 --world worlds/rooms.xml",
             "  robosim-geometry serve 5555 --record recordings --figures 60",
             "  robosim-geometry serve 5555 --watch 5556"
         })
@@ -55,6 +69,18 @@ public final class ServeCommand implements Callable<Integer> {
             description = "maximum number of connections at a time (default: ${DEFAULT-VALUE})")
     private int connections;
 
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description =
+                    "the world with which each connection begins, unless it sends one first: any file that convert"
+                            + " reads, with the bodies and drives of its robots (default: none)")
+    private @Nullable Path world;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WorldFiles files;
+
     @Mixin
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private ConnectionOptions common;
@@ -72,10 +98,16 @@ public final class ServeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        WatchOptions.Watch watched = watch.begin(record.inFolder(common.options(connections)));
+        NetOptions options = common.options(connections);
+        List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
+        WatchOptions.Watch watched = watch.begin(record.inFolder(options.withOpening(opening)));
         GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, watched.options());
         PrintWriter out = spec.commandLine().getOut();
+        if (!opening.isEmpty()) {
+            out.println("Connections begin with the world of " + world + ", "
+                    + NumberText.count(((InitBundle) opening.get(0)).objects().size(), "object"));
+        }
         out.println("Listening on " + server.address());
         out.flush();
         FiguresPrinter.start(out, server.figures(), seconds, () -> {
@@ -83,5 +115,22 @@ public final class ServeCommand implements Callable<Integer> {
             watched.close();
         });
         return 0;
+    }
+
+    /** The requests with which connections begin; none without a world. */
+    private List<Bundle> opening() throws WorldException {
+        files.check();
+        if (world == null) {
+            return List.of();
+        }
+        Inputs.file(spec, "--world", world);
+        try {
+            return WorldOpening.of(files.world(world));
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--world must be a world that can be (got: " + world + "): " + e.getMessage(),
+                    e);
+        }
     }
 }

@@ -44,6 +44,7 @@ import robosim.geometry.world.WorldWriter;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry add arena.xml with-robots.xml disc:0.3@1,2 box:0.6x0.4@-2,0,90",
+            "  robosim-geometry add map.yaml world.xml disc:0.3@1,2#ff8000 --sonars 16",
             "  robosim-geometry add map.yaml world.xml scout=disc:0.2x0.5@0,0 --sonars 16"
         })
 public final class AddCommand implements Callable<Integer> {

@@ -33,10 +33,10 @@ public final class CloudOptions {
             names = "--lidar",
             paramLabel = "MODEL",
             defaultValue = "os1-128",
-            completionCandidates = ScanCommand.Models.class,
-            converter = ScanCommand.ModelConverter.class,
+            completionCandidates = LidarModel.Names.class,
+            converter = LidarModel.Converter.class,
             description = "of --show points: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
-    private ScanCommand.Model model = ScanCommand.Model.OS1_128;
+    private LidarModel model = LidarModel.OS1_128;
 
     @Option(
             names = "--from",

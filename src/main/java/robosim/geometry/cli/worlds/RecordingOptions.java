@@ -101,6 +101,15 @@ public final class RecordingOptions {
         return frames;
     }
 
+    /** Which steps frames are, in words: files are numbered from 0 without gaps, since programs that make videos want it so. */
+    String told(int[] shown) {
+        int first = shown[0] + 1;
+        int last = shown[shown.length - 1] + 1;
+        return shown.length == 1
+                ? ": step " + first
+                : ": steps " + first + " to " + last + (every == 1 ? "" : ", every " + every);
+    }
+
     private ParameterException refused(String message) {
         return new ParameterException(spec.commandLine(), message);
     }

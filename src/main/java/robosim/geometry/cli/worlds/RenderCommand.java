@@ -58,6 +58,7 @@ import robosim.geometry.world.WorldException;
             "  robosim-geometry render arena.sdf --camera sensor:front_camera -o seen.png",
             "  robosim-geometry render session.scenario.jsonl --plan --steps 1-500 --every 5 -o frame.png",
             "  robosim-geometry render worlds/maze.xml --plan --dark -o maze.png",
+            "  robosim-geometry render worlds/meshes.xml --slice 0.5 -o meshes.svg",
             "  robosim-geometry render arena.world --models ~/.gazebo/models -o arena.svg"
         })
 public final class RenderCommand implements Callable<Integer> {
@@ -81,6 +82,14 @@ public final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--plan", description = "draw the plan from above as a .png")
     private boolean plan;
+
+    @Option(
+            names = "--slice",
+            paramLabel = "HEIGHT",
+            description =
+                    "draw the plan at this height, a Y of the world: of each object the section there, of meshes the"
+                            + " lines of their faces")
+    private @Nullable Double slice;
 
     @Option(
             names = "--show",
@@ -119,14 +128,21 @@ public final class RenderCommand implements Callable<Integer> {
         if (!name.endsWith(".svg") && !name.endsWith(".png")) {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
-        boolean isPlan = plan || dark || name.endsWith(".svg");
+        boolean isPlan = plan || dark || slice != null || name.endsWith(".svg");
         if (RecordingOptions.isRecording(world.file())) {
+            if (slice != null) {
+                throw new ParameterException(
+                        spec.commandLine(), "--slice is for a world, and WORLD is a recording (got: " + slice + ")");
+            }
             film(isPlan);
             return ExitCodes.FINE;
         }
         recording.refuse();
         World read = world.read();
         world.keep("FILE", output);
+        if (slice != null) {
+            read = sliced(read, slice);
+        }
         if (isPlan) {
             Painter.write(Pictures.of(read, Pictures.title(world.file())), theme(), output);
             tell(output);
@@ -134,6 +150,16 @@ public final class RenderCommand implements Callable<Integer> {
             photograph(read);
         }
         return ExitCodes.FINE;
+    }
+
+    private World sliced(World read, double height) {
+        if (!(Math.abs(height) <= read.height() / 2)) { // written so that NaN fails it
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--slice must be a height within the world, from " + -read.height() / 2 + " to " + read.height() / 2
+                            + " (got: " + height + ")");
+        }
+        return PlanSlice.of(read, height);
     }
 
     /** A picture of each step of a recording; an orbit goes once around while it is played. */
@@ -162,7 +188,7 @@ public final class RenderCommand implements Callable<Integer> {
             }
         }
         String last = frames.length == 1 ? "" : " to " + numbered(frames.length - 1, frames.length);
-        tell((frames.length == 1 ? output : numbered(0, frames.length)) + last);
+        tell((frames.length == 1 ? output : numbered(0, frames.length)) + last + recording.told(frames));
     }
 
     private static World moment(StateHistory film, int frame) {

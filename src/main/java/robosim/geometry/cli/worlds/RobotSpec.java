@@ -24,16 +24,16 @@ import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.check.StandIn;
 
 /**
- * A robot in words: {@code [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING]}, or {@code box:WIDTHxLENGTH[xHEIGHT]} in the place of
- * the disc. It stands a little above the floor of its world.
+ * A robot in words: {@code [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING][#RRGGBB]}, or {@code box:WIDTHxLENGTH[xHEIGHT]} in the
+ * place of the disc. It stands a little above the floor of its world.
  */
 final class RobotSpec {
-    static final String FORM =
-            "[NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING] or [NAME=]box:WIDTHxLENGTH[xHEIGHT]@X,Z[,HEADING]";
+    static final String FORM = "[NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING][#RRGGBB] or"
+            + " [NAME=]box:WIDTHxLENGTH[xHEIGHT]@X,Z[,HEADING][#RRGGBB]";
 
     private static final String NUMBER = "[-+]?[0-9]*\\.?[0-9]+(?:[eE][-+]?[0-9]{1,3})?";
     private static final Pattern WORDS = Pattern.compile("(?:([^=]+)=)?(disc|box):(" + NUMBER + ")(?:x(" + NUMBER
-            + "))?(?:x(" + NUMBER + "))?@(" + NUMBER + "),(" + NUMBER + ")(?:,(" + NUMBER + "))?");
+            + "))?(?:x(" + NUMBER + "))?@(" + NUMBER + "),(" + NUMBER + ")(?:,(" + NUMBER + "))?(#[0-9a-fA-F]{6})?");
 
     /** The gap between a robot and the floor, as a part of its height: what touches cannot move. */
     private static final double GAP = 1.0 / 64;
@@ -74,7 +74,7 @@ final class RobotSpec {
                 ? List.of()
                 : List.of(new SonarRing(sonars, 0, 360.0 / sonars, 0, Double.POSITIVE_INFINITY, 0));
         List<WorldObject> objects = new ArrayList<>(world.objects());
-        objects.add(new WorldObject(robot, null, rings));
+        objects.add(new WorldObject(robot, match.group(9), rings));
         return new World(
                 world.width(),
                 world.height(),

@@ -2,20 +2,18 @@ package robosim.geometry.cli.worlds;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
@@ -30,6 +28,7 @@ import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
+import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
@@ -44,10 +43,12 @@ import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
-/** Scans a world with a lidar. */
+/** Scans a world with a lidar or a depth camera. */
 @Command(
         name = "scan",
-        description = "Scans a world with a lidar and writes what it sees as a point cloud, or its ranges as an array.",
+        description =
+                "Scans a world with a lidar or a depth camera and writes what it sees as a point cloud, or its ranges or"
+                        + " depths as an array.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
@@ -57,6 +58,7 @@ import robosim.geometry.world.WorldObject;
             "  robosim-geometry scan worlds/rooms.xml -o cloud.ply",
             "  robosim-geometry scan worlds/warehouse.xml --lidar os1-128 --at 0,2,0 --in-world -o cloud.pcd",
             "  robosim-geometry scan arena.sdf --sensor front_laser --seed 7 -o cloud.ply",
+            "  robosim-geometry scan worlds/maze.xml --depth 640x480,70 --on cart --at 0.2,0.3,0 -o depth.npy",
             "  robosim-geometry scan worlds/rooms.xml --lidar utm30lx --noise 0.01 --seed 7 -o ranges.npy"
         })
 public final class ScanCommand implements Callable<Integer> {
@@ -82,10 +84,18 @@ public final class ScanCommand implements Callable<Integer> {
             names = "--lidar",
             paramLabel = "MODEL",
             defaultValue = "vlp16",
-            completionCandidates = Models.class,
-            converter = ModelConverter.class,
+            completionCandidates = LidarModel.Names.class,
+            converter = LidarModel.Converter.class,
             description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
-    private Model model = Model.VLP16;
+    private LidarModel model = LidarModel.VLP16;
+
+    @Option(
+            names = "--depth",
+            paramLabel = "WxH[,DEGREES]",
+            description =
+                    "a depth camera instead of a lidar: its pixels, and its horizontal field of view (80 if it is left"
+                            + " out); as .npy the depths along its optical axis by row and column")
+    private @Nullable String depth;
 
     @Option(
             names = "--sensor",
@@ -143,57 +153,13 @@ public final class ScanCommand implements Callable<Integer> {
         }
     }
 
-    /** The lidars with a preset. */
-    enum Model {
-        VLP16("vlp16"),
-        VLP32C("vlp32c"),
-        OS1_64("os1-64"),
-        OS1_128("os1-128"),
-        UTM30LX("utm30lx"),
-        LDS02("lds02");
-
-        private static final double HERTZ = 10;
-
-        private final String label;
-
-        Model(String label) {
-            this.label = label;
-        }
-
-        Lidar lidar() {
-            return switch (this) {
-                case VLP16 -> Lidar.velodyneVlp16(HERTZ);
-                case VLP32C -> Lidar.velodyneVlp32c(HERTZ);
-                case OS1_64 -> Lidar.ousterOs1With64(HERTZ);
-                case OS1_128 -> Lidar.ousterOs1With128(HERTZ);
-                case UTM30LX -> Lidar.hokuyoUtm30lx();
-                case LDS02 -> Lidar.robotisLds02();
-            };
-        }
-    }
-
-    /** The names of the lidars. */
-    static final class Models implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return Stream.of(Model.values()).map(each -> each.label).iterator();
-        }
-    }
-
-    /** Finds a lidar by its name. */
-    static final class ModelConverter implements ITypeConverter<Model> {
-        @Override
-        public Model convert(String value) {
-            return Stream.of(Model.values())
-                    .filter(each -> each.label.equals(value.toLowerCase(Locale.ROOT)))
-                    .findFirst()
-                    .orElseThrow(() -> new TypeConversionException(
-                            "must be one of " + String.join(", ", new Models()) + " (got: " + value + ")"));
-        }
-    }
-
     /** Of a direction. */
     private static final int DIGITS = 6;
+
+    private static final Pattern PIXELS = Pattern.compile("(\\d{1,5})x(\\d{1,5})(?:,(\\d{1,3}(?:\\.\\d{1,9})?))?");
+
+    /** The field of view of a depth camera: those that robots carry have 70 to 90 degrees. */
+    private static final double USUAL_DEGREES = 80;
 
     private ScanCommand() {}
 
@@ -209,6 +175,10 @@ public final class ScanCommand implements Callable<Integer> {
         if (sensor != null && (carrier != null || at != null)) {
             throw refused("--on and --at must not be given with --sensor, which is where WORLD says");
         }
+        if (sensor != null && depth != null) {
+            throw refused("--depth must not be given with --sensor, which is what WORLD says (got: " + depth + ")");
+        }
+        Intrinsics pixels = depth == null ? null : pixels(depth);
         String what;
         try (Progress progress = Progress.of(spec.commandLine(), "scanning", PHASES)) {
             World read = world.read();
@@ -218,10 +188,15 @@ public final class ScanCommand implements Callable<Integer> {
             String described = sensor;
             if (described == null) {
                 double metres = read.unit() == null ? 1 : read.unit().metres();
-                Lidar lidar = placed(read, model.lidar());
-                lidar = lidar.withRange(
-                        lidar.options().min() / metres, lidar.options().max() / metres);
-                what = scan(snapshot, lidar, noise > 0 ? Noise.gaussian(noise / metres) : Noise.NONE, name, progress);
+                Noise its = noise > 0 ? Noise.gaussian(noise / metres) : Noise.NONE;
+                if (pixels == null) {
+                    Lidar lidar = placed(read, model.lidar());
+                    lidar = lidar.withRange(
+                            lidar.options().min() / metres, lidar.options().max() / metres);
+                    what = scan(snapshot, lidar, its, name, progress);
+                } else {
+                    what = scan(snapshot, placed(read, DepthCamera.of(pixels)), its, name, progress);
+                }
             } else {
                 what = scan(read, snapshot, described, name, progress);
             }
@@ -239,12 +214,7 @@ public final class ScanCommand implements Callable<Integer> {
             Noise its = SdfSensors.noise(found).and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
             return switch (SdfSensors.kind(found)) {
                 case LIDAR -> scan(snapshot, SdfSensors.lidar(found), its, name, progress);
-                case DEPTH -> {
-                    DepthCamera camera = SdfSensors.depthCamera(found);
-                    DepthFrame frame = new DepthFrame();
-                    read(camera.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
-                    yield write(frame, camera.pattern(), frame.depths(), name, new PointCloud());
-                }
+                case DEPTH -> scan(snapshot, SdfSensors.depthCamera(found), its, name, progress);
                 case SEGMENTATION, NORMALS, COLOR, OTHER ->
                     throw refused("--sensor must be a lidar or a depth camera (got: " + found.name() + " of type "
                             + found.type() + ")");
@@ -288,6 +258,27 @@ public final class ScanCommand implements Callable<Integer> {
                         PointCloud.Field.RING,
                         PointCloud.Field.TIME,
                         PointCloud.Field.LABEL));
+    }
+
+    private String scan(Snapshot snapshot, DepthCamera camera, Noise its, String name, Progress progress)
+            throws IOException {
+        DepthFrame frame = new DepthFrame();
+        read(camera.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
+        return write(frame, camera.pattern(), frame.depths(), name, new PointCloud());
+    }
+
+    private Intrinsics pixels(String text) {
+        Matcher match = PIXELS.matcher(text);
+        if (match.matches()) {
+            try {
+                double degrees = match.group(3) == null ? USUAL_DEGREES : Double.parseDouble(match.group(3));
+                return Intrinsics.fieldOfView(
+                        Integer.parseInt(match.group(1)), Integer.parseInt(match.group(2)), degrees);
+            } catch (IllegalArgumentException e) {
+                throw refused("--depth: " + e.getMessage());
+            }
+        }
+        throw refused("--depth must be WxH or WxH,DEGREES, such as 640x480,70 (got: " + text + ")");
     }
 
     private static <S extends RaySensor<S, F>, F extends RayFrame> void read(
@@ -334,11 +325,11 @@ public final class ScanCommand implements Callable<Integer> {
         return Degrees.toDegrees(StrictMath.atan2(-pattern.z(ray), pattern.x(ray)));
     }
 
-    private Lidar placed(World read, Lidar lidar) {
+    private <S extends RaySensor<S, F>, F extends RayFrame> S placed(World read, S by) {
         Pose pose = at == null ? Pose.ORIGIN : pose(at);
         String on = carrier;
         if (on == null && at != null) {
-            return lidar.at(pose);
+            return by.at(pose);
         }
         List<String> moveable = read.objects().stream()
                 .map(each -> each.object())
@@ -355,7 +346,7 @@ public final class ScanCommand implements Callable<Integer> {
                     + (moveable.isEmpty() ? "which has none" : "one of " + String.join(", ", moveable)) + " (got: " + on
                     + ")");
         }
-        return lidar.on(on, pose);
+        return by.on(on, pose);
     }
 
     private Pose pose(String text) {

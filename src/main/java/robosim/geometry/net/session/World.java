@@ -40,7 +40,12 @@ public interface World {
 
     double sonar(String name, double x, double z, double min, double max, double width);
 
-    /** All beams of a pattern. */
+    /**
+     * All beams of a pattern.
+     *
+     * @param name  of the object that carries the sensor; empty for one that nothing carries
+     * @param mount on the object, or in the world
+     */
     void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out);
 
     /** Whether an object could stand at poses. */
@@ -90,7 +95,11 @@ public interface World {
 
             @Override
             public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
-                geometry.sense(name, mount, pattern, options, out);
+                if (name.isEmpty()) {
+                    geometry.sense(mount, pattern, options, out);
+                } else {
+                    geometry.sense(name, mount, pattern, options, out);
+                }
             }
 
             @Override

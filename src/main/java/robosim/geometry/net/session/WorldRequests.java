@@ -2,26 +2,33 @@ package robosim.geometry.net.session;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.ObjectSearch;
+import robosim.geometry.SlideResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Pose;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Answers requests about the world's objects, and keeps what became of the last init. */
 public final class WorldRequests {
+    private static final WorldAnswer.Changed DONE = new WorldAnswer.Changed(true, null);
+
     private final List<WorldAnswer.LeftOut> leftOut = new ArrayList<>();
     private int characters;
     private int added;
     private @Nullable String failure;
+    private final ObjectNumbers numbers = new ObjectNumbers();
 
     /** How many objects there are now. */
     private int present;
@@ -32,13 +39,21 @@ public final class WorldRequests {
         void tried(WorldRequest.Go request, MoveResult result);
     }
 
-    /** A world with objects begins, of which none was left out. */
-    public void begin(int objects) {
+    /** A world begins, to which objects are added one by one. */
+    public void begin(List<GeometryObject> objects) {
         leftOut.clear();
         characters = 0;
         failure = null;
-        added = objects;
-        present = objects;
+        added = 0;
+        present = 0;
+        numbers.begin(objects);
+    }
+
+    /** A world begins that has all these objects. */
+    public void beginWith(List<GeometryObject> objects) {
+        begin(objects);
+        added = objects.size();
+        present = added;
     }
 
     /** The last init made no world. */
@@ -57,6 +72,7 @@ public final class WorldRequests {
         characters += (name == null ? 0 : name.length()) + reason.length();
         String told = name == null ? "" : name;
         boolean isShort = characters <= WorldAnswer.MOST_CHARACTERS;
+        numbers.leftOut(index);
         leftOut.add(new WorldAnswer.LeftOut(index, isShort ? told : "", isShort ? reason : ""));
     }
 
@@ -78,33 +94,25 @@ public final class WorldRequests {
         if (request instanceof WorldRequest.Locate locate) {
             return locate(world, locate.objectName());
         }
+        if (request instanceof WorldRequest.Remove remove) {
+            return remove(world, remove.objectName(), moveable);
+        }
         if (request instanceof WorldRequest.Place place) {
-            return place(world, place);
+            return isPlaced(world, place) ? DONE : new WorldAnswer.Changed(false, first(world, place));
         }
         if (request instanceof WorldRequest.Add add) {
-            return add(world, add, moveable);
+            return isAdded(world, add, moveable) ? DONE : new WorldAnswer.Changed(false, first(world, add));
         }
-        if (request instanceof WorldRequest.Remove remove) {
-            boolean isRemoved = world.removeObject(remove.objectName());
-            if (isRemoved) {
-                moveable.remove(remove.objectName());
-                present--;
-            }
-            return new WorldAnswer.Changed(isRemoved, null);
+        if (request instanceof WorldRequest.Go go) {
+            return went(go(world, go, watcher));
         }
-        WorldRequest.Go go = (WorldRequest.Go) request;
-        Move move = new Move(go.x(), go.y(), go.z(), Degrees.toDegrees(go.rx()), Degrees.toDegrees(go.ry()));
-        MoveResult result = world.move(go.objectName(), move);
-        watcher.tried(go, result);
-        return result.allowed()
-                ? WorldAnswer.Went.MADE
-                : new WorldAnswer.Went(
-                        false,
-                        result.fraction(),
-                        result.turnFraction(),
-                        name(result.obstacle()),
-                        result.contact(),
-                        result.normal());
+        if (request instanceof WorldRequest.GoToContact go) {
+            Move move = move(go.x(), go.y(), go.z(), go.rx(), go.ry());
+            return identified(world.moveToContact(go.objectName(), move, go.clearance()));
+        }
+        return request instanceof WorldRequest.GoAndSlide go
+                ? slide(world, go)
+                : identify(world, ((WorldRequest.Identify) request).request(), moveable, watcher);
     }
 
     private WorldAnswer describe(Geometry world) {
@@ -130,33 +138,129 @@ public final class WorldRequests {
         return new WorldAnswer.Located(pose.center(), new Numbers(pose.rotation()), Degrees.toRadians(pose.heading()));
     }
 
-    private static WorldAnswer place(Geometry world, WorldRequest.Place place) {
-        String name = place.objectName();
-        double heading = Degrees.toDegrees(place.heading());
-        if (world.placeObject(name, place.center(), heading)) {
-            return new WorldAnswer.Changed(true, null);
+    private WorldAnswer remove(Geometry world, String name, Set<String> moveable) {
+        boolean isRemoved = world.removeObject(name);
+        if (isRemoved) {
+            moveable.remove(name);
+            numbers.removed(name);
+            present--;
         }
-        return new WorldAnswer.Changed(
-                false,
-                world.search().fits(name, place.center(), heading)
-                        ? name(world.search().firstInTheWay(name, place.center(), heading))
-                        : null);
+        return new WorldAnswer.Changed(isRemoved, null);
     }
 
-    private WorldAnswer add(Geometry world, WorldRequest.Add add, Set<String> moveable) {
+    private static boolean isPlaced(Geometry world, WorldRequest.Place place) {
+        return world.placeObject(place.objectName(), place.center(), Degrees.toDegrees(place.heading()));
+    }
+
+    private boolean isAdded(Geometry world, WorldRequest.Add add, Set<String> moveable) {
         GeometryObject object = add.object();
         boolean isAdded = add.overlapping() ? world.addObjectUnchecked(object) : world.addObject(object);
         if (isAdded) {
             present++;
+            numbers.added(object);
             String name = object.name();
             if (object.isMoveable() && name != null) {
                 moveable.add(name);
             }
-            return new WorldAnswer.Changed(true, null);
         }
-        boolean isBorder = add.overlapping() || !world.search().fits(object);
-        return new WorldAnswer.Changed(
-                false, isBorder ? null : name(world.search().firstTouching(object)));
+        return isAdded;
+    }
+
+    private static MoveResult go(Geometry world, WorldRequest.Go go, Watcher watcher) {
+        MoveResult result = world.move(go.objectName(), move(go.x(), go.y(), go.z(), go.rx(), go.ry()));
+        watcher.tried(go, result);
+        return result;
+    }
+
+    private static Move move(double x, double y, double z, double rx, double ry) {
+        return new Move(x, y, z, Degrees.toDegrees(rx), Degrees.toDegrees(ry));
+    }
+
+    private WorldAnswer slide(Geometry world, WorldRequest.GoAndSlide go) {
+        Move move = move(go.x(), go.y(), go.z(), go.rx(), go.ry());
+        SlideResult result = world.moveAndSlide(go.objectName(), move, go.clearance(), go.bends());
+        List<WorldAnswer.Contact> contacts = new ArrayList<>(result.contacts().size());
+        for (SlideResult.SlideContact contact : result.contacts()) {
+            GeometryObject met = contact.obstacle();
+            contacts.add(
+                    new WorldAnswer.Contact(met == null ? null : obstacle(met), contact.point(), contact.normal()));
+        }
+        return new WorldAnswer.Slid(result.made(), result.length(), result.left(), result.turnFraction(), contacts);
+    }
+
+    private WorldAnswer identify(Geometry world, WorldRequest request, Set<String> moveable, Watcher watcher) {
+        if (request instanceof WorldRequest.Place place) {
+            return isPlaced(world, place)
+                    ? new WorldAnswer.Identified(DONE, List.of())
+                    : identified(inTheWay(world.search(), place));
+        }
+        if (request instanceof WorldRequest.Add add) {
+            return isAdded(world, add, moveable)
+                    ? new WorldAnswer.Identified(DONE, List.of())
+                    : identified(inTheWay(world.search(), add));
+        }
+        return identified(go(world, (WorldRequest.Go) request, watcher));
+    }
+
+    /** The answer to a change that is not made, with what is in the way. */
+    private WorldAnswer identified(List<GeometryObject> inTheWay) {
+        List<Obstacle> obstacles = new ArrayList<>();
+        for (int k = 0; k < Math.min(inTheWay.size(), WorldAnswer.Identified.MOST_OBSTACLES); k++) {
+            obstacles.add(obstacle(inTheWay.get(k)));
+        }
+        String first = obstacles.isEmpty() ? null : obstacles.get(0).name();
+        return new WorldAnswer.Identified(new WorldAnswer.Changed(false, first), obstacles);
+    }
+
+    private WorldAnswer identified(MoveResult result) {
+        GeometryObject obstacle = result.obstacle();
+        return new WorldAnswer.Identified(went(result), obstacle == null ? List.of() : List.of(obstacle(obstacle)));
+    }
+
+    private static WorldAnswer.Went went(MoveResult result) {
+        return result.allowed()
+                ? WorldAnswer.Went.MADE
+                : new WorldAnswer.Went(
+                        false,
+                        result.fraction(),
+                        result.turnFraction(),
+                        name(result.obstacle()),
+                        result.contact(),
+                        result.normal());
+    }
+
+    private Obstacle obstacle(GeometryObject object) {
+        return new Obstacle(numbers.of(object), Objects.requireNonNull(name(object)), object.kind(), object.center());
+    }
+
+    private static List<GeometryObject> inTheWay(ObjectSearch search, WorldRequest.Place place) {
+        double heading = Degrees.toDegrees(place.heading());
+        return search.fits(place.objectName(), place.center(), heading)
+                ? search.inTheWay(place.objectName(), place.center(), heading)
+                : List.of();
+    }
+
+    private static List<GeometryObject> inTheWay(ObjectSearch search, WorldRequest.Add add) {
+        return isBorder(search, add) ? List.of() : search.touching(add.object());
+    }
+
+    /** The name of the first object in the way; null for the border. */
+    private static @Nullable String first(Geometry world, WorldRequest.Place place) {
+        double heading = Degrees.toDegrees(place.heading());
+        ObjectSearch search = world.search();
+        return search.fits(place.objectName(), place.center(), heading)
+                ? name(search.firstInTheWay(place.objectName(), place.center(), heading))
+                : null;
+    }
+
+    private static @Nullable String first(Geometry world, WorldRequest.Add add) {
+        ObjectSearch search = world.search();
+        return isBorder(search, add) ? null : name(search.firstTouching(add.object()));
+    }
+
+    /** Of an object that may overlap others nothing but the border can be in the way. */
+    private static boolean isBorder(ObjectSearch search, WorldRequest.Add add) {
+        return add.overlapping() || !search.fits(add.object());
     }
 
     private static @Nullable String name(Optional<GeometryObject> object) {

@@ -25,6 +25,11 @@ public record FreeEdgesRequest(String objectName, Numbers edges) implements Batc
     }
 
     @Override
+    public boolean isAboutMover() {
+        return true;
+    }
+
+    @Override
     public int size() {
         return edges.size() / STRIDE;
     }

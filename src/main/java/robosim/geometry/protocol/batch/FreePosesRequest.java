@@ -24,6 +24,11 @@ public record FreePosesRequest(String objectName, Numbers poses) implements Batc
     }
 
     @Override
+    public boolean isAboutMover() {
+        return true;
+    }
+
+    @Override
     public int size() {
         return poses.size() / STRIDE;
     }

@@ -64,6 +64,11 @@ public record PictureRequest(
     }
 
     @Override
+    public boolean isAboutMover() {
+        return isCarried();
+    }
+
+    @Override
     public int size() {
         return camera.size();
     }

@@ -4,11 +4,11 @@ import java.io.Serial;
 import robosim.geometry.exact.Checks;
 
 /**
- * A request for the distances along all beams of a sensor that an object carries, and for what else a frame has: the
- * objects that are seen, their labels, and normals; answered by a {@link SenseAnswer}.
+ * A request for the distances along all beams of a sensor, on an object or at a place of the world, and for what else a
+ * frame has: the objects that are seen, their labels, and normals; answered by a {@link SenseAnswer}.
  *
- * @param objectName  the name of a moveable object
- * @param mount       where on the object the sensor is, and which way it faces
+ * @param objectName  the name of the moveable object that carries the sensor; empty for one that nothing carries
+ * @param mount       where on the object the sensor is, and which way it faces; in the world if nothing carries it
  * @param pattern     its beams
  * @param min         blind range, world units; a nearer echo is reported as {@code min} and still hides what is behind it
  * @param max         range, world units, {@code min <= max}; may be infinite
@@ -74,6 +74,16 @@ public record SenseRequest(
     /** A sensor of rays at the object's centre, facing forward, without an end: distances alone. */
     public SenseRequest(String objectName, BeamPattern pattern) {
         this(objectName, Mount.CENTER, pattern, 0, Double.POSITIVE_INFINITY, 0, false, false);
+    }
+
+    /** Whether an object carries the sensor. */
+    public boolean isCarried() {
+        return !objectName.isEmpty();
+    }
+
+    @Override
+    public boolean isAboutMover() {
+        return isCarried();
     }
 
     @Override

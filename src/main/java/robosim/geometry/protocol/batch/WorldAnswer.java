@@ -3,6 +3,7 @@ package robosim.geometry.protocol.batch;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
@@ -171,6 +172,103 @@ public sealed interface WorldAnswer extends BatchAnswer {
         @Override
         public boolean fits(BatchRequest request) {
             return Checks.present("request", request) instanceof WorldRequest.Go;
+        }
+    }
+
+    /**
+     * An answer that says which objects are in the way.
+     *
+     * @param answer    a {@link Changed} or a {@link Went}; of a {@link WorldRequest.GoToContact} the shares that were made,
+     *                  with a contact in the gap that is left
+     * @param obstacles empty if none is, or the world's border; of a move the one that blocks, of a place or an addition
+     *                  all that are touched there, at most {@link #MOST_OBSTACLES}, in the order in which they were added
+     */
+    record Identified(WorldAnswer answer, List<Obstacle> obstacles) implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** The most objects that are told. */
+        public static final int MOST_OBSTACLES = 16;
+
+        /** Refuses null, any other answer, and obstacles that do not fit to it. */
+        public Identified {
+            obstacles = Checks.copy("obstacles", obstacles, Obstacle.class);
+            String first = obstacles.isEmpty() ? null : obstacles.get(0).name();
+            int most = answer instanceof Changed ? MOST_OBSTACLES : 1;
+            if (obstacles.size() > most || !Objects.equals(first, nameOf(answer))) {
+                throw new IllegalArgumentException("obstacles must be at most " + most
+                        + ", the first of them the obstacle of the answer (got: " + obstacles.size() + " and "
+                        + answer + ")");
+            }
+        }
+
+        private static @Nullable String nameOf(WorldAnswer answer) {
+            if (answer instanceof Changed change) {
+                return change.obstacle();
+            }
+            if (answer instanceof Went went) {
+                return went.obstacle();
+            }
+            throw new IllegalArgumentException("answer must be a Changed or a Went (got: "
+                    + (answer == null ? "null" : answer.getClass().getSimpleName()) + ")");
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.Identify asked
+                    ? answer.fits(asked.request())
+                    : answer instanceof Went && request instanceof WorldRequest.GoToContact;
+        }
+    }
+
+    /**
+     * What became of a move that slides.
+     *
+     * @param displacement of the centre along the world's axes, from start to end
+     * @param length       the length of the way made, world units
+     * @param left         the displacement along the world's axes that was still to go where the object stopped, as it was
+     *                     when the last contact was met; zero if the way was made to its end
+     * @param turnFraction the share of the turns that was made, from 0 to 1
+     * @param contacts     what was met, in order; empty if and only if nothing blocked
+     */
+    record Slid(Point displacement, double length, Point left, double turnFraction, List<Contact> contacts)
+            implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, a length that is negative or NaN, and a share outside 0 to 1. */
+        public Slid {
+            Checks.present("displacement", displacement);
+            if (!(length >= 0 && length < Double.POSITIVE_INFINITY)) { // written so that NaN fails it
+                throw new IllegalArgumentException("length must be a number of at least 0 (got: " + length + ")");
+            }
+            Checks.present("left", left);
+            turnFraction = Checks.share("turnFraction", turnFraction);
+            contacts = Checks.copy("contacts", contacts, Contact.class);
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.GoAndSlide slide
+                    && contacts.size() <= slide.bends() + 1;
+        }
+    }
+
+    /**
+     * A contact of a move that slides.
+     *
+     * @param obstacle what was met; null for the world's border
+     * @param point    where the object touches it, at the place where it was stopped
+     * @param normal   unit normal there, from what blocks towards the object
+     */
+    record Contact(@Nullable Obstacle obstacle, Point point, Point normal) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, but for the border. */
+        public Contact {
+            Checks.present("point", point);
+            Checks.present("normal", normal);
         }
     }
 }

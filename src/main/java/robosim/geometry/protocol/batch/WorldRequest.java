@@ -1,6 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -13,6 +14,21 @@ import robosim.geometry.model.Point;
 public sealed interface WorldRequest extends BatchRequest {
     @Override
     default int size() {
+        return 1;
+    }
+
+    @Override
+    default boolean isAboutMover() {
+        return false;
+    }
+
+    /** The object that it adds; null if it adds none. */
+    default @Nullable GeometryObject addition() {
+        return null;
+    }
+
+    /** About how many bytes of memory its answer takes, where that is more than a few. */
+    default long answerBytes() {
         return 1;
     }
 
@@ -58,6 +74,11 @@ public sealed interface WorldRequest extends BatchRequest {
             Checks.present("center", center);
             Checks.radians("heading", heading);
         }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
     }
 
     /**
@@ -78,6 +99,11 @@ public sealed interface WorldRequest extends BatchRequest {
         public String objectName() {
             String name = object.name();
             return name == null ? "" : name;
+        }
+
+        @Override
+        public GeometryObject addition() {
+            return object;
         }
     }
 
@@ -118,6 +144,138 @@ public sealed interface WorldRequest extends BatchRequest {
             Checks.coordinate("z", z);
             Checks.radians("rx", rx);
             Checks.radians("ry", ry);
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
+    }
+
+    /**
+     * A move as far as the way is free, and so far from what blocks it as asked. Answered by a {@link
+     * WorldAnswer.Identified}, whose shares are what was made of the move.
+     *
+     * @param objectName the name of a moveable object
+     * @param x          world units forward
+     * @param y          world units up
+     * @param z          world units to the right of forward
+     * @param rx         <b>radians</b> about the own X, after the turn by {@code ry}
+     * @param ry         <b>radians</b> about the own Y
+     * @param clearance  world units between the object and every piece that the whole move would meet; at least 0
+     */
+    record GoToContact(String objectName, double x, double y, double z, double rx, double ry, double clearance)
+            implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, and numbers that are NaN or out of range. */
+        public GoToContact {
+            Checks.present("objectName", objectName);
+            Checks.coordinate("x", x);
+            Checks.coordinate("y", y);
+            Checks.coordinate("z", z);
+            Checks.radians("rx", rx);
+            Checks.radians("ry", ry);
+            Checks.size("clearance", clearance);
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
+
+        @Override
+        public long answerBytes() {
+            return Obstacle.BYTES;
+        }
+    }
+
+    /**
+     * A move that goes on along what blocks it. Answered by a {@link WorldAnswer.Slid}.
+     *
+     * @param objectName the name of a moveable object
+     * @param x          world units forward
+     * @param y          world units up
+     * @param z          world units to the right of forward
+     * @param rx         <b>radians</b> about the own X, after the turn by {@code ry}
+     * @param ry         <b>radians</b> about the own Y
+     * @param clearance  world units between the object and what it meets; at least 0
+     * @param bends      at how many contacts the way may go on; it ends at the next. From 0 to {@link #MOST_BENDS}
+     */
+    record GoAndSlide(
+            String objectName, double x, double y, double z, double rx, double ry, double clearance, int bends)
+            implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** The most contacts at which a way goes on. */
+        public static final int MOST_BENDS = 64;
+
+        /** How many there are in JSON unless a request says so: a corner takes two, and round objects some more. */
+        public static final int USUAL_BENDS = 4;
+
+        /** Refuses null, and numbers that are NaN or out of range. */
+        public GoAndSlide {
+            Checks.present("objectName", objectName);
+            Checks.coordinate("x", x);
+            Checks.coordinate("y", y);
+            Checks.coordinate("z", z);
+            Checks.radians("rx", rx);
+            Checks.radians("ry", ry);
+            Checks.size("clearance", clearance);
+            if (bends < 0 || bends > MOST_BENDS) {
+                throw new IllegalArgumentException("bends must be from 0 to " + MOST_BENDS + " (got: " + bends + ")");
+            }
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
+
+        @Override
+        public long answerBytes() {
+            return Obstacle.BYTES * (bends + 1L);
+        }
+    }
+
+    /**
+     * A request whose answer says which objects are in the way, also those without a name. Answered by a {@link
+     * WorldAnswer.Identified}.
+     *
+     * @param request a {@link Place}, an {@link Add} or a {@link Go}
+     */
+    record Identify(WorldRequest request) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null and any other request. */
+        public Identify {
+            if (!(request instanceof Place || request instanceof Add || request instanceof Go)) {
+                throw new IllegalArgumentException("request must be a Place, an Add or a Go (got: "
+                        + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
+            }
+        }
+
+        @Override
+        public String objectName() {
+            return request.objectName();
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return request.isAboutMover();
+        }
+
+        @Override
+        public @Nullable GeometryObject addition() {
+            return request.addition();
+        }
+
+        @Override
+        public long answerBytes() {
+            return Obstacle.BYTES * WorldAnswer.Identified.MOST_OBSTACLES;
         }
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.MessageLimits;
@@ -16,9 +17,11 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Reads answers with packed numbers from JSON. */
 final class JsonAnswers {
@@ -26,7 +29,10 @@ final class JsonAnswers {
     private static final Fields ANSWER = Fields.of(
             "",
             "distances normals count free error names objects labels added leftOut width height length dimension"
-                    + " accuracy center rotation heading done obstacle made fraction turnFraction contact normal rgb");
+                    + " accuracy center rotation heading done obstacle made fraction turnFraction contact normal rgb"
+                    + " obstacles displacement left contacts");
+    private static final Fields OBSTACLE_FIELDS = Fields.of("index kind center", "name");
+    private static final Fields CONTACT = Fields.of("point normal", "obstacle");
     private static final Fields LEFT_OUT = Fields.of("index reason", "name");
     private static final int DISTANCES = 1;
     private static final int NORMALS = 2;
@@ -44,6 +50,9 @@ final class JsonAnswers {
     private static final int MADE = 1 << 20;
     private static final int WENT = 31 << 20;
     private static final int RGB = 25;
+    private static final int OBSTACLES = 1 << 26;
+    private static final int SLID =
+            7 << 27 | 1 << 12 | 1 << 22; // displacement, left, contacts; length and turnFraction
     private static final int PICTURE = 3 << 10 | 1 << RGB; // width, height and rgb
 
     private final JsonInput in;
@@ -102,7 +111,11 @@ final class JsonAnswers {
             case DESCRIBED -> in.make(world::described);
             case LOCATED -> in.make(world::located);
             case DONE, DONE + OBSTACLE -> in.make(world::changed);
-            case MADE, WENT, WENT + OBSTACLE -> in.make(() -> world.went(world.contact != null));
+            case MADE, WENT, WENT + OBSTACLE -> in.make(world::went);
+            case DONE + OBSTACLES, DONE + OBSTACLE + OBSTACLES -> in.make(() -> world.identified(world.changed()));
+            case MADE + OBSTACLES, WENT + OBSTACLES, WENT + OBSTACLE + OBSTACLES ->
+                in.make(() -> world.identified(world.went()));
+            case SLID -> in.make(world::slid);
             case ERROR -> new NoAnswer();
             default ->
                 throw in.refused(
@@ -124,6 +137,10 @@ final class JsonAnswers {
         private @Nullable String obstacle;
         private @Nullable Point contact;
         private @Nullable Point normal;
+        private final List<Obstacle> obstacles = new ArrayList<>();
+        private Point displacement = new Point();
+        private Point left = new Point();
+        private final List<WorldAnswer.Contact> contacts = new ArrayList<>();
 
         void read(int field) throws IOException {
             switch (field) {
@@ -137,6 +154,10 @@ final class JsonAnswers {
                 case 19 -> obstacle = in.text();
                 case 23 -> contact = point();
                 case 24 -> normal = point();
+                case 26 -> obstacles();
+                case 27 -> displacement = point();
+                case 28 -> left = point();
+                case 29 -> contacts();
                 default -> numbers[field] = in.number();
             }
         }
@@ -144,6 +165,57 @@ final class JsonAnswers {
         private Point point() throws IOException {
             double[] at = in.numbers(3);
             return in.make(() -> new Point(at[0], at[1], at[2]));
+        }
+
+        private void obstacles() throws IOException {
+            in.list();
+            while (in.more(obstacles.size(), WorldAnswer.Identified.MOST_OBSTACLES)) {
+                obstacles.add(object());
+            }
+        }
+
+        private Obstacle object() throws IOException {
+            long index = 0;
+            String name = "";
+            GeometryObject.Kind kind = GeometryObject.Kind.BOX;
+            Point at = new Point();
+            var members = in.object(OBSTACLE_FIELDS);
+            for (int field = members.next(); field >= 0; field = members.next()) {
+                switch (field) {
+                    case 0 -> index = in.whole(0, JsonMessages.MAX_ID);
+                    case 1 -> kind = kind();
+                    case 2 -> at = point();
+                    default -> name = in.text();
+                }
+            }
+            return new Obstacle(index, name, kind, at);
+        }
+
+        private GeometryObject.Kind kind() throws IOException {
+            String word = in.text();
+            for (GeometryObject.Kind kind : GeometryObject.Kind.values()) {
+                if (kind.word().equals(word)) {
+                    return kind;
+                }
+            }
+            throw in.refused("must be the kind of an object, as in \"box\" (got: " + in.told(word) + ")");
+        }
+
+        private void contacts() throws IOException {
+            in.list();
+            while (in.more(contacts.size(), WorldRequest.GoAndSlide.MOST_BENDS + 1)) {
+                Obstacle met = null;
+                Point[] points = {new Point(), new Point()};
+                var members = in.object(CONTACT);
+                for (int field = members.next(); field >= 0; field = members.next()) {
+                    if (field < points.length) {
+                        points[field] = point();
+                    } else {
+                        met = object();
+                    }
+                }
+                contacts.add(new WorldAnswer.Contact(met, points[0], points[1]));
+            }
         }
 
         private void leftOut() throws IOException {
@@ -190,10 +262,19 @@ final class JsonAnswers {
             return new WorldAnswer.Changed(flag, obstacle);
         }
 
-        WorldAnswer went(boolean isBlocked) {
+        WorldAnswer went() {
+            boolean isBlocked = contact != null;
             double fraction = isBlocked ? numbers[21] : 1;
             double turnFraction = isBlocked ? numbers[22] : 1;
             return new WorldAnswer.Went(flag, fraction, turnFraction, obstacle, contact, normal);
+        }
+
+        WorldAnswer identified(WorldAnswer answer) {
+            return new WorldAnswer.Identified(answer, obstacles);
+        }
+
+        WorldAnswer slid() {
+            return new WorldAnswer.Slid(displacement, numbers[12], left, numbers[22], contacts);
         }
     }
 

@@ -45,7 +45,9 @@ final class JsonBatchOutput {
             out.writeStartObject();
             if (request instanceof SenseRequest sense) {
                 out.writeStringField("kind", "sense");
-                out.writeStringField("objectName", sense.objectName());
+                if (sense.isCarried()) {
+                    out.writeStringField("objectName", sense.objectName());
+                }
                 sense(sense);
             } else if (request instanceof FreePosesRequest poses) {
                 out.writeStringField("kind", "poses");

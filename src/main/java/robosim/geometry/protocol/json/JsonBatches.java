@@ -31,19 +31,21 @@ final class JsonBatches {
     private static final Fields REQUEST = Fields.of(
             "kind",
             "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors light"
-                    + " center heading object overlapping x y z rx ry");
+                    + " center heading object overlapping x y z rx ry clearance bends identify");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
-            new String[] {"sense", "objectName pattern", "mount min max width seesCarrier normals objects motion"},
+            new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion"},
             new String[] {"poses", "objectName poses", ""},
             new String[] {"edges", "objectName edges", ""},
             new String[] {"picture", "pattern", "objectName mount samples mirrors seesCarrier light"},
             new String[] {"world", "", ""},
             new String[] {"pose", "objectName", ""},
-            new String[] {"place", "objectName center", "heading"},
-            new String[] {"add", "object", "overlapping"},
+            new String[] {"place", "objectName center", "heading identify"},
+            new String[] {"add", "object", "overlapping identify"},
             new String[] {"remove", "objectName", ""},
-            new String[] {"move", "objectName", "x y z rx ry"});
+            new String[] {"move", "objectName", "x y z rx ry identify"},
+            new String[] {"moveToContact", "objectName", "x y z rx ry clearance"},
+            new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends"});
     private static final Fields MOTION = Fields.of("duration", "x y z ry");
     private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
     private static final Fields SOURCE = Fields.of("kind strength", "color direction place angle");
@@ -62,6 +64,7 @@ final class JsonBatches {
             new String[] {"directions", "directions", ""});
 
     private static final int OVERLAPPING = 19;
+    private static final int BENDS = OVERLAPPING + 7;
 
     private final JsonInput in;
     private final JsonMaterials colors;
@@ -108,7 +111,9 @@ final class JsonBatches {
         private double heading;
         private @Nullable GeometryObject object;
         private boolean overlapping;
-        private final double[] move = new double[5];
+        private final double[] move = new double[6]; // and the clearance
+        private int bends = WorldRequest.GoAndSlide.USUAL_BENDS;
+        private boolean identify;
         private int samples = 1;
         private int mirrors = PictureRequest.USUAL_MIRRORS;
         private @Nullable SceneLight light;
@@ -121,6 +126,11 @@ final class JsonBatches {
         }
 
         private BatchRequest make() {
+            BatchRequest plain = plain();
+            return identify ? new WorldRequest.Identify((WorldRequest) plain) : plain;
+        }
+
+        private BatchRequest plain() {
             return switch (kind) {
                 case 0 ->
                     new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
@@ -132,7 +142,10 @@ final class JsonBatches {
                 case 6 -> new WorldRequest.Place(name, center, heading);
                 case 7 -> new WorldRequest.Add(Checks.present("object", object), overlapping);
                 case 8 -> new WorldRequest.Remove(name);
-                default -> new WorldRequest.Go(name, move[0], move[1], move[2], move[3], move[4]);
+                case 9 -> new WorldRequest.Go(name, move[0], move[1], move[2], move[3], move[4]);
+                case 10 -> new WorldRequest.GoToContact(name, move[0], move[1], move[2], move[3], move[4], move[5]);
+                default ->
+                    new WorldRequest.GoAndSlide(name, move[0], move[1], move[2], move[3], move[4], move[5], bends);
             };
         }
     }
@@ -209,6 +222,8 @@ final class JsonBatches {
                 case 17 -> draft.heading = JsonObjects.heading(in);
                 case 18 -> draft.object = objects.one();
                 case OVERLAPPING -> draft.overlapping = in.flag();
+                case BENDS -> draft.bends = (int) in.whole(0, WorldRequest.GoAndSlide.MOST_BENDS);
+                case BENDS + 1 -> draft.identify = in.flag();
                 default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }
         }

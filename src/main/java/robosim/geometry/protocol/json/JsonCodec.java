@@ -6,22 +6,18 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
-import robosim.geometry.protocol.batch.WorldRequest;
 
 /** A connection in JSON lines: a hello first, then requests and pings. */
 public final class JsonCodec {
-    private static final Bundle WHAT_BECAME_OF_IT = new BatchRequestBundle(List.of(new WorldRequest.Describe()));
-
     private final LineInput lines;
 
     /** The output, which is also the lock for writing a message. */
@@ -133,7 +129,7 @@ public final class JsonCodec {
         JsonMessages messages = new JsonMessages(in);
         if (type.equals("init")) {
             Bundle init = messages.init();
-            followUp = messages.wantsAnswer() ? WHAT_BECAME_OF_IT : null;
+            followUp = messages.wantsAnswer() ? InitBundle.Answered.QUESTION : null;
             return init;
         }
         return type.equals("ping") ? messages.ping() : JsonLines.request(type, in);

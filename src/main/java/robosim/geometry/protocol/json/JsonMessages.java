@@ -36,7 +36,8 @@ final class JsonMessages {
     private static final Fields HELLO = Fields.of("type version", "secret");
     private static final Fields PING = Fields.of("type", "id");
 
-    private static final long MAX_ID = (1L << 53) - 1;
+    /** The largest whole number that every reader of JSON has exactly. */
+    static final long MAX_ID = (1L << 53) - 1;
 
     private final JsonInput in;
     private boolean wantsAnswer;

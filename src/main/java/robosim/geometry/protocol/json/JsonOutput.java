@@ -46,10 +46,9 @@ final class JsonOutput {
     /** Writes a request. */
     void write(Bundle request) throws IOException {
         if (request instanceof InitBundle init) {
-            begin("init");
-            objects("objects", init.objects());
-            settings(init.settings());
-            out.writeEndObject();
+            init(init, false);
+        } else if (request instanceof InitBundle.Answered asked) {
+            init(asked.init(), true);
         } else if (request instanceof MoveBundle moves) {
             begin("moves");
             moves(moves.moves());
@@ -67,10 +66,21 @@ final class JsonOutput {
             new JsonStepOutput(out).step(step);
             out.writeEndObject();
         } else {
-            throw new IllegalArgumentException("a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a"
-                    + " BatchRequestBundle or a StepBundle (got: "
-                    + request.getClass().getSimpleName() + ")");
+            throw new IllegalArgumentException(
+                    "a request must be an InitBundle, an InitBundle.Answered, a MoveBundle, a"
+                            + " SonarRequestBundle, a BatchRequestBundle or a StepBundle (got: "
+                            + request.getClass().getSimpleName() + ")");
         }
+    }
+
+    private void init(InitBundle init, boolean isAnswered) throws IOException {
+        begin("init");
+        objects("objects", init.objects());
+        settings(init.settings());
+        if (isAnswered) {
+            out.writeBooleanField("answer", true);
+        }
+        out.writeEndObject();
     }
 
     /** Writes an answer. */

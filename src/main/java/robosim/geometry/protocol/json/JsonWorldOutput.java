@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
+import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
@@ -18,7 +19,10 @@ final class JsonWorldOutput {
     }
 
     void request(WorldRequest request) throws IOException {
-        if (request instanceof WorldRequest.Describe) {
+        if (request instanceof WorldRequest.Identify identify) {
+            request(identify.request());
+            out.writeBooleanField("identify", true);
+        } else if (request instanceof WorldRequest.Describe) {
             out.writeStringField("kind", "world");
         } else if (request instanceof WorldRequest.Add add) {
             out.writeStringField("kind", "add");
@@ -33,11 +37,16 @@ final class JsonWorldOutput {
             out.writeNumberField("heading", place.heading());
         } else if (request instanceof WorldRequest.Go move) {
             named("move", move);
-            out.writeNumberField("x", move.x());
-            out.writeNumberField("y", move.y());
-            out.writeNumberField("z", move.z());
-            out.writeNumberField("rx", move.rx());
-            out.writeNumberField("ry", move.ry());
+            numbers(move.x(), move.y(), move.z(), move.rx(), move.ry());
+        } else if (request instanceof WorldRequest.GoToContact move) {
+            named("moveToContact", move);
+            numbers(move.x(), move.y(), move.z(), move.rx(), move.ry());
+            out.writeNumberField("clearance", move.clearance());
+        } else if (request instanceof WorldRequest.GoAndSlide move) {
+            named("moveAndSlide", move);
+            numbers(move.x(), move.y(), move.z(), move.rx(), move.ry());
+            out.writeNumberField("clearance", move.clearance());
+            out.writeNumberField("bends", move.bends());
         } else {
             named(request instanceof WorldRequest.Locate ? "pose" : "remove", request);
         }
@@ -48,9 +57,26 @@ final class JsonWorldOutput {
         out.writeStringField("objectName", request.objectName());
     }
 
+    private void numbers(double x, double y, double z, double rx, double ry) throws IOException {
+        out.writeNumberField("x", x);
+        out.writeNumberField("y", y);
+        out.writeNumberField("z", z);
+        out.writeNumberField("rx", rx);
+        out.writeNumberField("ry", ry);
+    }
+
     void answer(WorldAnswer answer) throws IOException {
         if (answer instanceof WorldAnswer.Described world) {
             described(world);
+        } else if (answer instanceof WorldAnswer.Identified identified) {
+            answer(identified.answer());
+            out.writeArrayFieldStart("obstacles");
+            for (Obstacle obstacle : identified.obstacles()) {
+                obstacle(obstacle);
+            }
+            out.writeEndArray();
+        } else if (answer instanceof WorldAnswer.Slid slid) {
+            slid(slid);
         } else if (answer instanceof WorldAnswer.Located pose) {
             point("center", pose.center());
             out.writeFieldName("rotation");
@@ -75,6 +101,37 @@ final class JsonWorldOutput {
             point("contact", contact);
             point("normal", normal);
         }
+    }
+
+    private void slid(WorldAnswer.Slid slid) throws IOException {
+        point("displacement", slid.displacement());
+        out.writeNumberField("length", slid.length());
+        point("left", slid.left());
+        out.writeNumberField("turnFraction", slid.turnFraction());
+        out.writeArrayFieldStart("contacts");
+        for (WorldAnswer.Contact contact : slid.contacts()) {
+            out.writeStartObject();
+            Obstacle obstacle = contact.obstacle();
+            if (obstacle != null) {
+                out.writeFieldName("obstacle");
+                obstacle(obstacle);
+            }
+            point("point", contact.point());
+            point("normal", contact.normal());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private void obstacle(Obstacle obstacle) throws IOException {
+        out.writeStartObject();
+        out.writeNumberField("index", obstacle.index());
+        if (!obstacle.name().isEmpty()) {
+            out.writeStringField("name", obstacle.name());
+        }
+        out.writeStringField("kind", obstacle.kind().word());
+        point("center", obstacle.center());
+        out.writeEndObject();
     }
 
     private void described(WorldAnswer.Described world) throws IOException {

@@ -15,7 +15,6 @@ import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -23,7 +22,6 @@ import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldObject;
 
 /** Robots that are driven through a world for a time, as a conversation that can be recorded. */
 public final class DriveRun {
@@ -102,10 +100,7 @@ public final class DriveRun {
             throws IOException {
         this.session = new Session(SessionOptions.ROBOSIM, SessionListener.NONE, "drive");
         this.record = record;
-        WorldSettings settings =
-                new WorldSettings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
-        InitBundle init =
-                new InitBundle(world.objects().stream().map(WorldObject::object).toList(), settings);
+        InitBundle init = WorldOpening.init(world);
         session.reply(init);
         write(new Step(init, null));
         List<BodyRequest> all = new ArrayList<>(WorldBodies.of(world));

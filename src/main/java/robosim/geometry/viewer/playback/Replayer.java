@@ -116,9 +116,10 @@ public final class Replayer {
             session.reply(batch);
             Geometry world = session.world();
             for (BatchRequest request : batch.requests()) {
-                boolean isOther = request instanceof WorldRequest.Add || request instanceof WorldRequest.Remove;
+                boolean isOther = request instanceof WorldRequest.Remove
+                        || (request instanceof WorldRequest about && about.addition() != null);
                 setting = isOther && world != null ? Frame.Setting.of(world, colours) : setting;
-                boolean isElsewhere = request instanceof WorldRequest.Place || request instanceof WorldRequest.Go;
+                boolean isElsewhere = request instanceof WorldRequest && request.isAboutMover();
                 GeometryObject mover = isElsewhere ? mover(request.objectName()) : null;
                 if (mover != null) {
                     placed.put(request.objectName(), mover.pose());

@@ -12,6 +12,7 @@ import java.util.function.DoubleFunction;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.material.Color;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.RayPattern;
 
@@ -179,6 +180,61 @@ class BatchValuesTest {
         refuses("free ", () -> new FreeAnswer(3, new byte[] {8}));
         refuses("free ", () -> new FreeAnswer(15, new byte[] {0, (byte) 0x80}));
         refuses("index ", v -> new FreeAnswer(3, new byte[] {7}).isFree((int) v), -1, 3);
+    }
+
+    @Test
+    void whatIsInTheWayIsRefusedWhereItCannotBe() {
+        refuses("clearance ", v -> new WorldRequest.GoToContact("r", 0, 0, 0, 0, 0, v), Double.NaN, -1, 1e300);
+        refuses("rx ", v -> new WorldRequest.GoToContact("r", 0, 0, 0, v, 0, 0), NO_ANGLES);
+        refuses("objectName", () -> new WorldRequest.GoToContact(null, 0, 0, 0, 0, 0, 0));
+        refuses("clearance ", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, v, 1), Double.NaN, -1, 1e300);
+        refuses("ry ", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, v, 0, 1), NO_ANGLES);
+        refuses("bends must be from 0 to 64", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, 0, (int) v), -1, 65);
+        WorldRequest.Go go = new WorldRequest.Go("r", 1, 0, 0, 0, 0);
+        refuses(
+                "request must be a Place, an Add or a Go",
+                () -> new WorldRequest.Identify(new WorldRequest.Describe()));
+        refuses("request must be ", () -> new WorldRequest.Identify(new WorldRequest.Identify(go)));
+        refuses("request must be ", () -> new WorldRequest.Identify(null));
+        Point point = new Point();
+        refuses("index ", v -> new Obstacle((long) v, "", GeometryObject.Kind.BOX, point), -1);
+        refuses("name", () -> new Obstacle(0, null, GeometryObject.Kind.BOX, point));
+        refuses("kind", () -> new Obstacle(0, "", null, point));
+        refuses("center", () -> new Obstacle(0, "", GeometryObject.Kind.BOX, null));
+        Obstacle wall = new Obstacle(0, "wall", GeometryObject.Kind.BOX, point);
+        WorldAnswer.Changed blocked = new WorldAnswer.Changed(false, "wall");
+        refuses("obstacles must be at most 16", () -> new WorldAnswer.Identified(blocked, List.of()));
+        refuses("obstacles ", () -> new WorldAnswer.Identified(new WorldAnswer.Changed(false, ""), List.of(wall)));
+        refuses("obstacles ", () -> new WorldAnswer.Identified(blocked, Collections.nCopies(17, wall)));
+        refuses(
+                "obstacles must be at most 1,",
+                () -> new WorldAnswer.Identified(
+                        new WorldAnswer.Went(false, 0, 0, "wall", point, point), List.of(wall, wall)));
+        refuses("obstacles[0] ", () -> new WorldAnswer.Identified(blocked, Arrays.asList((Obstacle) null)));
+        refuses("answer must be a Changed or a Went", () -> new WorldAnswer.Identified(null, List.of()));
+        WorldAnswer.Identified told = new WorldAnswer.Identified(blocked, List.of(wall));
+        refuses("answer must be a Changed or a Went", () -> new WorldAnswer.Identified(told, List.of()));
+        WorldRequest place = new WorldRequest.Place("r", point, 0);
+        assertThat(told.fits(new WorldRequest.Identify(place))).isTrue();
+        assertThat(told.fits(new WorldRequest.Identify(go))).isFalse();
+        assertThat(told.fits(place)).isFalse();
+        WorldAnswer.Identified went = new WorldAnswer.Identified(WorldAnswer.Went.MADE, List.of());
+        WorldRequest docking = new WorldRequest.GoToContact("r", 1, 0, 0, 0, 0, 0);
+        assertThat(went.fits(docking)).isTrue();
+        assertThat(told.fits(docking)).isFalse();
+        refuses("length ", v -> new WorldAnswer.Slid(point, v, point, 0, List.of()), Double.NaN, -1, 1.0 / 0);
+        refuses("turnFraction ", v -> new WorldAnswer.Slid(point, 0, point, v, List.of()), Double.NaN, -1, 1.1);
+        refuses("displacement", () -> new WorldAnswer.Slid(null, 0, point, 0, List.of()));
+        refuses("left", () -> new WorldAnswer.Slid(point, 0, null, 0, List.of()));
+        refuses("point", () -> new WorldAnswer.Contact(null, null, point));
+        refuses("normal", () -> new WorldAnswer.Contact(null, point, null));
+        WorldAnswer.Contact border = new WorldAnswer.Contact(null, point, point);
+        WorldAnswer.Slid slid = new WorldAnswer.Slid(point, 0, point, 0, List.of(border, border));
+        assertThat(slid.fits(new WorldRequest.GoAndSlide("r", 1, 0, 0, 0, 0, 0, 1)))
+                .isTrue();
+        assertThat(slid.fits(new WorldRequest.GoAndSlide("r", 1, 0, 0, 0, 0, 0, 0)))
+                .isFalse();
+        assertThat(slid.fits(docking)).isFalse();
     }
 
     @Test

@@ -34,6 +34,7 @@ import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.WorldRequest;
 
 @Timeout(60)
 class JsonBatchesTest {
@@ -74,6 +75,8 @@ class JsonBatchesTest {
                 BatchSamples.requests(),
                 BatchSamples.frames().get(0),
                 BatchSamples.pictures().get(0),
+                BatchSamples.world().get(0),
+                BatchSamples.obstacles().get(0),
                 new BatchRequestBundle(List.of()))) {
             String line = JsonLines.write(bundle);
             Bundle read = JsonLines.readRequest(line);
@@ -92,6 +95,12 @@ class JsonBatchesTest {
         Reply pictures = new Reply(BatchSamples.pictures().get(1));
         assertThat(JsonLines.readReply(JsonLines.write(pictures))).isEqualTo(pictures);
         assertThat(JsonLines.write(pictures)).contains("{\"width\":1,\"height\":1,\"rgb\":\"/4AB\"}");
+        Reply obstacles = new Reply(BatchSamples.obstacles().get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(obstacles))).isEqualTo(obstacles);
+        assertThat(JsonLines.write(obstacles))
+                .contains("{\"done\":false,\"obstacle\":\"\",\"obstacles\":[{\"index\":4,\"kind\":\"box\","
+                        + "\"center\":[0.0,0.0,-3.0]},{\"index\":9007199254740991,\"name\":\"wall \u00e9\","
+                        + "\"kind\":\"grid\",\"center\":[1.0E-300,2.0,3.0]}]}");
         Reply frames = new Reply(BatchSamples.frames().get(1));
         assertThat(JsonLines.readReply(JsonLines.write(frames))).isEqualTo(frames);
         assertThat(JsonLines.write(frames))
@@ -112,6 +121,15 @@ class JsonBatchesTest {
 
     @Test
     void whatIsLeftOutHasItsDefault() throws ProtocolException {
+        assertThat(JsonLines.readRequest(batch("{\"kind\":\"moveToContact\",\"objectName\":\"r\"},"
+                        + "{\"objectName\":\"r\",\"z\":2,\"kind\":\"moveAndSlide\"},"
+                        + "{\"identify\":false,\"kind\":\"move\",\"objectName\":\"r\"},"
+                        + "{\"kind\":\"sense\",\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":4}}")))
+                .isEqualTo(new BatchRequestBundle(List.of(
+                        new WorldRequest.GoToContact("r", 0, 0, 0, 0, 0, 0),
+                        new WorldRequest.GoAndSlide("r", 0, 0, 2, 0, 0, 0, 4),
+                        new WorldRequest.Go("r", 0, 0, 0, 0, 0),
+                        new SenseRequest("", new BeamPattern.Fan(0, 1, 4)))));
         BeamPattern pattern = new BeamPattern.Fan(0, 1, 4);
         assertThat(JsonLines.readRequest(fan("")))
                 .isEqualTo(new BatchRequestBundle(List.of(new SenseRequest("r", pattern))));
@@ -165,7 +183,7 @@ class JsonBatchesTest {
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
-                        "must be sense, poses, edges, picture, world, pose, place, add, remove or move (got: \"x\")"),
+                        "must be sense, poses, edges, picture, world, pose, place, add, remove, move, moveToContact or moveAndSlide (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),

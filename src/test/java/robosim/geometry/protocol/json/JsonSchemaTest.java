@@ -25,6 +25,7 @@ import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MoveBundle;
@@ -76,6 +77,7 @@ class JsonSchemaTest {
             "free must have",
             "heading and rotation must not both",
             "obstacle must be left out",
+            "obstacles must be at most",
             "contact and normal must be given",
             "rgb must have",
             "pixels together",
@@ -122,6 +124,9 @@ class JsonSchemaTest {
                 lines.add(JsonLines.write(bundle));
             }
         }
+        lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
+        lines.add(JsonLines.write(
+                new InitBundle.Answered((InitBundle) BatchSamples.world().get(3))));
         lines.add("{\"type\":\"init\",\"answer\":true,\"objects\":[{\"kind\":\"box\",\"center\":[0,0,0],\"width\":1,"
                 + "\"height\":1,\"length\":1,\"heading\":0.5}],\"settings\":{\"dimension\":\"SPATIAL\"}}");
         lines.add(
@@ -139,6 +144,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(BatchSamples.frames().get(1))),
                 JsonLines.write(new Reply(BatchSamples.pictures().get(1))),
                 JsonLines.write(new Reply(BatchSamples.world().get(1))),
+                JsonLines.write(new Reply(BatchSamples.obstacles().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
@@ -306,6 +312,11 @@ class JsonSchemaTest {
             "answer",
             "object",
             "obstacle",
+            "obstacles",
+            "identify",
+            "clearance",
+            "bends",
+            "contacts",
             "done",
             "index",
             "error");
