@@ -11,7 +11,7 @@ import robosim.geometry.world.shared.Placement;
  * The state with which Gazebo Classic saves a world: the poses of models and links in the world's frame, which override
  * their own, and the scales of models.
  */
-final class SdfState {
+public final class SdfState {
     private static final Point UNSCALED = new Point(1, 1, 1);
 
     private final SdfTree tree;
@@ -21,8 +21,23 @@ final class SdfState {
         this.tree = tree;
     }
 
+    /** Reads the scope of a file's only world, or of its models if it has no world, as its state has them. */
+    public static SdfScope read(SdfTree tree, SdfElement sdf) throws FileProblem {
+        SdfScope scope = tree.read(sdf);
+        SdfElement world = sdf.child("world");
+        SdfElement state = world == null ? null : world.child("state");
+        if (state != null) {
+            SdfElement insertions = state.child("insertions");
+            if (insertions != null) {
+                tree.insert(scope, insertions);
+            }
+            apply(state, scope, tree);
+        }
+        return scope;
+    }
+
     /** Puts the models of a world where its state has them, and removes those that were deleted. */
-    static void apply(SdfElement state, SdfScope world, SdfTree tree) throws FileProblem {
+    private static void apply(SdfElement state, SdfScope world, SdfTree tree) throws FileProblem {
         SdfState applied = new SdfState(tree);
         int placed = 0;
         for (SdfElement each : state.children) {

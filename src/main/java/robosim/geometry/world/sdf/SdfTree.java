@@ -92,22 +92,14 @@ public final class SdfTree {
         }
         SdfScope world = new SdfScope("");
         fill(world, holder);
-        SdfElement state = holder.child("state");
-        if (state != null) {
-            saved(world, state);
-        }
         return world;
     }
 
-    /** Carries out the state that a world was saved with. */
-    private void saved(SdfScope world, SdfElement state) throws FileProblem {
-        SdfElement insertions = state.child("insertions");
-        if (insertions != null) {
-            account(insertions);
-            add(world, insertions, null);
-            keepPlaced(world, world.models);
-        }
-        SdfState.apply(state, world, this);
+    /** Adds models to a world that has been read. */
+    void insert(SdfScope world, SdfElement models) throws FileProblem {
+        account(models);
+        add(world, models, null);
+        keepPlaced(world, world.models);
     }
 
     /** Some names, in a message. */
