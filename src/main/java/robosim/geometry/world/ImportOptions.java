@@ -12,7 +12,8 @@ import robosim.geometry.world.rosmap.MapWalls;
  * @param wallHeight height in metres of the walls of a ROS map, which does not specify it; above 0
  * @param scale      world units per unit of a mesh file; above 0
  * @param up         which axis of a mesh file points up
- * @param models     folders whose subfolders are models, for SDFormat's {@code model://}
+ * @param models     folders whose subfolders are models, for SDFormat's {@code model://}; and folders in which Gazebo keeps
+ *     the models of Fuel that it has downloaded, such as {@code ~/.gz/fuel}, for their addresses
  * @param unknown    what the cells of a ROS map are of which it knows nothing
  * @param isMapCentred whether the world of a ROS map is centred at the middle of its image, and so as large as the image,
  *     instead of at the origin of the map's frame

@@ -16,6 +16,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
 import robosim.geometry.world.sdf.SdfShapes;
+import robosim.geometry.world.sdf.SdfState;
 import robosim.geometry.world.sdf.SdfTree;
 import robosim.geometry.world.shared.FileProblem;
 
@@ -101,7 +102,7 @@ public final class SdfReader {
 
     private static SdfObjects found(SdfTree tree, SdfFiles files, Path file) throws FileProblem {
         SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
-        found.add(tree.read(files.main(file.toString())));
+        found.add(SdfState.read(tree, files.main(file.toString())));
         return found;
     }
 

@@ -116,10 +116,20 @@ public record WorldImport(
 
     private static void refuseByName(Path file, String ending) throws WorldException {
         switch (ending) {
+            case "xacro" -> {
+                String name = String.valueOf(file.getFileName());
+                throw new WorldException(new FileProblem(
+                        file.toString(),
+                        0,
+                        0,
+                        "macros are not carried out; run the file through xacro first: xacro " + name + " > "
+                                + (name.contains(".sdf.") || name.contains(".world.") ? "NEW.sdf" : "NEW.urdf")
+                                + " (got: .xacro)"));
+            }
             case "pgm", "png" ->
                 throw new WorldException(new FileProblem(
                         file.toString(), 0, 0, "a map is read from its .yaml file, which gives the size of a cell"));
-            case "fbx", "xacro", "gz", "zip" ->
+            case "fbx", "gz", "zip" ->
                 throw new WorldException(new FileProblem(
                         file.toString(),
                         0,

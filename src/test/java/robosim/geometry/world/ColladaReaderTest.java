@@ -171,6 +171,37 @@ class ColladaReaderTest {
                 .hasSize(3);
     }
 
+    /** As the model of a lidar that many robots have. */
+    @Test
+    void whatGazeboDoesNotMind() throws IOException {
+        String text = dae("", TRIANGLES, scene(node("")));
+        Path file = Files.writeString(
+                folder.resolve("a.dae"), text.replace("<node>", "<node id=\"<SketchUp>\" name='A & B'>"));
+        assertThat(ColladaReader.read(file)).isEqualTo(read(text));
+    }
+
+    @Test
+    void aPointerOfGitLfsIsNamed() throws IOException {
+        for (String name : List.of("a.dae", "a.stl", "a.obj")) {
+            Path file = Files.writeString(
+                    folder.resolve(name), "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n");
+            assertThatThrownBy(() -> WorldReader.read(file))
+                    .hasMessage(file
+                            + ": this is not the file but a pointer of Git LFS to it; fetch it: git lfs pull (got: "
+                            + name + ")");
+        }
+    }
+
+    /** The view that SketchUp saves has a transform of NaN or a look-at, and shows nothing. */
+    @Test
+    void aNodeThatShowsNothingMayHaveAnyTransform() throws IOException {
+        String view = "<node><matrix>NaN 0 0</matrix><node><lookat>1 2 3</lookat><node/></node></node>";
+        MeshObject plain = read(dae("", TRIANGLES, scene(node(""))));
+        assertThat(read(dae("", TRIANGLES, scene(view + node(""))))).isEqualTo(plain);
+        assertThat(read(dae("", TRIANGLES, scene("<node>" + view + node("") + "</node>"))))
+                .isEqualTo(plain);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

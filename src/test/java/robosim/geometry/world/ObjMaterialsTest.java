@@ -244,6 +244,33 @@ class ObjMaterialsTest {
         assertThat(model.skipped()).extracting(Skipped::what).containsExactly("map_Kd of material a");
     }
 
+    /** Where Gazebo looks for it, too. */
+    @Test
+    void aPictureAmongTheTexturesOfAModel() throws IOException {
+        picture("models/car/materials/textures/p.png");
+        file("models/car/model.config", "<model><sdf>model.sdf</sdf></model>");
+        file(
+                "models/car/model.sdf",
+                "<sdf version='1.6'><model name='m'><link name='l'><collision name='c'><geometry><mesh><uri>meshes/m.obj</uri>"
+                        + "</mesh></geometry></collision></link></model></sdf>");
+        file("models/car/meshes/m.obj", "mtllib m.mtl\n" + SQUARE + "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+        for (String name : List.of("p.png", "model://car/materials/textures/p.png")) {
+            file("models/car/meshes/m.mtl", "newmtl a\nmap_Kd " + name + "\n");
+            WorldImport read = WorldImport.read(
+                    folder.resolve("models/car"), ImportOptions.DEFAULT.withModels(List.of(folder.resolve("models"))));
+            assertThat(read.skipped()).isEmpty();
+            assertThat(read.world().objects().get(0).object().material().texture())
+                    .isInstanceOf(ImageTexture.class);
+        }
+        file("models/car/meshes/m.mtl", "newmtl a\nmap_Kd model://car/../../secret.png\n");
+        picture("secret.png");
+        assertThat(WorldImport.read(
+                                folder.resolve("models/car"),
+                                ImportOptions.DEFAULT.withModels(List.of(folder.resolve("models"))))
+                        .skipped())
+                .hasSize(1);
+    }
+
     @Test
     void aMaterialThatNobodyUsesNeedsNoPicture() throws IOException {
         assertThat(read("newmtl a\nmap_Kd no.png\nnewmtl b\nKd 0 0 1\n", "usemtl b\nf 1 2 3\n")

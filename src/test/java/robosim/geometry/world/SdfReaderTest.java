@@ -320,7 +320,6 @@ class SdfReaderTest {
                 .containsExactly(
                         "2 <actor> \"walker\": an actor is moved by a script",
                         "3 <population> \"wood\": it places copies of a model at random",
-                        "4 <state>: the poses of a saved state are not read; models are placed by their own <pose>",
                         "5 <colision>: SDFormat has no <colision> in <world>; check the spelling",
                         "6 <custom:thing> \"y\": an extension of SDFormat of unknown meaning",
                         "9 <image> of m::l::c: this shape is not supported; use boxes, cylinders or a mesh");
@@ -359,9 +358,11 @@ class SdfReaderTest {
                         "5 <include> of two",
                         "8 <link> \"k\"",
                         "8 <link> \"j\"",
-                        "10 <model> \"m\"",
-                        "11 <pose>",
                         "6 <collision> \"x\"");
+        assertThat(read.remarks())
+                .anySatisfy(
+                        each -> assertThat(each).contains(":11: left out <pose>: <model> must have only one <pose>"))
+                .anySatisfy(each -> assertThat(each).contains(":10: names must be unique in the world"));
         assertThat(read.skipped().get(1).reason())
                 .startsWith(folder.toRealPath().resolve("bad.sdf") + ":1:");
         assertThat(read.skipped().get(3).reason()).startsWith("there is no such frame in model m");
@@ -407,8 +408,32 @@ class SdfReaderTest {
                     .as(config)
                     .singleElement()
                     .satisfies(each -> assertThat(each.object().name()).isEqualTo(name));
-            assertThat(read.remarks()).as(config).hasSize(config.endsWith("</model>") && name.equals("other") ? 0 : 1);
+            boolean isMended = config.contains("A & B");
+            int remarks = config.endsWith("</model>") && name.equals("other") ? 0 : isMended ? 2 : 1;
+            assertThat(read.remarks()).as(config).hasSize(remarks);
         }
+    }
+
+    /** As Gazebo Classic reads them; the first is meant by the name. */
+    @Test
+    void modelsAndLinksOfOneName() throws IOException {
+        WorldImport read = read(model("m", "<static>1</static>" + ball("l", "") + ball("l", "<pose>3 0 0 0 0 0</pose>"))
+                + model("m", "<pose>0 5 0 0 0 0</pose>" + ball("l", ""))
+                + model("n", "<pose relative_to=\"m\">0 0 1 0 0 0</pose>" + ball("l", "")));
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.world().objects())
+                .extracting(each -> each.object().name(), each -> each.object().center())
+                .containsExactly(
+                        tuple("m::l::c", new Point(0, 0, 0)),
+                        tuple("m::l::c (2)", new Point(3, 0, 0)),
+                        tuple("m", new Point(0, 0, -5)),
+                        tuple("n", new Point(0, 1, 0)));
+        assertThat(read.remarks())
+                .anySatisfy(each -> assertThat(each).contains("names must be unique in m; rename this"))
+                .anySatisfy(each -> assertThat(each)
+                        .contains(
+                                "names must be unique in the world;",
+                                "both are read, and poses relative to m are to the first"));
     }
 
     @ParameterizedTest
@@ -427,8 +452,7 @@ class SdfReaderTest {
                 "<model name=\"m\"><pose>1e40 0 0 0 0 0</pose></model>|<pose>: x must be a number from -2^100",
                 "<model name=\"m\"><static>yes</static></model>|<static> must be true, false, 1 or 0 (got: yes)",
                 "<link name=\"l\"/>|",
-                "<model name=\"m\"><link name=\"l\"/><link name=\"l\"/></model>|names must be unique in m",
-                "<model name=\"m\"/><model name=\"m\"/>|names must be unique in the world",
+                "<frame name=\"f\"/><frame name=\"f\"/>|names must be unique in the world",
                 "<model name=\"m\"><frame name=\"a\" attached_to=\"b\"/><frame name=\"b\" attached_to=\"a\"/><link name=\"l\"><pose relative_to=\"a\"/></link></model>|poses must not be relative to each other in a cycle",
                 "<include><uri></uri></include>|<uri> must be a path",
                 "<include/>|<include> must have <uri>",

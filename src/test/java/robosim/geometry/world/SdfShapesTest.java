@@ -314,9 +314,9 @@ class SdfShapesTest {
                         "12 <joint> \"j\"",
                         "6 <collision> \"collision_2\"",
                         "8 <collision> \"ball\"");
-        assertThat(WorldReader.problems(file("b.urdf", "<sdf version=\"1.6\"/>")))
+        assertThat(WorldReader.problems(file("b.urdf", "<COLLADA/>")))
                 .singleElement()
                 .asString()
-                .contains("this is SDFormat");
+                .contains("this is COLLADA");
     }
 }

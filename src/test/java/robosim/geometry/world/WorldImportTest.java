@@ -161,8 +161,7 @@ class WorldImportTest {
                 "map.pgm| a map is read from its .yaml file, which gives the size of a cell",
                 "map.PNG| a map is read from its .yaml",
                 "robot.urdf|1:1: this is not well-formed XML",
-                "robot.xacro| files of this format are not supported; unpack this one, or export it as SDFormat, glTF,"
-                        + " COLLADA, OBJ or STL (got: .xacro)",
+                "robot.xacro| macros are not carried out; run the file through xacro first: xacro robot.xacro > NEW.urdf",
                 "world.sdf.gz| files of this format are not supported; unpack this one",
                 "model.fbx| files of this format are not supported",
                 "mesh.dae|1:1: this is not well-formed XML",

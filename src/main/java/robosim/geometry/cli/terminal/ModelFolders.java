@@ -21,6 +21,9 @@ public final class ModelFolders {
             "GAZEBO_RESOURCE_PATH",
             "ROS_PACKAGE_PATH");
 
+    /** Where Gazebo keeps the models of Fuel, if not in the user's home. */
+    private static final List<String> FUEL = List.of("GZ_FUEL_CACHE_PATH", "IGN_FUEL_CACHE_PATH");
+
     private ModelFolders() {}
 
     /** The given folders and those of this process's environment. */
@@ -34,6 +37,12 @@ public final class ModelFolders {
             add(folders, environment.getOrDefault(variable, ""), "");
         }
         add(folders, environment.getOrDefault("AMENT_PREFIX_PATH", ""), "share");
+        for (String variable : FUEL) {
+            add(folders, environment.getOrDefault(variable, ""), "");
+        }
+        String home = environment.getOrDefault("HOME", "");
+        add(folders, home, ".gz/fuel");
+        add(folders, home, ".ignition/fuel");
         return folders;
     }
 

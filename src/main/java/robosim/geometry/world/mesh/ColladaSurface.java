@@ -22,6 +22,7 @@ public final class ColladaSurface {
     private final @Nullable String part;
 
     private final Map<ColladaElement, ColladaFaces> meshes = new HashMap<>();
+    private final Map<ColladaElement, Boolean> shown = new HashMap<>();
     private final JoinedFaces joined = new JoinedFaces();
     private int visits;
 
@@ -126,13 +127,31 @@ public final class ColladaSurface {
         }
         for (ColladaElement child : node.children) {
             switch (child.name) {
-                case "node" -> inner.add(new Visit(child, place, visit.depth + 1));
+                case "node" -> {
+                    // A node that shows nothing, such as the view that SketchUp saves, may have any transform.
+                    if (isShown(child)) {
+                        inner.add(new Visit(child, place, visit.depth + 1));
+                    }
+                }
                 case "instance_node" -> inner.add(new Visit(expected(child, "url", "node"), place, visit.depth + 1));
                 case "instance_geometry" -> geometry(node, expected(child, "url", "geometry"), place);
                 case "instance_controller" -> controller(node, expected(child, "url", "controller"), place);
                 default -> {} // transforms, and what is no shape
             }
         }
+    }
+
+    /** Whether a node, or one within it, may have a surface. */
+    private boolean isShown(ColladaElement node) {
+        Boolean known = shown.get(node);
+        if (known == null) {
+            known = false;
+            for (ColladaElement child : node.children) {
+                known |= child.name.startsWith("instance_") || (child.name.equals("node") && isShown(child));
+            }
+            shown.put(node, known);
+        }
+        return known;
     }
 
     private ColladaElement expected(ColladaElement from, String attribute, String name) throws FileProblem {

@@ -10,9 +10,11 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
+import robosim.geometry.world.xml.SafeXml;
 
 /**
  * What the readers of meshes share: opening a file, the limits of a scale, and the choice of a reader by a file's name.
@@ -115,8 +117,21 @@ public final class MeshFiles {
         return mesh.material().texture() instanceof ImageTexture ? mesh : mesh.withTextureCoordinates(null);
     }
 
+    /** Reads a file; COLLADA that is not well-formed XML as Gazebo reads it. */
     public static MeshObject read(Path file, double scale, Format format) throws FileProblem {
         try (InputStream in = RegularFile.open(file)) {
+            return format.read(in, file.toString(), scale);
+        } catch (FileProblem e) {
+            if (FileKind.isPointer(file)) {
+                throw new FileProblem(file.toString(), 0, 0, FileKind.POINTER, e);
+            }
+            if (!SafeXml.isNotWellFormed(e)) {
+                throw e;
+            }
+        } catch (IOException e) {
+            throw FileProblem.unreadable(file, e);
+        }
+        try (InputStream in = SafeXml.mended(RegularFile.open(file))) {
             return format.read(in, file.toString(), scale);
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);

@@ -136,7 +136,8 @@ public final class SdfElement {
     /** The element in messages: its tag, and its name if it has one. */
     String tag() {
         String given = attribute("name");
-        return "<" + name + ">" + (given.isEmpty() ? "" : " \"" + given + "\"");
+        String written = name.endsWith("_state") ? name.substring(0, name.indexOf('_')) : name;
+        return "<" + written + ">" + (given.isEmpty() ? "" : " \"" + given + "\"");
     }
 
     FileProblem beyond(String problem) {

@@ -8,12 +8,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.LeftOut;
@@ -25,10 +27,15 @@ import robosim.geometry.world.shared.TextureFiles;
  * is opened, and no network address is followed.
  */
 public final class SdfFiles {
+    /** The folders around a model of Fuel: its server, its owner, models, its name and its version. */
+    private static final int FUEL_DEPTH = 5;
+
     private static final Pattern REMOTE = Pattern.compile("(?i)(https?|ftp|fuel)://");
 
     private final Path main;
     private final List<Path> folders = new ArrayList<>();
+    /** Those of the folders in which Gazebo keeps what it has downloaded. */
+    private final List<Path> caches = new ArrayList<>();
     /** The file of a model, by the included path: the file itself or its folder. */
     private final Map<Path, Path> models = new HashMap<>();
 
@@ -53,6 +60,11 @@ public final class SdfFiles {
             folders.add(folder(this.main));
             for (Path folder : given) {
                 folders.add(folder.toRealPath());
+            }
+            for (Path folder : folders) {
+                if (FuelUri.isCache(folder)) {
+                    caches.add(folder);
+                }
             }
             Path beside = beside(folders.get(0));
             if (beside != null && !folders.contains(beside)) {
@@ -99,10 +111,20 @@ public final class SdfFiles {
         SdfElement known = roots.get(real);
         if (known == null) {
             SdfFile file = new SdfFile(real, folder(real), shown);
-            known = UrdfParser.isNamed(file) ? UrdfParser.read(file) : SdfParser.read(file);
+            if (shown.toLowerCase(Locale.ROOT).endsWith(".xacro")) {
+                String name = String.valueOf(real.getFileName());
+                throw new FileProblem(shown, 0, 0, Xacro.remedy(name, name.substring(0, name.length() - 6)));
+            }
+            known = isUrdf(file) ? UrdfParser.read(file, remarks::add) : SdfParser.read(file, remarks::add);
             roots.put(real, known);
         }
         return known;
+    }
+
+    /** Whether a file is URDF: by its root, since Gazebo does not mind its name; by its name if the root is neither's. */
+    private static boolean isUrdf(SdfFile file) {
+        String root = FileKind.root(file.path());
+        return "robot".equals(root) || (UrdfParser.isNamed(file) && !"sdf".equals(root) && !"gazebo".equals(root));
     }
 
     /** Whether a URI is a network address, which is never read. */
@@ -172,7 +194,7 @@ public final class SdfFiles {
             throw uri.wrong("<uri> must be a path with /, or model://NAME (got: " + name + ")");
         }
         try {
-            for (Path candidate : candidates(name, uri.file.folder())) {
+            for (Path candidate : isRemote(name) ? downloaded(name) : candidates(name, uri.file.folder())) {
                 if (Files.exists(candidate)) {
                     Path real = candidate.toRealPath();
                     if (folders.stream().noneMatch(real::startsWith)) {
@@ -188,6 +210,46 @@ public final class SdfFiles {
         } catch (IOException e) {
             throw new FileProblem(uri.file.shown(), uri.line, uri.column, name + " could not be read: " + e, e);
         }
+    }
+
+    /** Where a file of Fuel may be: in the folders where Gazebo keeps what it has downloaded. */
+    private List<Path> downloaded(String address) throws IOException {
+        FuelUri wanted = FuelUri.of(address);
+        List<Path> candidates = new ArrayList<>();
+        if (wanted == null) {
+            return candidates;
+        }
+        for (Path cache : caches) {
+            Path folder = wanted.folder(cache);
+            Path file = folder == null ? null : folder.resolve(wanted.file()).normalize();
+            if (file != null && file.startsWith(folder)) {
+                candidates.add(file);
+            }
+        }
+        return candidates;
+    }
+
+    /**
+     * The folder of the model of Fuel that a file is part of; null if it is of none. There, {@code model://} of any name
+     * is that model: what Gazebo downloads is complete.
+     */
+    private @Nullable Path fuelModel(Path from) {
+        for (Path cache : caches) {
+            if (from.startsWith(cache)) {
+                Path inner = cache.relativize(from);
+                return inner.getNameCount() >= FUEL_DEPTH ? cache.resolve(inner.subpath(0, FUEL_DEPTH)) : null;
+            }
+        }
+        return null;
+    }
+
+    /** Why a network address is left out, and what to do. */
+    String remote(String address) {
+        FuelUri wanted = FuelUri.of(address);
+        return wanted == null
+                ? "network addresses are not followed; download the model, write model://NAME, and give the folder"
+                        + " that contains it"
+                : wanted.remedy(caches);
     }
 
     /** How deep below a folder a package may be: in a repository of a workspace. */
@@ -220,6 +282,9 @@ public final class SdfFiles {
         }
         Map<String, List<Path>> found = new HashMap<>();
         for (Path folder : folders) {
+            if (caches.contains(folder)) {
+                continue;
+            }
             try (Stream<Path> below = Files.walk(folder, PACKAGE_DEPTH)) {
                 below.limit(MOST_ENTRIES)
                         .filter(SdfFiles::isPackage)
@@ -257,6 +322,10 @@ public final class SdfFiles {
             if (last != null && last.toString().equals(model)) { // a model's own files
                 candidates.add(
                         from.resolve(slash < 0 ? "" : rest.substring(slash + 1)).normalize());
+            }
+            Path fuel = name.startsWith("model://") && slash > 0 ? fuelModel(from) : null;
+            if (fuel != null) {
+                candidates.add(fuel.resolve(rest.substring(slash + 1)).normalize());
             }
             candidates.add(from.resolve(rest).normalize());
             for (Path folder : folders) {

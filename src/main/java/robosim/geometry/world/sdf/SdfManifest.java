@@ -1,11 +1,11 @@
 package robosim.geometry.world.sdf;
 
-import java.io.BufferedInputStream;
 import java.io.CharConversionException;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -14,7 +14,6 @@ import org.xml.sax.SAXParseException;
 import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
-import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
 
 /** The file model.config of a model's folder, which names the model's file: that of the highest version. */
@@ -47,11 +46,13 @@ public final class SdfManifest extends DefaultHandler {
      * @param remarks receives remarks
      */
     static String read(Path file, Consumer<String> remarks) throws FileProblem {
-        SdfManifest manifest = new SdfManifest(file);
+        Deque<SdfManifest> attempts = new ArrayDeque<>();
+        SdfManifest manifest;
         try {
-            manifest.parse();
+            manifest = parse(file, attempts, remarks);
         } catch (FileProblem e) {
-            if (!manifest.broken) {
+            manifest = attempts.peekLast();
+            if (manifest == null || !manifest.broken) {
                 throw e;
             }
             if (manifest.model == null && Files.isRegularFile(file.resolveSibling(DEFAULT))) {
@@ -77,16 +78,24 @@ public final class SdfManifest extends DefaultHandler {
         return manifest.model;
     }
 
-    private void parse() throws FileProblem {
-        try (InputStream in = RegularFile.open(file)) {
-            SafeXml.parse(new BufferedInputStream(in), file.toString(), this);
+    private static SdfManifest parse(Path file, Deque<SdfManifest> attempts, Consumer<String> remarks)
+            throws FileProblem {
+        try {
+            return SafeXml.parseLeniently(
+                    file,
+                    file.toString(),
+                    () -> {
+                        attempts.add(new SdfManifest(file));
+                        return attempts.getLast();
+                    },
+                    remarks);
         } catch (SAXException e) {
             if (e.getException() instanceof FileProblem refusal) {
                 throw refusal;
             }
             throw new FileProblem(file.toString(), 0, 0, "the XML was refused: " + e, e);
         } catch (CharConversionException e) { // invalid bytes
-            broken = true;
+            attempts.getLast().broken = true;
             throw FileProblem.unreadable(file, e);
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);

@@ -11,10 +11,37 @@ import org.jspecify.annotations.Nullable;
 public final class SdfNames {
     private static final Set<String> ALL = Set.of();
 
+    /** Names here of the models, links and names within a state, which are others than those of a world. */
+    private static final String MODEL_STATE = "model_state";
+
+    private static final String LINK_STATE = "link_state";
+    private static final String DELETED = "deleted";
+
+    /** Of a world, without effect on anything solid; also in a model, where they have none at all. */
+    private static final Set<String> OF_WORLDS = Set.of(
+            "atmosphere",
+            "audio",
+            "gravity",
+            "gui",
+            "joint",
+            "light",
+            "magnetic_field",
+            "physics",
+            "plugin",
+            "road",
+            "scene",
+            "spherical_coordinates",
+            "wind");
+
     /** By element, the children that are read. */
     private static final Map<String, Set<String>> READ = Map.ofEntries(
             Map.entry("sdf", Set.of("world", "model")),
-            Map.entry("world", Set.of("model", "include", "frame")),
+            Map.entry("world", Set.of("model", "include", "frame", "state")),
+            Map.entry("state", Set.of(MODEL_STATE, "insertions", "deletions")),
+            Map.entry("insertions", Set.of("model")),
+            Map.entry("deletions", Set.of(DELETED)),
+            Map.entry(MODEL_STATE, Set.of("pose", "scale", MODEL_STATE, LINK_STATE)),
+            Map.entry(LINK_STATE, Set.of("pose")),
             Map.entry("model", Set.of("model", "include", "link", "frame", "joint", "pose", "static")),
             Map.entry("include", Set.of("uri", "name", "pose", "static", "placement_frame")),
             Map.entry("link", Set.of("pose", "collision", "visual", "sensor")),
@@ -74,22 +101,12 @@ public final class SdfNames {
     /** By element, the children that are ignored; all others if the set is {@link #ALL}. */
     private static final Map<String, Set<String>> PASSED_OVER = Map.ofEntries(
             Map.entry("sdf", Set.of("light", "plugin")),
-            Map.entry(
-                    "world",
-                    Set.of(
-                            "atmosphere",
-                            "audio",
-                            "gravity",
-                            "gui",
-                            "joint",
-                            "light",
-                            "magnetic_field",
-                            "physics",
-                            "plugin",
-                            "road",
-                            "scene",
-                            "spherical_coordinates",
-                            "wind")),
+            Map.entry("world", OF_WORLDS),
+            Map.entry("state", ALL),
+            Map.entry("insertions", ALL),
+            Map.entry("deletions", ALL),
+            Map.entry(MODEL_STATE, ALL),
+            Map.entry(LINK_STATE, ALL),
             Map.entry("model", Set.of("allow_auto_disable", "enable_wind", "gripper", "plugin", "self_collide")),
             Map.entry("include", Set.of("namespace", "plugin")),
             Map.entry(
@@ -110,7 +127,10 @@ public final class SdfNames {
                             "projector",
                             "self_collide",
                             "sensor",
+                            "velocity",
                             "velocity_decay",
+                            "acceleration",
+                            "wrench",
                             "visual")),
             Map.entry(
                     "collision",
@@ -135,6 +155,18 @@ public final class SdfNames {
 
     private SdfNames() {}
 
+    /** The name under which a child is kept. */
+    static String kept(String parent, String child) {
+        boolean isInState = parent.equals("state") || parent.equals(MODEL_STATE);
+        if (isInState && child.equals("model")) {
+            return MODEL_STATE;
+        }
+        if (isInState && child.equals("link")) {
+            return LINK_STATE;
+        }
+        return parent.equals("deletions") && child.equals("name") ? DELETED : child;
+    }
+
     static boolean isRead(String parent, String child) {
         return READ.getOrDefault(parent, Set.of()).contains(child);
     }
@@ -144,6 +176,7 @@ public final class SdfNames {
         return switch (child) {
             case "world", "model", "include", "link", "frame", "joint", "collision", "visual", "point", "sensor" ->
                 true;
+            case "state", MODEL_STATE, LINK_STATE, DELETED -> true;
             case "material", "diffuse", "emissive", "shininess", "specular" -> true; // harmless: the first one counts
             default -> false;
         };
@@ -151,7 +184,8 @@ public final class SdfNames {
 
     static boolean isPassedOver(String parent, String child) {
         Set<String> names = PASSED_OVER.get(parent);
-        return names != null && (names.isEmpty() || names.contains(child));
+        return (names != null && (names.isEmpty() || names.contains(child)))
+                || (parent.equals("model") && (OF_WORLDS.contains(child) || child.equals("state")));
     }
 
     /** Whether ignored children of an element are separate things rather than mere properties. */
@@ -177,7 +211,6 @@ public final class SdfNames {
         return switch (child) {
             case "actor" -> "an actor is moved by a script";
             case "population" -> "it places copies of a model at random";
-            case "state" -> "the poses of a saved state are not read; models are placed by their own <pose>";
             default -> null;
         };
     }

@@ -1,6 +1,7 @@
 package robosim.geometry.world.sdf;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
 
@@ -28,6 +29,14 @@ public final class SdfNode {
     /** Its pose in the scope's frame, once computed. */
     @Nullable
     Placement local;
+
+    /** Where it stood before a saved state moved it; null if none did. */
+    @Nullable
+    Placement stood;
+
+    /** By which a saved state scales the shapes of a link; null if none does. */
+    @Nullable
+    Point scale;
 
     /** Why its pose could not be computed. */
     @Nullable

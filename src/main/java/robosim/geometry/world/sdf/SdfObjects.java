@@ -240,8 +240,14 @@ public final class SdfObjects {
             return scope.placement(link);
         }
         String base = pose.relativeTo();
-        Placement from = base.isEmpty() ? scope.placement(link) : scope.placement(base, link.home, pose);
-        return from.then(SdfPose.read(pose));
+        if (base.isEmpty()) {
+            return scope.placement(link).then(SdfPose.read(pose));
+        }
+        Placement found = scope.placement(base, link.home, pose).then(SdfPose.read(pose));
+        // Of a link that a saved state has moved, what is fixed to it has moved too.
+        return link.stood == null
+                ? found
+                : scope.placement(link).then(link.stood.inverse().then(found));
     }
 
     private @Nullable GeometryObject shape(SdfNode link, SdfElement collision, String path, Placement place)
@@ -251,7 +257,7 @@ public final class SdfObjects {
         }
         counts.merge("collision", 1, Integer::sum);
         tree.account(collision);
-        GeometryObject shape = shapes.shape(collision, path, place);
+        GeometryObject shape = shapes.shape(collision, path, place, link.scale);
         if (shape == null) {
             return null;
         }

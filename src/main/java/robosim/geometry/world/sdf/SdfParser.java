@@ -1,12 +1,13 @@
 package robosim.geometry.world.sdf;
 
-import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
@@ -17,7 +18,6 @@ import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
-import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
 
 /** Parses an SDFormat file into elements: those relevant to solid geometry, and counts of the others. */
@@ -37,27 +37,35 @@ public final class SdfParser extends DefaultHandler {
 
     private int count;
     private int models;
+    private final Xacro macros = new Xacro();
+    private final List<String> notes = new ArrayList<>();
 
     private SdfParser(SdfFile file) {
         this.file = file;
     }
 
-    /** Reads the root element of a file: an sdf element of a supported version. */
-    static SdfElement read(SdfFile file) throws FileProblem {
-        SdfParser parser = new SdfParser(file);
-        try (InputStream in = RegularFile.open(file.path())) {
-            SafeXml.parse(new BufferedInputStream(in), file.shown(), parser);
+    /**
+     * Reads the root element of a file: an sdf element of a supported version.
+     *
+     * @param remarks receives remarks
+     */
+    static SdfElement read(SdfFile file, Consumer<String> remarks) throws FileProblem {
+        SdfParser parser;
+        try {
+            parser = SafeXml.parseLeniently(file.path(), file.shown(), () -> new SdfParser(file), remarks);
         } catch (SAXException e) {
             if (e.getException() instanceof FileProblem refusal) {
                 throw refusal;
             }
-            throw new FileProblem(file.shown(), parser.line(), parser.column(), "the XML was refused: " + e, e);
+            throw new FileProblem(file.shown(), 0, 0, "the XML was refused: " + e, e);
         } catch (IOException e) {
             throw FileProblem.unreadable(file.path(), e);
         }
         if (parser.root == null) {
             throw new IllegalStateException("the document has no root");
         }
+        parser.macros.report(parser.root);
+        parser.notes.forEach(remarks);
         return parser.root;
     }
 
@@ -75,12 +83,13 @@ public final class SdfParser extends DefaultHandler {
     }
 
     @Override
-    public void startElement(String uri, String local, String name, Attributes attributes) throws SAXException {
+    public void startElement(String uri, String local, String written, Attributes attributes) throws SAXException {
         if (outside > 0) {
             outside++;
             return;
         }
         SdfElement parent = open.peek();
+        String name = parent == null ? written : SdfNames.kept(parent.name, written);
         if (parent == null) {
             root = keep(null, name.equals("gazebo") ? "sdf" : name, attributes);
             checkRoot(root);
@@ -94,7 +103,9 @@ public final class SdfParser extends DefaultHandler {
             passOver(parent, name);
         } else {
             outside = 1;
-            if (!passOver(parent, name)) {
+            if (Xacro.isMacro(name)) {
+                macros.add(file, line(), name);
+            } else if (!passOver(parent, name)) {
                 bounded();
                 parent.skipped.add(
                         new LeftOut(file.shown(), line(), tag(name, attributes), SdfNames.reason(parent.name, name)));
@@ -129,11 +140,16 @@ public final class SdfParser extends DefaultHandler {
             // Otherwise a search for the collisions of a link would go through all of its poses, again for each
             // include.
             if (!SdfNames.isRepeated(name) && parent.child(name) != null) {
-                parent.skipped.add(new LeftOut(
+                LeftOut second = new LeftOut(
                         file.shown(),
                         line(),
                         element.tag(),
-                        "<" + parent.name + "> must have only one <" + name + ">; the first one counts, remove this"));
+                        "<" + parent.name + "> must have only one <" + name + ">; the first one counts, remove this");
+                if (takesText(element)) { // a value, without which nothing is missing
+                    notes.add(second.toString());
+                } else {
+                    parent.skipped.add(second);
+                }
             } else {
                 parent.children.add(element);
             }
@@ -185,6 +201,7 @@ public final class SdfParser extends DefaultHandler {
     private static boolean takesText(SdfElement element) {
         return switch (element.name) {
             case "pose",
+                    "deleted",
                     "static",
                     "uri",
                     "name",
@@ -235,10 +252,9 @@ public final class SdfParser extends DefaultHandler {
             outside--;
             return;
         }
-        if (name.equals("model")) {
+        if (open.pop().name.equals("model")) {
             models--;
         }
-        open.pop();
     }
 
     @Override

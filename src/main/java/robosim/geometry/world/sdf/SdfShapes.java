@@ -30,6 +30,7 @@ public final class SdfShapes {
     private static final double PLANE = 100;
 
     private static final double THICKNESS = 0.1;
+    private static final Point UNSCALED = new Point(1, 1, 1);
 
     private final SdfTree tree;
     private final SdfFiles files;
@@ -52,9 +53,11 @@ public final class SdfShapes {
      *
      * @param owner the collision's name with those of the enclosing elements
      * @param place where it stands in the world
+     * @param scale what its size is multiplied by, along its axes; null if it is not
      */
     @Nullable
-    GeometryObject shape(SdfElement collision, String owner, Placement place) throws FileProblem {
+    GeometryObject shape(SdfElement collision, String owner, Placement place, @Nullable Point scale)
+            throws FileProblem {
         SdfElement geometry = collision.required("geometry");
         tree.account(geometry);
         if (geometry.children.size() != 1) {
@@ -65,16 +68,25 @@ public final class SdfShapes {
         }
         SdfElement shape = geometry.children.get(0);
         tree.account(shape);
+        Point size = scale == null ? UNSCALED : scale;
+        if (scale != null && !isScaled(shape.name)) {
+            tree.skip(
+                    shape,
+                    "the scale of " + named(shape, owner),
+                    "a saved <state> scales only boxes, cylinders, spheres and meshes here; give its size itself");
+        }
         try {
             return switch (shape.name) {
                 case "box" -> {
-                    double[] size = shape.required("size").numbers(3);
-                    yield new BoxObject(new Point(), size[0], size[2], size[1]);
+                    double[] given = shape.required("size").numbers(3);
+                    yield new BoxObject(new Point(), given[0] * size.x(), given[2] * size.z(), given[1] * size.y());
                 }
-                case "sphere" -> new SphereObject(new Point(), shape.number("radius"));
-                case "cylinder" -> cylinder(shape);
+                case "sphere" ->
+                    new SphereObject(
+                            new Point(), shape.number("radius") * Math.max(size.z(), Math.max(size.x(), size.y())));
+                case "cylinder" -> cylinder(shape, size);
                 case "capsule" -> capsule(shape);
-                case "mesh" -> mesh(shape, owner);
+                case "mesh" -> mesh(shape, owner, size);
                 case "plane" -> plane(shape, owner, place);
                 case "heightmap" -> heightmap(shape, owner);
                 case "empty" -> null;
@@ -112,8 +124,18 @@ public final class SdfShapes {
         return mesh;
     }
 
-    private static CylinderObject cylinder(SdfElement shape) throws FileProblem {
-        return new CylinderObject(new Point(), shape.number("radius"), shape.number("length"));
+    /** Whether a saved state scales a shape; the ground and nothing have no size. */
+    private static boolean isScaled(String shape) {
+        return switch (shape) {
+            case "box", "sphere", "cylinder", "mesh", "plane", "empty" -> true;
+            default -> false;
+        };
+    }
+
+    /** It stays round, as in Gazebo. */
+    private static CylinderObject cylinder(SdfElement shape, Point size) throws FileProblem {
+        return new CylinderObject(
+                new Point(), shape.number("radius") * Math.max(size.x(), size.y()), shape.number("length") * size.z());
     }
 
     /** Its length is that of the cylinder between the two round ends. */
@@ -172,10 +194,6 @@ public final class SdfShapes {
     private @Nullable GeometryObject heightmap(SdfElement shape, String owner) throws FileProblem {
         SdfElement uri = shape.required("uri");
         String name = uri.value().toLowerCase(Locale.ROOT);
-        if (SdfFiles.isRemote(name)) {
-            tree.skip(shape, named(shape, owner), "network addresses are not followed: " + uri.value());
-            return null;
-        }
         if (!name.endsWith(".png") && !name.endsWith(".pgm")) {
             tree.skip(
                     shape,
@@ -185,7 +203,7 @@ public final class SdfShapes {
         }
         Path file = files.find(uri);
         if (file == null) {
-            throw files.missing(uri);
+            return missing(shape, owner, uri);
         }
         SdfHeightmap heights = new SdfHeightmap(shape);
         files.count(uri, file);
@@ -199,6 +217,14 @@ public final class SdfShapes {
         return heights.mesh();
     }
 
+    private @Nullable GeometryObject missing(SdfElement shape, String owner, SdfElement uri) throws FileProblem {
+        if (SdfFiles.isRemote(uri.value())) {
+            tree.skip(shape, named(shape, owner), files.remote(uri.value()));
+            return null;
+        }
+        throw files.missing(uri);
+    }
+
     private void count(int more, SdfElement uri) throws FileProblem {
         vertices += more;
         if (vertices > Limits.MAX_VERTICES) {
@@ -206,7 +232,7 @@ public final class SdfShapes {
         }
     }
 
-    private @Nullable GeometryObject mesh(SdfElement shape, String owner) throws FileProblem {
+    private @Nullable GeometryObject mesh(SdfElement shape, String owner, Point size) throws FileProblem {
         SdfElement uri = shape.required("uri");
         String name = uri.value();
         SdfElement submesh = shape.child("submesh");
@@ -218,15 +244,12 @@ public final class SdfShapes {
                     name + " does not end in " + MeshFiles.ENDINGS + "; export it as one of them");
             return null;
         }
-        if (SdfFiles.isRemote(name)) {
-            tree.skip(shape, named(shape, owner), "network addresses are not followed: " + name);
-            return null;
-        }
         Path file = files.find(uri);
         if (file == null) {
-            throw files.missing(uri);
+            return missing(shape, owner, uri);
         }
-        Point scale = shape.vector("scale", new Point(1, 1, 1));
+        Point own = shape.vector("scale", UNSCALED);
+        Point scale = new Point(own.x() * size.x(), own.y() * size.y(), own.z() * size.z());
         String center = submesh == null ? "" : submesh.valueOf("center");
         boolean isCentred = !center.isEmpty() && SdfElement.isTrue(shape, "<center>", center);
         Scaled key = new Scaled(file, part, isCentred, scale);

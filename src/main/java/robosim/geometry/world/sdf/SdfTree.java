@@ -23,6 +23,8 @@ public final class SdfTree {
             "model://ground_plane",
                     "it is infinite ground, which all that stands on it would touch, and what touches cannot move; use a box if something must collide with it");
 
+    private static final int MOST_NAMES = 5;
+
     private final SdfFiles files;
     private final Map<String, Integer> passedOver = new TreeMap<>();
     private final List<LeftOut> skipped = new ArrayList<>();
@@ -91,6 +93,19 @@ public final class SdfTree {
         SdfScope world = new SdfScope("");
         fill(world, holder);
         return world;
+    }
+
+    /** Adds models to a world that has been read. */
+    void insert(SdfScope world, SdfElement models) throws FileProblem {
+        account(models);
+        add(world, models, null);
+        keepPlaced(world, world.models);
+    }
+
+    /** Some names, in a message. */
+    static String listed(List<String> names) {
+        return String.join(", ", names.subList(0, Math.min(MOST_NAMES, names.size())))
+                + (names.size() > MOST_NAMES ? " and " + (names.size() - MOST_NAMES) + " more" : "");
     }
 
     /** Adds what is not read of an element to the report. */
@@ -222,11 +237,17 @@ public final class SdfTree {
 
     private void named(SdfScope scope, String name, SdfNode node) throws FileProblem {
         SdfNode earlier = scope.named(name);
-        if (!scope.add(name, node) && earlier != null) {
-            throw node.element.wrong("names must be unique in " + (scope.path.isEmpty() ? "the world" : scope.path)
-                    + "; rename this or the one in line " + earlier.element.line + " of "
-                    + earlier.element.file.shown() + " (got twice: " + name + ")");
+        if (scope.add(name, node) || earlier == null) {
+            return;
         }
+        String where = "names must be unique in " + (scope.path.isEmpty() ? "the world" : scope.path)
+                + "; rename this or the one in line " + earlier.element.line + " of " + earlier.element.file.shown()
+                + " (got twice: " + name + ")";
+        if (node.inner == null && !node.element.name.equals("link")) {
+            throw node.element.wrong(where);
+        }
+        // Gazebo Classic, too, has both then, and finds the first by the name.
+        remark(node.element, where + "; both are read, and poses relative to " + name + " are to the first one");
     }
 
     private void model(SdfScope scope, SdfElement model, @Nullable SdfNode home) throws FileProblem {
@@ -263,26 +284,16 @@ public final class SdfTree {
         account(include);
         SdfElement uri = include.required("uri");
         String address = uri.value();
-        if (SdfFiles.isRemote(address)) {
-            String reason = WELL_KNOWN.get(localName(address));
+        SdfElement root = files.included(uri);
+        if (root == null) {
+            String reason = WELL_KNOWN.get(SdfFiles.isRemote(address) ? localName(address) : address);
             if (reason != null) {
                 remarks.add(
                         new LeftOut(include.file.shown(), include.line, "<include> of " + address, reason).toString());
                 return;
             }
-            skip(
-                    include,
-                    what(include),
-                    "network addresses are not followed; download the model, write model://NAME, and give the folder"
-                            + " that contains it");
-            return;
-        }
-        SdfElement root = files.included(uri);
-        if (root == null) {
-            String reason = WELL_KNOWN.get(address);
-            if (reason != null) {
-                remarks.add(
-                        new LeftOut(include.file.shown(), include.line, "<include> of " + address, reason).toString());
+            if (SdfFiles.isRemote(address)) {
+                skip(include, what(include), files.remote(address));
                 return;
             }
             throw files.missing(uri);
@@ -303,7 +314,8 @@ public final class SdfTree {
 
     /** The address of the same model in a folder: Fuel writes Ground Plane where a folder is called ground_plane. */
     private static String localName(String address) {
-        String last = address.substring(address.lastIndexOf('/') + 1);
+        FuelUri fuel = FuelUri.of(address);
+        String last = fuel == null ? address.substring(address.lastIndexOf('/') + 1) : fuel.name();
         return "model://" + last.toLowerCase(Locale.ROOT).replace("%20", "_").replace(' ', '_');
     }
 

@@ -1,14 +1,13 @@
 package robosim.geometry.world.sdf;
 
-import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
@@ -19,7 +18,6 @@ import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
-import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
 
 /**
@@ -40,6 +38,7 @@ final class UrdfParser extends DefaultHandler {
     private @Nullable SdfElement robot;
     private int outside;
     private int count;
+    private final Xacro macros = new Xacro();
 
     private UrdfParser(SdfFile file) {
         this.file = file;
@@ -50,22 +49,27 @@ final class UrdfParser extends DefaultHandler {
         return file.path().toString().endsWith(".urdf");
     }
 
-    /** Reads a file as the root element of SDFormat. */
-    static SdfElement read(SdfFile file) throws FileProblem {
-        UrdfParser parser = new UrdfParser(file);
-        try (InputStream in = RegularFile.open(file.path())) {
-            SafeXml.parse(new BufferedInputStream(in), file.shown(), parser);
+    /**
+     * Reads a file as the root element of SDFormat.
+     *
+     * @param remarks receives remarks
+     */
+    static SdfElement read(SdfFile file, Consumer<String> remarks) throws FileProblem {
+        UrdfParser parser;
+        try {
+            parser = SafeXml.parseLeniently(file.path(), file.shown(), () -> new UrdfParser(file), remarks);
         } catch (SAXException e) {
             if (e.getException() instanceof FileProblem refusal) {
                 throw refusal;
             }
-            throw new FileProblem(file.shown(), parser.line(), 0, "the XML was refused: " + e, e);
+            throw new FileProblem(file.shown(), 0, 0, "the XML was refused: " + e, e);
         } catch (IOException e) {
             throw FileProblem.unreadable(file.path(), e);
         }
         if (parser.robot == null) {
             throw new IllegalStateException("the document has no root");
         }
+        parser.macros.report(parser.robot);
         return parser.model(parser.robot);
     }
 
@@ -111,10 +115,8 @@ final class UrdfParser extends DefaultHandler {
     }
 
     private void passOver(SdfElement parent, String name) throws SAXException {
-        if (name.startsWith("xacro:")) {
-            bounded();
-            parent.skipped.add(new LeftOut(
-                    file.shown(), line(), "<" + name + ">", "macros are not carried out; run the file through xacro"));
+        if (Xacro.isMacro(name)) {
+            macros.add(file, line(), name);
         } else if (!parent.name.equals("geometry")) {
             parent.passedOver.merge(name, 1, Integer::sum);
         } else {

@@ -23,7 +23,24 @@ public final class FileKind {
     private static final Pattern VERTEX = Pattern.compile("(?m)^v\\s+[-+.\\d]");
     private static final Pattern RESOLUTION = Pattern.compile("(?m)^resolution\\s*:");
 
+    /** What stands for a large file where only the repository was fetched. */
+    private static final Pattern LFS = Pattern.compile("version https://git-lfs\\S*\\s+(?:ext-\\S+ \\S+\\s+)*oid ");
+
+    /** What is wrong with such a file, and the remedy. */
+    public static final String POINTER =
+            "this is not the file but a pointer of Git LFS to it; fetch it: git lfs pull (got: a pointer)";
+
     private FileKind() {}
+
+    /** Whether a file is a pointer of Git LFS, which the repository has instead of the file itself. */
+    public static boolean isPointer(Path file) {
+        try (InputStream in = RegularFile.open(file)) {
+            return LFS.matcher(new String(in.readNBytes(HEAD), StandardCharsets.ISO_8859_1))
+                    .lookingAt();
+        } catch (IOException e) {
+            return false;
+        }
+    }
 
     /**
      * What a file really is and what to do with it, if it is not in the format it was read as; null if that is unknown,
@@ -40,8 +57,22 @@ public final class FileKind {
             return null;
         }
         String bytes = new String(head, StandardCharsets.ISO_8859_1);
+        if (LFS.matcher(bytes).lookingAt()) {
+            return POINTER.substring(0, POINTER.lastIndexOf(" ("));
+        }
         String binary = binary(bytes, readAs);
         return binary != null ? binary : text(bytes, readAs);
+    }
+
+    /** The name of the root of an XML document, by its first lines; null if there is none. */
+    public static @Nullable String root(Path file) {
+        try (InputStream in = RegularFile.open(file)) {
+            String text = new String(in.readNBytes(16 * HEAD), StandardCharsets.ISO_8859_1);
+            Matcher root = ROOT.matcher(text.replaceFirst("^\u00ef\u00bb\u00bf", ""));
+            return root.lookingAt() ? root.group(1) : null;
+        } catch (IOException e) {
+            return null;
+        }
     }
 
     /** Whether a file is a world of Stage, by its first lines; its name ends as that of SDFormat may. */
@@ -115,10 +146,16 @@ public final class FileKind {
 
     private static @Nullable String xml(String root, String readAs) {
         return switch (root) {
-            case "sdf" -> readAs.equals("sdf") ? null : "this is SDFormat; give it a name that ends in .sdf or .world";
+            case "sdf" ->
+                readAs.equals("sdf") || readAs.equals("urdf")
+                        ? null
+                        : "this is SDFormat; give it a name that ends in .sdf or .world";
             case "world" ->
                 readAs.equals("xml") ? null : "this is a world of this module; give it a name that ends in .xml";
-            case "robot" -> readAs.equals("urdf") ? null : "this is URDF; give it a name that ends in .urdf";
+            case "robot" ->
+                readAs.equals("urdf") || readAs.equals("sdf")
+                        ? null
+                        : "this is URDF; give it a name that ends in .urdf";
             case "COLLADA" -> readAs.equals("dae") ? null : "this is COLLADA; give it a name that ends in .dae";
             case "svg" -> "this is an image (SVG), which contains no world";
             case "html" -> "this is a web page: what was downloaded is not the file but the page around it";

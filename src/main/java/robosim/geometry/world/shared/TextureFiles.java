@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +24,8 @@ public final class TextureFiles {
     private static final int SIZE_AT = 16;
 
     private static final int START = SIZE_AT + 8;
+
+    private static final String MODEL = "model://";
 
     private final List<Path> roots;
     private final @Nullable List<LeftOut> leftOut;
@@ -72,7 +75,10 @@ public final class TextureFiles {
 
     private Path locate(Path folder, String name) throws FileProblem {
         try {
-            Path path = folder.resolve(name).normalize();
+            Path path = candidates(folder, name).stream()
+                    .filter(Files::isRegularFile)
+                    .findFirst()
+                    .orElse(folder.resolve(name));
             if (name.isBlank() || name.indexOf('\\') >= 0 || Path.of(name).isAbsolute()) {
                 throw new IllegalArgumentException(
                         "a picture must be a path with / relative to the file that names it (got: " + name + ")");
@@ -97,6 +103,20 @@ public final class TextureFiles {
         } catch (IOException e) {
             throw FileProblem.unreadable(folder.resolve(name), e);
         }
+    }
+
+    /** Where Gazebo looks: beside the mesh, among the textures of its model, and for {@code model://} in each folder. */
+    private List<Path> candidates(Path folder, String name) {
+        List<Path> candidates = new ArrayList<>();
+        if (name.startsWith(MODEL)) {
+            for (Path root : roots) {
+                candidates.add(root.resolve(name.substring(MODEL.length())).normalize());
+            }
+        } else {
+            candidates.add(folder.resolve(name).normalize());
+            candidates.add(folder.resolve("../materials/textures").resolve(name).normalize());
+        }
+        return candidates;
     }
 
     private ImageTexture read(Path file) throws FileProblem {

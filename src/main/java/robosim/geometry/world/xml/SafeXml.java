@@ -1,9 +1,14 @@
 package robosim.geometry.world.xml;
 
+import java.io.BufferedInputStream;
+import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
@@ -12,6 +17,7 @@ import org.xml.sax.SAXParseException;
 import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.RegularFile;
 
 /**
  * Parses untrusted XML: no document type, no entities, nothing that the file refers to is read, and all within limits (see {@link
@@ -37,13 +43,63 @@ public final class SafeXml {
      * @throws SAXException around a {@link FileProblem}, if it exceeds the limits
      */
     public static void parse(InputStream in, String source, DefaultHandler follower) throws SAXException, IOException {
-        XmlLimitFilter filter = new XmlLimitFilter(reader(), source, follower);
+        parse(reader(SAXParserFactory.newDefaultNSInstance()), in, source, follower);
+    }
+
+    private static void parse(XMLReader reader, InputStream in, String source, DefaultHandler follower)
+            throws SAXException, IOException {
+        XmlLimitFilter filter = new XmlLimitFilter(reader, source, follower);
         filter.parse(filter.watched(in));
     }
 
+    /**
+     * Parses a file of Gazebo or ROS, whose parsers know no namespaces and do not mind some mistakes: names are those
+     * written, a prefix need not be declared, and a file that is not well-formed is tried again with these mistakes mended.
+     *
+     * @param source    the name of the file in messages
+     * @param followers called for each attempt
+     * @param remarks   told what was mended
+     * @return the follower of the attempt that succeeded
+     * @throws SAXException around a {@link FileProblem}, if it exceeds the limits
+     */
+    public static <H extends DefaultHandler> H parseLeniently(
+            Path file, String source, Supplier<H> followers, Consumer<String> remarks)
+            throws SAXException, IOException {
+        try (InputStream in = new BufferedInputStream(RegularFile.open(file))) {
+            H follower = followers.get();
+            parse(plainReader(), in, source, follower);
+            return follower;
+        } catch (SAXException e) {
+            if (!(e.getException() instanceof NotWellFormed)) {
+                throw e;
+            }
+        } catch (CharConversionException e) { // bytes that are not of its encoding
+        }
+        try (MendedXml in = new MendedXml(RegularFile.open(file))) {
+            H follower = followers.get();
+            parse(plainReader(), in, source, follower);
+            in.mended(source).forEach(remarks);
+            return follower;
+        }
+    }
+
+    /** Whether a file is not well-formed, and may be read nevertheless from its {@link #mended} bytes. */
+    public static boolean isNotWellFormed(FileProblem problem) {
+        return problem instanceof NotWellFormed;
+    }
+
+    /** The bytes of a file without the mistakes that Gazebo does not mind. */
+    public static InputStream mended(InputStream in) throws IOException {
+        return new MendedXml(in);
+    }
+
+    /** A parser to which a colon is a letter. */
+    private static XMLReader plainReader() throws SAXException {
+        return reader(SAXParserFactory.newDefaultInstance());
+    }
+
     /** The JDK's own parser, whatever else is on the class path. */
-    private static XMLReader reader() throws SAXException {
-        SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
+    private static XMLReader reader(SAXParserFactory factory) throws SAXException {
         try {
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
@@ -65,9 +121,11 @@ public final class SafeXml {
     /** The exception for an error of the parser: not well-formed, or beyond its limits. */
     public static FileProblem refusal(String source, SAXParseException e) {
         String message = String.valueOf(e.getMessage());
-        String problem = message.contains("disallow-doctype-decl")
-                ? "a document type is not allowed; remove <!DOCTYPE ...>, as a world has no entities"
-                : "this is not well-formed XML: " + message;
-        return new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e);
+        if (message.contains("disallow-doctype-decl")) {
+            String problem = "a document type is not allowed; remove <!DOCTYPE ...>, as a world has no entities";
+            return new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e);
+        }
+        return new NotWellFormed(
+                source, e.getLineNumber(), e.getColumnNumber(), "this is not well-formed XML: " + message, e);
     }
 }

@@ -33,4 +33,22 @@ class ModelFoldersTest {
         assertThat(ModelFolders.with(List.of(given), environment)).containsExactly(given, a, b, share);
         assertThat(ModelFolders.with(List.of(given), Map.of())).containsExactly(given);
     }
+
+    @Test
+    void whatGazeboHasDownloadedComesLast() throws IOException {
+        Path home = Files.createDirectories(folder.resolve("home/.gz/fuel")).resolve("../..");
+        Path old = Files.createDirectories(folder.resolve("home/.ignition/fuel"));
+        Path own = Files.createDirectories(folder.resolve("own"));
+        assertThat(ModelFolders.with(
+                        List.of(),
+                        Map.of(
+                                "HOME",
+                                home.toString(),
+                                "GZ_FUEL_CACHE_PATH",
+                                own.toString(),
+                                "SDF_PATH",
+                                folder.toString())))
+                .usingElementComparator((a, b) -> a.normalize().compareTo(b.normalize()))
+                .containsExactly(folder, own, folder.resolve("home/.gz/fuel"), old);
+    }
 }
