@@ -28,6 +28,9 @@ final class BodyState {
     double turns;
     private Twist aim = STILL;
 
+    /** The heading along which that is, of a force. */
+    private double aimHeading;
+
     // For how long the drive may still push at its greatest acceleration, and whether something was in its way before.
     private double left;
     private boolean isHindered;
@@ -61,7 +64,9 @@ final class BodyState {
      */
     boolean begin(double heading, double seconds) {
         Drive driven = drive;
-        if (driven != null) {
+        if (driven instanceof ForceDrive force) {
+            beginForced(force, heading, seconds);
+        } else if (driven != null) {
             Twist now = velocity(heading);
             aim = driven.next(now, body, seconds);
             left = seconds - spent(driven, now, aim, seconds);
@@ -89,6 +94,18 @@ final class BodyState {
         return goesX != 0 || goesZ != 0 || turns != 0;
     }
 
+    /** A force has the direction that the body has halfway; nothing but it turns the velocity, as wheels do. */
+    private void beginForced(ForceDrive force, double heading, double seconds) {
+        double turn = force.next(velocity(heading), body, 0.5 * seconds).ry();
+        aimHeading = heading + 0.5 * turn * seconds;
+        Twist now = velocity(aimHeading);
+        aim = force.next(now, body, seconds);
+        left = 0;
+        Twist halfway = isHindered ? aim : force.next(now, body, 0.5 * seconds);
+        turns = Degrees.toRadians(halfway.ry());
+        go(aimHeading, halfway.x(), halfway.z());
+    }
+
     /** The chord of an arc as a share of the arc, which turns by twice an angle in radians. */
     private static double chord(double half) {
         return Math.abs(half) < 1e-4 ? 1 - half * half / 6 : Degrees.sin(Degrees.toDegrees(half)) / half;
@@ -111,7 +128,7 @@ final class BodyState {
         w = endTurn;
         isHindered = drive != null && (endX != goesX || endZ != goesZ || endTurn != turns);
         if (drive != null && !isHindered) {
-            setVelocity(heading, aim);
+            setVelocity(drive instanceof ForceDrive ? aimHeading : heading, aim);
         }
     }
 

@@ -4,8 +4,9 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Twist;
 
 /**
- * A constant force and a torque on a body, which the body's damping resists. {@code new ForceDrive(0, 0, 0)} is a body that
- * rolls out.
+ * A force and a torque on a body, constant along its own axes, which the body's damping resists. {@code new ForceDrive(0, 0, 0)}
+ * is a body that rolls out. Nothing keeps a body that turns from going on straight, as wheels would; what {@link #next} answers
+ * is along the axes that the body has when the step begins.
  *
  * <p>One step of the implicit Euler method, {@code v' = (v + dt F / m) / (1 + c dt)} for a damping c, which never overshoots,
  * however long the step (Hairer and Wanner 1996, IV.3).

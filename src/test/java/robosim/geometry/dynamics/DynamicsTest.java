@@ -108,6 +108,56 @@ class DynamicsTest {
         return world.getObject("disc").center();
     }
 
+    /** A force does not turn the velocity of what spins, as wheels do: without one, a body goes on straight. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.1, 2})
+    void aForceIsNoWheel(double seconds) {
+        Geometry world = new Geometry(40, 10, 40, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObject(new BoxObject(new Point(0, 0, 0), 0.6, 1, 0.4).moveable("body"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("body", Body.of(5, 1));
+        dynamics.drive("body", new ForceDrive(0, 0, 0));
+        dynamics.setVelocity("body", new Twist(1, 0, 0, 90));
+        for (double time = 0; time < 2 - 1e-9; time += seconds) {
+            dynamics.step(seconds);
+        }
+        assertThat(world.getObject("body").center().x()).isCloseTo(2, within(1e-9));
+        assertThat(world.getObject("body").center().z()).isCloseTo(0, within(1e-9));
+        assertThat(dynamics.velocity("body").x()).isCloseTo(-1, within(1e-9)); // it looks back
+        assertThat(dynamics.velocity("body").z()).isCloseTo(0, within(1e-9));
+    }
+
+    /** A force along the own axes of a body that a torque turns, against Newton's law in many small steps. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.1, 2})
+    void aForceTurnsWithItsBody(double seconds) {
+        Geometry world = new Geometry(40, 10, 40, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObject(new CylinderObject(new Point(0, 0, 0), 0.3, 1).moveable("body"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("body", Body.of(5, 1));
+        dynamics.drive("body", new ForceDrive(1, 0, 0.4));
+        for (double time = 0; time < 2 - 1e-9; time += seconds) {
+            dynamics.step(seconds);
+        }
+        double vx = 0;
+        double vz = 0;
+        double x = 0;
+        double z = 0;
+        double dt = 1e-5;
+        for (double time = dt / 2; time < 2; time += dt) {
+            vx += 0.2 * StrictMath.cos(0.2 * time * time) * dt;
+            vz -= 0.2 * StrictMath.sin(0.2 * time * time) * dt;
+            x += vx * dt;
+            z += vz * dt;
+        }
+        assertThat(world.getObject("body").center().x()).isCloseTo(x, within(2e-4));
+        assertThat(world.getObject("body").center().z()).isCloseTo(z, within(2e-4));
+        double cos = StrictMath.cos(0.8);
+        double sin = StrictMath.sin(0.8);
+        assertThat(dynamics.velocity("body").x()).isCloseTo(vx * cos - vz * sin, within(2e-4));
+        assertThat(dynamics.velocity("body").z()).isCloseTo(vx * sin + vz * cos, within(2e-4));
+    }
+
     /** Ways that cross all over the world: a long step is divided before all of its pairs fill the memory. */
     @Test
     void aLongStepOfManyFastBodiesKeepsFewPairs() {

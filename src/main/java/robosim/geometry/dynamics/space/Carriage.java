@@ -14,6 +14,9 @@ final class Carriage {
 
     private static final double LITTLE = 0x1p-7;
 
+    /** So many slices in a row a body waits for another one that moves out of its way, before it is stopped. */
+    private static final int MOST_WAITS = 256;
+
     /** So many bodies in a row make way for each other. */
     private static final int MOST_AHEAD = 64;
 
@@ -63,10 +66,18 @@ final class Carriage {
         }
     }
 
-    /** Lets a slice begin, in which no body has been carried yet. */
-    void begin() {
+    /** Lets a part of a slice begin, in which no body has been carried yet; it is a share of the time looked ahead. */
+    void begin(double share) {
         for (int b = 0; b < bodies.size(); b++) {
-            bodies.get(b).isCarried = bodies.get(b).isAsleep;
+            Rigid body = bodies.get(b);
+            body.isCarried = body.isAsleep;
+            if (share < 1 && !body.isAsleep) {
+                for (int k = 0; k < 6; k++) {
+                    body.u[k] = body.v[k] + (body.u[k] - body.v[k]) * share;
+                }
+                body.work -= body.lastWork * (1 - share);
+                body.lastWork *= share;
+            }
         }
     }
 
@@ -97,6 +108,7 @@ final class Carriage {
             }
             if (share >= 1) {
                 System.arraycopy(body.u, 0, body.v, 0, 6);
+                body.waits = 0;
                 return;
             }
             idle = share > LITTLE ? 0 : idle + 1;
@@ -119,11 +131,27 @@ final class Carriage {
                 hit(b, rest, surfaces);
             }
         }
+        if (body.waits < MOST_WAITS && isBesideMoving()) {
+            body.waits++;
+            System.arraycopy(body.u, 0, body.v, 0, 6);
+            return;
+        }
         body.isStopped = true;
         for (int k = 0; k < 6; k++) {
             body.v[k] = 0.5 * body.u[k];
             body.u[k] = body.v[k];
         }
+    }
+
+    /** Whether a body that moves is among those that were touched last. */
+    private boolean isBesideMoving() {
+        for (int k = 0; k < contacts.count; k++) {
+            int other = contacts.other[k];
+            if (other >= 0 && !bodies.get(other).isAsleep) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** A body that is in the way of another one and has not been carried yet; -1 for none. */

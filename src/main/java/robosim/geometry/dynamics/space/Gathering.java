@@ -61,6 +61,7 @@ final class Gathering {
                 if (other >= 0) {
                     ledger.join(b, other);
                 }
+                body.isHeld |= other < 0 || bodies.get(other).isAsleep;
                 int added = contacts.count;
                 meeting.points(
                         leaf.kind(0),

@@ -16,11 +16,15 @@ final class Ledger {
     private final List<Rigid> bodies;
     private final double[] gravity;
 
-    // By group: the energy before and what drives have added, the kinetic one now, and the potential one gained.
+    // By group: the energy before and what drives have added, the kinetic one now, the potential one gained, mass and
+    // momentum, and whether anything that stands still is touched.
     private double[] before = new double[0];
     private double[] moving = new double[0];
     private double[] risen = new double[0];
+    private double[] mass = new double[0];
+    private double[] momentum = new double[0];
     private boolean[] isPressed = new boolean[0];
+    private boolean[] isHeld = new boolean[0];
 
     Ledger(List<Rigid> bodies, double[] gravity) {
         this.bodies = bodies;
@@ -33,6 +37,7 @@ final class Ledger {
             Rigid body = bodies.get(b);
             body.group = b;
             body.isTouching = false;
+            body.isHeld = false;
             body.work = 0;
             body.lastWork = 0;
             body.turnInertia();
@@ -79,11 +84,8 @@ final class Ledger {
             Rigid body = bodies.get(b);
             int group = body.group;
             body.isPressed = isPressed[group];
-            if (moving[group] > 0 && moving[group] + risen[group] > before[group]) {
-                double share = Math.sqrt(Math.max(0, before[group] - risen[group]) / moving[group]);
-                for (int k = 0; k < 6; k++) {
-                    body.v[k] *= share;
-                }
+            if (moving[group] + risen[group] > before[group]) {
+                brake(body, group);
             }
         }
         for (int b = 0; b < bodies.size(); b++) {
@@ -97,6 +99,25 @@ final class Ledger {
         }
     }
 
+    /**
+     * Takes from a body what its group has too much. Those that touch nothing but each other keep their momentum: they lose what
+     * they move about their common centre of mass.
+     */
+    private void brake(Rigid body, int group) {
+        double carried = 0;
+        for (int axis = 0; axis < 3 && !isHeld[group]; axis++) {
+            double drift = momentum[3 * group + axis] / mass[group];
+            carried += 0.5 * mass[group] * drift * drift;
+        }
+        double inner = moving[group] - carried;
+        double most = before[group] - risen[group] - carried;
+        double share = inner > 0 ? Math.sqrt(Math.max(0, most) / inner) : 1;
+        for (int k = 0; k < 6; k++) {
+            double drift = k < 3 && !isHeld[group] ? momentum[3 * group + k] / mass[group] : 0;
+            body.v[k] = drift + (body.v[k] - drift) * share;
+        }
+    }
+
     /** What the bodies of each group have. */
     private void sum() {
         int count = bodies.size();
@@ -104,12 +125,18 @@ final class Ledger {
             before = new double[count];
             moving = new double[count];
             risen = new double[count];
+            mass = new double[count];
+            momentum = new double[3 * count];
             isPressed = new boolean[count];
+            isHeld = new boolean[count];
         }
         Arrays.fill(before, 0);
         Arrays.fill(moving, 0);
         Arrays.fill(risen, 0);
+        Arrays.fill(mass, 0);
+        Arrays.fill(momentum, 0);
         Arrays.fill(isPressed, false);
+        Arrays.fill(isHeld, false);
         for (int b = 0; b < count; b++) {
             Rigid body = bodies.get(b);
             if (!body.isAsleep) {
@@ -117,7 +144,12 @@ final class Ledger {
                 before[group] += body.energy + body.work;
                 moving[group] += body.kinetic(body.v);
                 risen[group] += body.risen(gravity);
+                mass[group] += body.mass;
+                for (int axis = 0; axis < 3; axis++) {
+                    momentum[3 * group + axis] += body.mass * body.v[axis];
+                }
                 isPressed[group] |= body.isDriving;
+                isHeld[group] |= body.isHeld;
             }
         }
     }

@@ -65,7 +65,15 @@ final class Rigid {
     int group;
 
     boolean isTouching;
+
+    /** Whether it touches what stands still in this slice. */
+    boolean isHeld;
+
     boolean isCarried;
+
+    /** In how many slices in a row it has waited for another body. */
+    int waits;
+
     boolean isAsleep;
     boolean isStopped;
 

@@ -18,6 +18,9 @@ public final class Space {
 
     private static final int MOST_SLICES = 10_000;
 
+    /** Most parts of a slice; in the last of them bodies meet where the one that is carried first finds the other. */
+    private static final int MOST_PARTS = 16;
+
     private final Placer placer;
     private final double[] gravity;
     private final List<Rigid> bodies = new ArrayList<>();
@@ -28,6 +31,7 @@ public final class Space {
     private final Contacts contacts = new Contacts();
     private final Gathering gathering;
     private final Carriage carriage;
+    private final TimeOfImpact impact;
     private final double[] known = new double[ObjectTable.PLACE];
     private int[] order = new int[0];
     private Runnable breath = () -> {};
@@ -49,6 +53,7 @@ public final class Space {
         traction = new Traction(bodies, this.gravity);
         impulses = new Impulses(bodies, traction);
         gathering = new Gathering(bodies, ledger, near, contacts);
+        impact = new TimeOfImpact(bodies, near);
         carriage = new Carriage(bodies, this.gravity, way, gathering, impulses, contacts, this::tell);
     }
 
@@ -128,12 +133,24 @@ public final class Space {
         now.clear();
         refresh();
         int slices = (int) Math.ceil(Math.min(MOST_SLICES, seconds / SLICE * (1 - 0x1p-40)));
-        for (int k = 0; k < slices; k++) {
-            if (!slice(seconds / slices, surfaces)) {
-                break;
-            }
+        boolean isMoving = true;
+        for (int k = 0; k < slices && isMoving; k++) {
+            isMoving = slice(seconds / slices, surfaces);
         }
         touchAtRest();
+    }
+
+    /** Moves all bodies by a slice of time, in parts that end where two of them meet; false if all rest. */
+    private boolean slice(double seconds, Surfaces surfaces) {
+        double left = seconds;
+        for (int parts = 1; left > 0; parts++) {
+            double made = part(left, parts < MOST_PARTS, surfaces);
+            if (made == 0) {
+                return false;
+            }
+            left = made < left ? left - made : 0;
+        }
+        return true;
     }
 
     /** Takes over what others have done to the world since. */
@@ -154,8 +171,12 @@ public final class Space {
         }
     }
 
-    /** Moves all bodies by a slice of time; false if all rest. */
-    private boolean slice(double seconds, Surfaces surfaces) {
+    /**
+     * Moves all bodies by a time, or for less where two of them meet before; answers for how long, 0 if all rest.
+     *
+     * @param mayEnd whether it may end before
+     */
+    private double part(double seconds, boolean mayEnd, Surfaces surfaces) {
         traction.begin(seconds);
         boolean any = false;
         for (int b = 0; b < bodies.size(); b++) {
@@ -163,7 +184,7 @@ public final class Space {
             any |= !body.isAsleep;
         }
         if (!any) {
-            return false;
+            return 0;
         }
         ledger.begin(seconds);
         contacts.clear();
@@ -175,16 +196,18 @@ public final class Space {
         }
         solve(seconds, surfaces);
         tell();
+        double share = mayEnd ? impact.first(seconds) : TimeOfImpact.NEVER;
+        double made = share * seconds;
+        carriage.begin(share);
         sort();
-        carriage.begin();
         for (int k = 0; k < bodies.size(); k++) {
             if (!bodies.get(order[k]).isAsleep) {
                 breath.run();
-                carriage.carry(order[k], seconds, surfaces);
+                carriage.carry(order[k], made, surfaces);
             }
         }
-        ledger.finish(seconds);
-        return true;
+        ledger.finish(made);
+        return made;
     }
 
     private void solve(double seconds, Surfaces surfaces) {

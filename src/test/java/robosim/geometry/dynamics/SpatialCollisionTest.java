@@ -1,0 +1,106 @@
+package robosim.geometry.dynamics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+/** Collisions of two bodies in space beside the textbook's, whatever their masses, speeds and restitution. */
+class SpatialCollisionTest {
+    private static final double[] LEVEL = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    private static final Point WEIGHTLESS = new Point(0, 0, 0);
+
+    private final SplittableRandom random = new SplittableRandom(261124);
+
+    private static Dynamics two(GeometryObject a, double massA, GeometryObject b, double massB, Surface surface) {
+        Geometry world = new Geometry(400, 400, 400);
+        Dynamics dynamics = new Dynamics(world, surface, WEIGHTLESS);
+        world.addObject(a);
+        world.addObject(b);
+        dynamics.add("a", Body.ofMass(a.oriented(LEVEL), massA).withSurface(surface));
+        dynamics.add("b", Body.ofMass(b.oriented(LEVEL), massB).withSurface(surface));
+        return dynamics;
+    }
+
+    /** Two smooth spheres that both move, off the line of their centres: Newton's impulse along it, whatever the step. */
+    @Test
+    void spheresCollideAsTheTextbookSays() {
+        for (int k = 0; k < 120; k++) {
+            double restitution = k % 4 == 0 ? 0 : random.nextDouble();
+            double radiusA = random.nextDouble(0.2, 0.8);
+            double radiusB = random.nextDouble(0.2, 0.8);
+            double massA = random.nextDouble(0.5, 4);
+            double massB = random.nextDouble(0.5, 4);
+            double speedA = random.nextDouble(1, 6);
+            double speedB = k % 3 == 0 ? 0 : -random.nextDouble(1, 6);
+            double aside = random.nextDouble(-0.9, 0.9) * (radiusA + radiusB);
+            Dynamics dynamics = two(
+                    new SphereObject(new Point(-3, 0, 0), radiusA).moveable("a"),
+                    massA,
+                    new SphereObject(new Point(3, 0, aside), radiusB).moveable("b"),
+                    massB,
+                    new Surface(restitution, 0, 0));
+            dynamics.setSpatialVelocity("a", new SpatialVelocity(speedA, 0, 0, 0, 0, 0));
+            dynamics.setSpatialVelocity("b", new SpatialVelocity(speedB, 0, 0, 0, 0, 0));
+            double seconds = StrictMath.pow(10, random.nextDouble(-2, 0.5));
+            for (double time = 0; time < 6; time += seconds) {
+                assertThat(dynamics.step(seconds).stopped()).as("case %d", k).isEmpty();
+            }
+            double nz = aside / (radiusA + radiusB);
+            double nx = Math.sqrt(1 - nz * nz);
+            double impulse = (1 + restitution) * (speedA - speedB) * nx / (1 / massA + 1 / massB);
+            String what = "case " + k + ", restitution " + restitution;
+            // Bodies meet 1e-8 m apart, which turns the line of the centres a little.
+            assertVelocity(dynamics, "a", speedA - impulse * nx / massA, -impulse * nz / massA, what);
+            assertVelocity(dynamics, "b", speedB + impulse * nx / massB, impulse * nz / massB, what);
+        }
+    }
+
+    private static void assertVelocity(Dynamics dynamics, String name, double x, double z, String what) {
+        SpatialVelocity velocity = dynamics.spatialVelocity(name);
+        assertThat(velocity.x()).as(what).isCloseTo(x, within(1e-6));
+        assertThat(velocity.y()).as(what).isCloseTo(0, within(1e-9));
+        assertThat(velocity.z()).as(what).isCloseTo(z, within(1e-6));
+    }
+
+    /** Boxes and spheres with friction that turn and meet anyhow: momentum and angular momentum stay, and energy never grows. */
+    @Test
+    void momentumIsKept() {
+        int met = 0;
+        for (int k = 0; k < 60; k++) {
+            GeometryObject a = k % 2 == 0
+                    ? new BoxObject(new Point(-3, 0, 0), 0.5, 0.7, 0.4)
+                            .turned(random.nextDouble(90), random.nextDouble(180))
+                            .moveable("a")
+                    : new SphereObject(new Point(-3, 0, 0), 0.4).moveable("a");
+            GeometryObject b = new BoxObject(
+                            new Point(3, random.nextDouble(0.4), random.nextDouble(0.4)), 0.8, 0.5, 0.6)
+                    .turned(random.nextDouble(90), random.nextDouble(180))
+                    .moveable("b");
+            double friction = random.nextDouble();
+            Dynamics dynamics = two(a, 1, b, 3, new Surface(random.nextDouble(), friction, friction));
+            dynamics.setSpatialVelocity(
+                    "a", new SpatialVelocity(5, 0, 0, random.nextDouble(-90, 90), random.nextDouble(-90, 90), 0));
+            dynamics.setSpatialVelocity(
+                    "b", new SpatialVelocity(-random.nextDouble(2), 0, 0, 0, random.nextDouble(-90, 90), 0));
+            double before = 5 + 3 * dynamics.spatialVelocity("b").x();
+            for (int step = 0; step < 30; step++) {
+                StepResult result = dynamics.step(0.1);
+                assertThat(result.stopped()).as("case %d, step %d", k, step).isEmpty();
+                met += result.contacts().isEmpty() ? 0 : 1;
+            }
+            SpatialVelocity one = dynamics.spatialVelocity("a");
+            SpatialVelocity other = dynamics.spatialVelocity("b");
+            assertThat(one.x() + 3 * other.x()).as("case %d", k).isCloseTo(before, within(1e-9));
+            assertThat(one.y() + 3 * other.y()).as("case %d", k).isCloseTo(0, within(1e-9));
+            assertThat(one.z() + 3 * other.z()).as("case %d", k).isCloseTo(0, within(1e-9));
+        }
+        assertThat(met).isGreaterThan(40);
+    }
+}
