@@ -24,6 +24,7 @@ final class Meetings {
     private static final double QUIET = 1e-9;
 
     final TimeOfImpact impact;
+    final Island island;
     final ContactSolver solver;
 
     private final Scene scene;
@@ -40,7 +41,8 @@ final class Meetings {
         bodies = scene.bodies;
         pieces = scene.pieces;
         impact = new TimeOfImpact(bodies, pieces);
-        solver = new ContactSolver(bodies, floor);
+        island = new Island(bodies, floor);
+        solver = new ContactSolver(bodies, floor, island);
     }
 
     double gap() {
@@ -104,17 +106,17 @@ final class Meetings {
 
     /** Whether two that touch approach at a point of contact. */
     private boolean isApproaching(int pair, double now) {
-        solver.begin();
+        island.begin();
         addContacts(pair, now);
-        for (int c = 0; c < solver.count; c++) {
-            if (solver.parting(c) < -QUIET) {
+        for (int c = 0; c < island.count; c++) {
+            if (island.parting(c) < -QUIET) {
                 return true;
             }
         }
         return false;
     }
 
-    /** Gives the solver the points at which two touch. */
+    /** Adds the points at which two touch to the island. */
     void addContacts(int pair, double now) {
         int pa = pairs.a[pair];
         int pb = pairs.b[pair];
@@ -127,11 +129,11 @@ final class Meetings {
         double distance = impact.measure(pa, pb, now);
         manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
         for (int k = 0; k < manifold.count; k++) {
-            int c = solver.add(pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
-            solver.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
-            solver.still[c] = mean(scene.still[pa], scene.still[pb]);
-            solver.sliding[c] = Math.min(solver.still[c], mean(scene.sliding[pa], scene.sliding[pb]));
-            solver.least[c] = distance < 0.5 * gap && distance > 0 ? (gap - distance) / end : 0;
+            int c = island.add(pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
+            island.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
+            island.still[c] = mean(scene.still[pa], scene.still[pb]);
+            island.sliding[c] = Math.min(island.still[c], mean(scene.sliding[pa], scene.sliding[pb]));
+            island.least[c] = distance < 0.5 * gap && distance > 0 ? (gap - distance) / end : 0;
         }
     }
 
@@ -144,8 +146,8 @@ final class Meetings {
         boolean isDone = false;
         for (int round = 0; round < SHIFTS && !isDone; round++) {
             isDone = true;
-            for (int c = 0; c < solver.count; c++) {
-                isDone &= !isPutApart(solver.pair[c], now);
+            for (int c = 0; c < island.count; c++) {
+                isDone &= !isPutApart(island.pair[c], now);
             }
         }
     }
@@ -191,17 +193,17 @@ final class Meetings {
 
     /** Tells who pushed whom. */
     void tell(Touches touches) {
-        for (int c = 0; c < solver.count; c++) {
+        for (int c = 0; c < island.count; c++) {
             if (solver.push[c] > 0) {
-                int piece = pairs.b[solver.pair[c]];
+                int piece = pairs.b[island.pair[c]];
                 touches.add(
-                        solver.a[c],
-                        solver.b[c],
+                        island.a[c],
+                        island.b[c],
                         pieces.object[piece],
-                        solver.px[c],
-                        solver.pz[c],
-                        solver.nx[c],
-                        solver.nz[c],
+                        island.px[c],
+                        island.pz[c],
+                        island.nx[c],
+                        island.nz[c],
                         solver.push[c]);
             }
         }

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
+import robosim.geometry.exact.Turned;
 
 /**
  * Proves that two bodies stay apart on their ways, each going straight and turning evenly from place to place, both at once;

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
+import robosim.geometry.exact.Turned;
 
 /**
  * How far two convex pieces are apart where they have been put, and along which direction. Plain doubles: what is decided here

@@ -15,9 +15,6 @@ public final class Stepper {
     /** Collisions within so much of the time are solved together. */
     private static final double TOGETHER = 1e-12;
 
-    /** So often drives make up for what a collision has cost them. */
-    private static final int MOST_PUSHES = 16;
-
     /** Meeting more slowly is slow, m/s. */
     private static final double SLOW = 0.05;
 
@@ -37,22 +34,20 @@ public final class Stepper {
     final Bodies bodies;
     private final Pieces pieces;
     private final Pairs pairs = new Pairs();
-    private final TimeOfImpact impact;
+    private final Island island;
     private final ContactSolver solver;
     private final Order order = new Order();
     private final Floor floor;
     private final Meetings meetings;
+    private final Collisions met;
     private final Neighbours neighbours;
     private final FrontToBack carrying;
     private Touches touches = new Touches();
     private Touches before = new Touches();
 
-    private Pushes pushes = (body, angle) -> false;
     private double end;
-    private int mark;
     private int[] hits = new int[16];
     private int hitCount;
-    private int[] bodyMark = new int[8];
 
     /** How many collisions have been solved since the step began. */
     int collisions;
@@ -67,8 +62,9 @@ public final class Stepper {
         pieces = scene.pieces;
         floor = new Floor(bodies);
         meetings = new Meetings(scene, pairs, floor);
-        impact = meetings.impact;
+        island = meetings.island;
         solver = meetings.solver;
+        met = new Collisions(scene, pairs, meetings, floor);
         neighbours = new Neighbours(scene, pairs, meetings);
         carrying = new FrontToBack(carrier, scene, Meetings.GAP);
     }
@@ -92,7 +88,6 @@ public final class Stepper {
         bodies.ownEase[b] = mass == 0 ? 0 : 1 / inertia;
         if (b >= isStopped.length) {
             isStopped = new boolean[2 * b];
-            bodyMark = new int[2 * b];
         }
         floor.set(b, 0, 0);
         floor.forget(b);
@@ -177,7 +172,7 @@ public final class Stepper {
 
     /** Lets everything go on for a time in seconds; where too many may meet in it, for one half and then the other. */
     public void run(double seconds, Surfaces surfaces, Pushes byDrives) {
-        pushes = byDrives;
+        met.pushes = byDrives;
         while (!scene.place()) {
             scene.build(surfaces);
             carrying.know();
@@ -213,7 +208,7 @@ public final class Stepper {
             }
             hits[hitCount++] = pairs.take();
         }
-        int lastMark = mark;
+        int lastMark = met.mark;
         for (int k = 0; k < hitCount; k++) {
             pairs.touches[hits[k]] = true;
         }
@@ -224,92 +219,21 @@ public final class Stepper {
         }
     }
 
-    /** Gives the solver a collision, with all that touch there, and what these touch. */
-    private void gather(int hit, double now) {
-        mark++;
-        pairs.mark[hit] = 0;
-        solver.begin();
-        join(pieces.body[pairs.a[hit]], now);
-        int other = pieces.body[pairs.b[hit]];
-        if (other >= 0) {
-            join(other, now);
-        }
-        for (int k = 0; k < solver.bodyCount; k++) {
-            bodies.breath.run();
-            int body = solver.bodyList[k];
-            if (bodies.lightness[body] == 0) {
-                continue;
-            }
-            for (int link = pairs.heads[body]; link >= 0; link = pairs.links[link]) {
-                int pair = link >> 1;
-                if (!pairs.touches[pair] || pairs.mark[pair] == mark) {
-                    continue;
-                }
-                pairs.mark[pair] = mark;
-                int first = pieces.body[pairs.a[pair]];
-                int second = pieces.body[pairs.b[pair]];
-                join(first, now);
-                if (second >= 0) {
-                    join(second, now);
-                }
-                double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
-                if (meetings.isTouch(pair, distance)) {
-                    meetings.addContacts(pair, now);
-                } else if (pair != hit) {
-                    pairs.touches[pair] = false;
-                }
-            }
-        }
-    }
-
-    /** Solves what has been gathered, and lets drives make up for what it has cost them. */
-    private boolean settle() {
-        boolean isSolved = solver.solve();
-        meetings.tell(touches);
-        for (int round = 0; round < MOST_PUSHES && isSolved && push(); round++) {
-            isSolved = solver.solveAgain();
-            meetings.tell(touches);
-        }
-        for (int c = 0; c < solver.count; c++) {
-            if (solver.b[c] >= 0 && solver.push[c] > 0) {
-                floor.press(solver.a[c]);
-                floor.press(solver.b[c]);
-            }
-        }
-        return isSolved;
-    }
-
-    /** Lets the drives push on those whom something that can be moved is in the way of; whether any does. */
-    private boolean push() {
-        boolean isPushed = false;
-        for (int c = 0; c < solver.count; c++) {
-            if (solver.b[c] >= 0 && solver.push[c] > 0) {
-                isPushed |= push(solver.a[c]);
-                isPushed |= push(solver.b[c]);
-            }
-        }
-        return isPushed;
-    }
-
-    private boolean push(int body) {
-        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, bodies.angle[body]);
-    }
-
     /** Solves a collision. */
     private void solve(int hit, double now) {
         collisions++;
-        gather(hit, now);
+        met.gather(hit, now);
         int other = pieces.body[pairs.b[hit]];
-        boolean isSwapped = other >= 0 && isFollowed(solver.bodyList[1], solver.bodyList[0], hit, now);
+        boolean isSwapped = other >= 0 && met.isFollowed(island.bodyList[1], island.bodyList[0], hit, now);
         double approach = 0;
-        for (int c = 0; c < solver.count; c++) {
-            approach = Math.min(approach, solver.pair[c] == hit ? solver.parting(c) : 0);
+        for (int c = 0; c < island.count; c++) {
+            approach = Math.min(approach, island.pair[c] == hit ? island.parting(c) : 0);
         }
         boolean isSlow = approach > -SLOW;
-        boolean isSolved = settle();
+        boolean isSolved = met.settle(touches);
         meetings.apart(now);
-        for (int k = 0; k < solver.bodyCount; k++) {
-            int body = solver.bodyList[isSwapped && k < 2 ? 1 - k : k];
+        for (int k = 0; k < island.bodyCount; k++) {
+            int body = island.bodyList[isSwapped && k < 2 ? 1 - k : k];
             bodies.changes[body] += !isSlow && solver.isChanged(body) ? 1 : 0;
             if (!isSolved || bodies.changes[body] > MOST_CHANGES) {
                 isStopped[body] |= bodies.ownLightness[body] > 0;
@@ -317,47 +241,25 @@ public final class Stepper {
             }
             carrying.leg(body);
         }
-        for (int c = 0; c < solver.count; c++) {
-            pairs.solved[solver.pair[c]] = now;
+        for (int c = 0; c < island.count; c++) {
+            pairs.solved[island.pair[c]] = now;
         }
         pairs.solved[hit] = now;
         if (isSlow) {
-            meetings.pause(hit, now, isChanged(hit));
+            meetings.pause(hit, now, met.isChanged(hit));
         }
         again(hit, now);
     }
 
-    /** Whether the second body of a pair recedes from the first, which follows it: then it is carried first. */
-    private boolean isFollowed(int b, int a, int pair, double now) {
-        impact.measure(pairs.a[pair], pairs.b[pair], now);
-        double nx = impact.separation.nx;
-        double nz = impact.separation.nz;
-        return bodies.vx[b] * nx + bodies.vz[b] * nz < 0 && bodies.vx[a] * nx + bodies.vz[a] * nz < 0;
-    }
-
-    private boolean isChanged(int pair) {
-        int other = pieces.body[pairs.b[pair]];
-        return solver.isChanged(pieces.body[pairs.a[pair]]) || (other >= 0 && solver.isChanged(other));
-    }
-
-    private void join(int body, double now) {
-        if (bodyMark[body] == mark) {
-            return;
-        }
-        bodyMark[body] = mark;
-        bodies.advance(body, now);
-        solver.addBody(body);
-    }
-
     /** Expects the next collisions of those whose velocities have changed. */
     private void again(int hit, double now) {
-        int count = solver.bodyCount;
+        int count = island.bodyCount;
         if (known.length < count) {
             known = new int[2 * count];
         }
         count = 0;
-        for (int k = 0; k < solver.bodyCount; k++) {
-            int body = solver.bodyList[k];
+        for (int k = 0; k < island.bodyCount; k++) {
+            int body = island.bodyList[k];
             if (solver.isChanged(body)) {
                 known[count++] = body;
             }

@@ -1,14 +1,17 @@
-package robosim.geometry.dynamics.step;
+package robosim.geometry.exact;
 
 /** The sine and cosine of an angle in radians, the same bits everywhere; quick for the small angles of a step. */
-final class Turned {
+public final class Turned {
     /** Up to here the series below are as good as doubles: the first terms left out are below 2^-54. */
     private static final double SMALL = 0.5;
 
-    double cos;
-    double sin;
+    /** Of the angle given last. */
+    public double cos;
 
-    void by(double angle) {
+    public double sin;
+
+    /** Works out both for an angle. */
+    public void by(double angle) {
         if (Math.abs(angle) > SMALL) {
             cos = StrictMath.cos(angle);
             sin = StrictMath.sin(angle);
