@@ -8,11 +8,14 @@ import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.dynamics.BodyContact;
+import robosim.geometry.dynamics.StepResult;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
 
 /**
  * A bumper: tells which objects a robot touches and on which side of it. What it touches is decided by the objects' exact
@@ -32,9 +35,28 @@ import robosim.geometry.model.Pose;
  * }</pre>
  *
  * <p>A move that would touch something is refused, so a robot that only moves never presses its bumper: ask the result of
- * the refused move. Robots that were placed touching something, and things that others pushed, do.
+ * the refused move. Robots that were placed touching something, and things that others pushed, do. Bodies that
+ * {@link robosim.geometry.dynamics.Dynamics} steps stop just before contact: ask the result of the step.
+ *
+ * <pre>{@code
+ * Geometry arena = new Geometry(20, 4, 20, Dimension.PLANAR, Accuracy.EXACT);
+ * arena.addObject(new BoxObject(new Point(2, 0, 0), 1, 1, 1).named("crate"));
+ * arena.addObject(new CylinderObject(new Point(0, 0, 0), 0.5, 1).moveable("cart"));
+ * Dynamics dynamics = new Dynamics(arena, Surface.SMOOTH);
+ * dynamics.add("cart", Body.of(20, 1));
+ * dynamics.drive("cart", new DifferentialDrive(0.8, 1, 2).driving(0.5, 0));
+ * Bumper ring = Bumper.on("cart");
+ * ring.isPressed(arena, dynamics.step(1));              // false: it still drives
+ * StepResult step = dynamics.step(2);
+ * BodyContact contact = ring.contacts(arena, step).get(0);
+ * contact.other();                                      // "crate"
+ * ring.bearing(arena, contact);                         // 0.0: straight ahead
+ * }</pre>
  */
 public final class Bumper {
+    /** The cosine of the angle to the vertical within which a contact is below or above an object. */
+    private static final double BELOW = 0.5;
+
     private final String name;
 
     /** In the object's own frame; null for the object itself. */
@@ -130,7 +152,77 @@ public final class Bumper {
             return Double.NaN;
         }
         Pose pose = body(world).pose();
-        return bearing(pose, new Point(-normal.x(), -normal.y(), -normal.z()));
+        return bearing(pose, opposite(normal));
+    }
+
+    /** Whether anything pressed the bumper in a step. */
+    public boolean isPressed(Geometry world, StepResult step) {
+        return !contacts(world, step).isEmpty();
+    }
+
+    /**
+     * The contacts of a step that press the bumper: those of its object that have begun or last, as seen from it, so that it is
+     * the {@link BodyContact#body} of each. Of a bumper with a shape of its own, those whose point or whose other object touches
+     * that shape where the object is now: it should stick out a little, and steps should be short.
+     */
+    public List<BodyContact> contacts(Geometry world, StepResult step) {
+        GeometryObject body = body(world);
+        GeometryObject bumper = shape == null ? null : shape.at(shape.pose().within(body.pose()));
+        List<BodyContact> found = new ArrayList<>();
+        for (BodyContact contact : Checks.present("step", step).contacts()) {
+            if (contact.phase() == BodyContact.Phase.END || !isOf(contact)) {
+                continue;
+            }
+            BodyContact own = own(contact);
+            if (bumper == null || touches(world, bumper, own)) {
+                found.add(own);
+            }
+        }
+        return found;
+    }
+
+    private static boolean touches(Geometry world, GeometryObject bumper, BodyContact own) {
+        String other = own.other();
+        return touches(world, bumper, new SphereObject(own.point(), 0))
+                || (other != null && world.hasObject(other) && touches(world, bumper, world.getObject(other)));
+    }
+
+    private static boolean touches(Geometry world, GeometryObject bumper, GeometryObject other) {
+        return !ContactQuery.contacts(bumper, other, world.dimension(), 1).isEmpty();
+    }
+
+    private boolean isOf(BodyContact contact) {
+        return name.equals(contact.body()) || name.equals(contact.other());
+    }
+
+    /** A contact as the object sees it. */
+    private BodyContact own(BodyContact contact) {
+        if (name.equals(contact.body())) {
+            return contact;
+        }
+        return new BodyContact(
+                name, contact.body(), contact.point(), opposite(contact.normal()), contact.impulse(), contact.phase());
+    }
+
+    private static Point opposite(Point direction) {
+        return new Point(-direction.x(), -direction.y(), -direction.z());
+    }
+
+    /**
+     * The side from which what was touched in a step pushes back, as {@link #bearing(Geometry, Contact)} has it; NaN if it is
+     * below or above the object, as a floor is: if it pushes within 60 degrees of the object's own vertical.
+     *
+     * @param contact one of the object
+     * @throws IllegalArgumentException if it is not
+     */
+    public double bearing(Geometry world, BodyContact contact) {
+        if (!isOf(Checks.present("contact", contact))) {
+            throw new IllegalArgumentException("contact must be one of \"" + name + "\" (got: \"" + contact.body()
+                    + "\" and \"" + contact.other() + "\")");
+        }
+        Pose pose = body(world).pose();
+        Point push = opposite(own(contact).normal());
+        return Math.abs(along(pose, 1, push)) > BELOW ? Double.NaN : bearing(pose, push);
     }
 
     private static double bearing(Pose pose, Point direction) {

@@ -146,6 +146,34 @@ class SpatialDriveTest {
         assertThat(dynamics.spatialVelocity("cart")).isEqualTo(SpatialVelocity.REST);
     }
 
+    /** Numbers in files are rounded, so that what ought to be flush stands out by some nanometres. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-2e-5, -3e-7, 0, 4e-7, 2e-5})
+    void lipsThatRoundingLeavesAreClimbed(double lip) {
+        Geometry world = FallingTest.floor();
+        double cos = StrictMath.cos(StrictMath.toRadians(15));
+        double sin = StrictMath.sin(StrictMath.toRadians(15));
+        Point middle = new Point(2 + cos + 0.1 * sin, lip + sin - 0.1 * cos, 0);
+        world.addObjectUnchecked(new BoxObject(middle, 2, 0.2, 4)
+                .oriented(FallingTest.tipped(15))
+                .named("ramp"));
+        double top = 2 * sin + 2 * lip;
+        world.addObjectUnchecked(new BoxObject(new Point(2 + 2 * cos + 3, top / 2, 0), 6, top, 4).named("deck"));
+        Dynamics dynamics = cart(world, Shape.BOX.at(1, STANDS, 0), new DifferentialDrive(0.4, 1, 2).driving(0.5, 0));
+        run(dynamics, world, 9);
+        assertThat(world.getObject("cart").center().y()).isCloseTo(top + 0.25, within(1e-5));
+        assertThat(dynamics.velocity("cart").x()).isCloseTo(0.5, within(1e-6));
+    }
+
+    @Test
+    void aLipThatIsOneStopsIt() {
+        Geometry world = FallingTest.floor();
+        world.addObjectUnchecked(new BoxObject(new Point(4, 0, 0), 4, 0.004, 4).named("step"));
+        Dynamics dynamics = cart(world, Shape.BOX.at(1, STANDS, 0), new DifferentialDrive(0.4, 1, 2).driving(0.5, 0));
+        run(dynamics, world, 4);
+        assertThat(world.getObject("cart").center().x()).isCloseTo(1.7, within(1e-6));
+    }
+
     @Test
     void inTheAirADriveDoesNothing() {
         Point[] ends = new Point[2];

@@ -222,8 +222,13 @@ class StepSessionTest {
         assertThat(fallen.bodies().get(0).center().y()).isCloseTo(0.25, within(1e-6));
         assertThat(breaths[0]).as("parts of the step").isGreaterThan(100);
         assertThat(fallen.contacts().get(0).other()).isEqualTo("floor");
-        Reply refused = reply(session, new StepBundle(0.1, List.of(), List.of(new DriveCommand("cart", 1, 0, 0))));
-        assertThat(refused.problems().get(0).reason()).startsWith("drives need a PLANAR world");
+        double from = fallen.bodies().get(1).center().x();
+        StepBundle.Answer driven =
+                step(session, new StepBundle(1, List.of(), List.of(new DriveCommand("cart", 1, 0, 0))));
+        // Friction of half a g takes it to its speed.
+        double gain = 0.5 * 9.80665;
+        assertThat(driven.bodies().get(1).center().x() - from).isCloseTo(1 - 0.5 / gain, within(1e-3));
+        assertThat(driven.bodies().get(1).velocity().x()).isCloseTo(1, within(1e-6));
     }
 
     /** However many bodies a step has and however long it is, others wait for no more than a part of it. */

@@ -150,7 +150,7 @@ public final class DrivingCommand implements Callable<Integer> {
                 run = drive(read, commands, writer);
             }
         }
-        print(run);
+        print(run, read.dimension() == Dimension.SPATIAL);
         return run.stopped().isEmpty() ? 0 : ExitCodes.FINDINGS;
     }
 
@@ -273,9 +273,9 @@ public final class DrivingCommand implements Callable<Integer> {
         return List.copyOf(all.values());
     }
 
-    private void print(DriveRun run) {
+    private void print(DriveRun run, boolean isSpatial) {
         PrintWriter out = spec.commandLine().getOut();
-        run.tracks().forEach((name, track) -> out.println(Text.quoted(name) + " " + words(track)));
+        run.tracks().forEach((name, track) -> out.println(Text.quoted(name) + " " + words(track, isSpatial)));
         out.printf(
                 Locale.ROOT,
                 "%s s in %s, %s%n",
@@ -288,17 +288,21 @@ public final class DrivingCommand implements Callable<Integer> {
         out.flush();
     }
 
-    private static String words(DriveRun.Track track) {
+    private static String words(DriveRun.Track track, boolean isSpatial) {
         BodyAnswer at = track.last();
         double vx = at.velocity().x();
+        double vy = at.velocity().y();
         double vz = at.velocity().z();
         String others = String.join(
                 ", ",
                 track.others().stream()
                         .map(other -> other.isEmpty() ? "what has no name" : Text.quoted(other))
                         .toList());
-        return "at (" + number(at.center().x()) + ", " + number(at.center().z()) + "), heading "
-                + number(Degrees.toDegrees(at.heading())) + ", " + number(Math.sqrt(vx * vx + vz * vz)) + " m/s, after "
+        return "at (" + number(at.center().x()) + ", "
+                + (isSpatial ? number(at.center().y()) + ", " : "")
+                + number(at.center().z()) + "), heading "
+                + number(Degrees.toDegrees(at.heading())) + ", " + number(Math.sqrt(vx * vx + vy * vy + vz * vz))
+                + " m/s, after "
                 + number(track.way()) + " m"
                 + (track.met() == 0
                         ? ""

@@ -17,6 +17,12 @@ final class Carriage {
     /** So many slices in a row a body waits for another one that moves out of its way, before it is stopped. */
     private static final int MOST_WAITS = 256;
 
+    /** A contact is below a body if its normal is within 60 degrees of the vertical. */
+    private static final double BELOW = 0.5;
+
+    /** Lips that are lower are climbed, metres: what rounding leaves between objects that ought to be flush. */
+    private static final double LIP = 1e-4;
+
     /** So many bodies in a row make way for each other. */
     private static final int MOST_AHEAD = 64;
 
@@ -94,6 +100,7 @@ final class Carriage {
         body.isCarried = true;
         double rest = seconds;
         int idle = 0;
+        boolean hasClimbed = false;
         for (int event = 0; event < MOST_EVENTS && idle < MOST_IDLE; event++) {
             for (int axis = 0; axis < 3; axis++) {
                 d[axis] = 0.5 * (body.v[axis] + body.u[axis]) * rest;
@@ -127,7 +134,9 @@ final class Carriage {
                 carry(ahead, seconds, surfaces, depth + 1);
                 hasGone = true;
             }
-            if (!hasGone) {
+            if (!hasGone && !hasClimbed && climbs(b)) {
+                hasClimbed = true;
+            } else if (!hasGone) {
                 hit(b, rest, surfaces);
             }
         }
@@ -168,6 +177,68 @@ final class Carriage {
             }
         }
         return -1;
+    }
+
+    /** Lifts a body over a lip that is in its way, if that is low; the energy that it takes is taken from its speed. */
+    private boolean climbs(int b) {
+        contacts.clear();
+        gathering.gather(b, true);
+        int ground = -1;
+        for (int k = 0; k < contacts.count; k++) {
+            if (up(k, gravity) < -BELOW * Rigid.length(gravity, 0)
+                    && (ground < 0 || contacts.apart[k] < contacts.apart[ground])) {
+                ground = k;
+            }
+        }
+        double lip = ground < 0 ? 0 : lip(ground);
+        if (lip <= 0) {
+            return false;
+        }
+        double lift = lip + 2 * Way.GAP;
+        int n = 3 * ground;
+        double[] normal = contacts.normal;
+        return way.lift(bodies.get(b), lift * normal[n], lift * normal[n + 1], lift * normal[n + 2]);
+    }
+
+    private double up(int k, double[] along) {
+        return contacts.normal[3 * k] * along[0]
+                + contacts.normal[3 * k + 1] * along[1]
+                + contacts.normal[3 * k + 2] * along[2];
+    }
+
+    /** The height of the highest lip beside a body, above the ground at a contact; 0 for none that is low. */
+    private double lip(int ground) {
+        double highest = 0;
+        for (int k = 0; k < contacts.count; k++) {
+            double high = isGround(k, ground) ? 0 : gathering.height(k, ground);
+            // A piece that rises farther on is as high as where it touches.
+            double beside = 0;
+            for (int m = 0; m < contacts.count; m++) {
+                if (contacts.piece[m] == contacts.piece[k] && !isGround(m, ground)) {
+                    beside = Math.max(beside, height(m, ground));
+                }
+            }
+            high = high < LIP ? high : beside;
+            highest = high < LIP ? Math.max(highest, high) : highest;
+        }
+        return highest;
+    }
+
+    private boolean isGround(int k, int ground) {
+        double same = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            same += contacts.normal[3 * k + axis] * contacts.normal[3 * ground + axis];
+        }
+        return same > BELOW;
+    }
+
+    private double height(int k, int ground) {
+        double high = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            high += (contacts.point[3 * k + axis] - contacts.point[3 * ground + axis])
+                    * contacts.normal[3 * ground + axis];
+        }
+        return high;
     }
 
     /** The angle by which a body turns in a time: of one that turns freely, with the velocity halfway (midpoint method). */

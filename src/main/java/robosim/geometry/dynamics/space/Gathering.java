@@ -107,15 +107,20 @@ final class Gathering {
             if (same > 1 - 1e-9 || same < 0.5) {
                 continue; // one plane, or a corner that is sharp indeed
             }
-            // Points lie midway, so the obstacle's own is half of the gap further back.
-            double back = 0.5 * contacts.apart[m];
-            int piece = contacts.piece[k];
-            double high =
-                    meeting.height(near.kind[piece], near.rows, piece * Leaf.STRIDE, contacts.point, normal, a) + back;
-            if (high < FLUSH) {
+            if (height(k, m) < FLUSH) {
                 return true;
             }
         }
         return false;
+    }
+
+    /** How far the piece of one contact rises above the plane of another one, both of those found last. */
+    double height(int k, int plane) {
+        // Points lie midway, so the obstacle's own is half of the gap further back.
+        double back = 0.5 * contacts.apart[plane];
+        int piece = contacts.piece[k];
+        return meeting.height(
+                        near.kind[piece], near.rows, piece * Leaf.STRIDE, contacts.point, contacts.normal, 3 * plane)
+                + back;
     }
 }

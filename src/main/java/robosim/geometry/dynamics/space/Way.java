@@ -140,6 +140,13 @@ final class Way {
         return 1 - rest;
     }
 
+    /** Moves a body by a displacement, if that is free up to a gap; answers whether it was. */
+    boolean lift(Rigid body, double x, double y, double z) {
+        boolean isFree = placer.toContact(body.id, x, y, z, GAP) >= 1;
+        read(body);
+        return isFree;
+    }
+
     /** Takes over where the world has a body. */
     void read(Rigid body) {
         System.arraycopy(placer.objects.places(), placer.objects.place(body.id), body.place, 0, Pose.PLACE);

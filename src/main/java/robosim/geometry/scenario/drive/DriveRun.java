@@ -49,8 +49,9 @@ public final class DriveRun {
 
         private void goesTo(BodyAnswer now) {
             double dx = now.center().x() - last.center().x();
+            double dy = now.center().y() - last.center().y();
             double dz = now.center().z() - last.center().z();
-            way += Math.sqrt(dx * dx + dz * dz);
+            way += Math.sqrt(dx * dx + dy * dy + dz * dz);
             last = now;
         }
 

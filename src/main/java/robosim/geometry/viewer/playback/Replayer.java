@@ -219,9 +219,10 @@ public final class Replayer {
         List<Frame.Bump> bumps = new ArrayList<>();
         for (ContactAnswer contact : answer.contacts()) {
             GeometryObject mover = mover(contact.objectName());
-            if (mover != null && contact.phase() == ContactAnswer.Phase.BEGIN) {
-                bumps.add(new Frame.Bump(
-                        mover, degrees(-contact.normal().x(), -contact.normal().z()), met(contact)));
+            Point normal = contact.normal();
+            boolean isAside = Math.abs(normal.y()) <= 0.5; // what is below it is no bump
+            if (mover != null && isAside && contact.phase() == ContactAnswer.Phase.BEGIN) {
+                bumps.add(new Frame.Bump(mover, degrees(-normal.x(), -normal.z()), met(contact)));
             }
         }
         return frame(step, null, placed, bumps, Map.of(), stepped(asked, answer));

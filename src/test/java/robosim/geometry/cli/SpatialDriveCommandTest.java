@@ -1,0 +1,78 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Objects;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.motion.BodyAnswer;
+import robosim.geometry.scenario.Scenario;
+
+/** The command that drives robots, and what repeats it, in a world in which heights count. */
+class SpatialDriveCommandTest {
+    private static final String WORLD = "worlds/ramp.xml";
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        return Commands.run(new PrintWriter(out), new PrintWriter(err), arguments);
+    }
+
+    @Test
+    void aCartClimbsPushesAndFalls(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("out.scenario.jsonl");
+        assertThat(run(
+                        "drive",
+                        WORLD,
+                        "--tell",
+                        "cart=0.8",
+                        "--tell",
+                        "rover=0.5",
+                        "--seconds",
+                        "11",
+                        "--record",
+                        file.toString()))
+                .as(err.toString())
+                .isLessThan(2);
+        assertThat(out.toString())
+                .containsPattern("\"cart\" at \\([-0-9.]+, [-0-9.]+, [-0-9.]+\\).*met .*\"ramp\".*\"deck\".*\"crate\"")
+                .containsPattern("\"ball\" .*met .*\"rover\"");
+        Scenario scenario = Scenario.read(file);
+        double highest = -9;
+        StepBundle.Answer last = null;
+        for (var step : scenario.steps()) {
+            if (step.expected() != null && step.expected().bundle() instanceof StepBundle.Answer answer) {
+                last = answer;
+                highest = Math.max(highest, cart(answer).center().y());
+            }
+        }
+        // Up on the deck, whose top is 0.62 m above the floor, and in the end on the floor beyond it.
+        assertThat(highest).isBetween(-0.24, -0.15);
+        assertThat(cart(Objects.requireNonNull(last)).center().y()).isLessThan(-0.7);
+        assertThat(cart(last).center().x()).isGreaterThan(3.5);
+        assertThat(run("replay", file.toString())).isZero();
+        assertThat(run("check", WORLD)).as(out.toString()).isZero();
+        Path page = folder.resolve("out.html");
+        assertThat(run("export", file.toString(), page.toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(Files.size(page)).isGreaterThan(10_000);
+        assertThat(run("sweep", file.toString(), "--set", "accuracy=EXACT", "--dry-run"))
+                .as(err.toString())
+                .isLessThan(3);
+    }
+
+    private static BodyAnswer cart(StepBundle.Answer answer) {
+        return answer.bodies().stream()
+                .filter(body -> body.objectName().equals("cart"))
+                .findFirst()
+                .orElseThrow();
+    }
+}
