@@ -22,7 +22,10 @@ public interface SessionListener {
     /** Called when a request has come, before it is carried out. */
     default void asked(Bundle request) {}
 
-    /** Called when a move of a moveable object has been tried; {@code result} says what blocked it, if anything. */
+    /**
+     * Called when a move of a moveable object has been tried, in a bundle or as a {@code WorldRequest.Go}; {@code result} says
+     * what blocked it, if anything. Moves to a contact and along it are told by {@link #replied} alone.
+     */
     default void tried(MoveRequest request, MoveResult result) {}
 
     /**

@@ -61,6 +61,11 @@ public record World(
         return value;
     }
 
+    /** A world of the same size and settings with other objects. */
+    public World withObjects(List<WorldObject> others) {
+        return new World(width, height, length, unit, dimension, accuracy, others);
+    }
+
     /**
      * A geometry of this world with all its objects, added unchecked in their order: they may overlap, as the walls of
      * a plan do.

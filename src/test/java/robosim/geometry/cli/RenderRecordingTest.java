@@ -67,7 +67,7 @@ class RenderRecordingTest extends CommandRun {
         assertThat(run("render", world, "--slice", "-1.25", "-o", low))
                 .as("%s", err)
                 .isZero();
-        assertThat(low).content().contains("1 object").contains("low").doesNotContain("ball");
+        assertThat(low).content().contains("1 object", "w, at Y -1.25", "low").doesNotContain("ball");
         Path middle = folder.resolve("middle.svg");
         assertThat(run("render", world, "--slice", "0.6", "-o", middle)).isZero();
         assertThat(middle).content().contains("ball", "r=\"").doesNotContain("low");

@@ -15,18 +15,24 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.Step;
 
 /** {@code serve} and {@code connect}: who is let in, what is printed, how they end. */
 class ServeCommandTest {
@@ -111,10 +117,10 @@ class ServeCommandTest {
         }
     }
 
-    /** A world from a file, with the bodies of its robots: in each connection it begins anew. */
+    /** A world from a file, with the bodies of its robots: in each connection it begins anew, and so does its recording. */
     @Test
     void connectionsBeginWithTheWorldOfAFile() throws Exception {
-        Process process = start("serve", "0", "--world", "worlds/pushing.xml");
+        Process process = start("serve", "0", "--world", "worlds/pushing.xml", "--record", folder.toString());
         try (BufferedReader output = reader(process.getInputStream())) {
             assertThat(lineWith(output, "worlds/pushing.xml")).endsWith("pushing.xml, 11 objects");
             String listening = lineWith(output, "Listening on");
@@ -149,6 +155,19 @@ class ServeCommandTest {
             process.waitFor(20, TimeUnit.SECONDS);
             process.destroyForcibly();
         }
+        List<Integer> objects = new ArrayList<>();
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                try (ScenarioReader reader = ScenarioReader.open(file)) {
+                    Step first = Objects.requireNonNull(reader.next());
+                    objects.add(((InitBundle) first.request()).objects().size());
+                    boolean isOfFile = objects.get(objects.size() - 1) > 0;
+                    assertThat(Objects.requireNonNull(reader.next()).request())
+                            .isInstanceOf(isOfFile ? StepBundle.class : BatchRequestBundle.class);
+                }
+            }
+        }
+        assertThat(objects).containsExactlyInAnyOrder(11, 11, 0);
     }
 
     @Test

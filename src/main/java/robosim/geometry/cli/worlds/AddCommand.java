@@ -114,7 +114,7 @@ public final class AddCommand implements Callable<Integer> {
 
     /** The text of the new file. */
     private String text(World world, List<WorldObject> added) throws IOException {
-        String own = WorldWriter.toXml(with(world, added));
+        String own = WorldWriter.toXml(world.withObjects(added));
         String elements = own.substring(own.indexOf('\n', own.indexOf("<world ")) + 1, own.lastIndexOf(END));
         if (in.toString().toLowerCase(Locale.ROOT).endsWith(".xml")) {
             String given = Files.readString(in);
@@ -137,17 +137,6 @@ public final class AddCommand implements Callable<Integer> {
         String name = folder.relativize(file).toString().replace('\\', '/');
         String begin = own.substring(0, own.length() - elements.length() - END.length() - 1);
         return begin + "  <include file=\"" + escaped(name) + "\"/>\n" + elements + END + "\n";
-    }
-
-    private static World with(World world, List<WorldObject> objects) {
-        return new World(
-                world.width(),
-                world.height(),
-                world.length(),
-                world.unit(),
-                world.dimension(),
-                world.accuracy(),
-                objects);
     }
 
     private static String escaped(String name) {

@@ -48,14 +48,7 @@ final class PlanSlice {
                 objects.add(new WorldObject(section, each.color(), List.of()));
             }
         }
-        return new World(
-                world.width(),
-                world.height(),
-                world.length(),
-                world.unit(),
-                world.dimension(),
-                world.accuracy(),
-                objects);
+        return world.withObjects(objects);
     }
 
     /** With the name of the object, moveable if that is, and of its material; null where the plane does not meet it. */

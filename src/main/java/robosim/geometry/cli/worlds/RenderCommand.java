@@ -17,6 +17,7 @@ import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.render.ColorFrame;
 import robosim.geometry.viewer.draw.Painter;
@@ -120,6 +121,9 @@ public final class RenderCommand implements Callable<Integer> {
             description = "for a recording: a world file to take colours and the unit from")
     private @Nullable Path colours;
 
+    /** Of a height in a title. */
+    private static final int DIGITS = 6;
+
     private RenderCommand() {}
 
     @Override
@@ -144,7 +148,11 @@ public final class RenderCommand implements Callable<Integer> {
             read = sliced(read, slice);
         }
         if (isPlan) {
-            Painter.write(Pictures.of(read, Pictures.title(world.file())), theme(), output);
+            String title = Pictures.title(world.file());
+            Painter.write(
+                    Pictures.of(read, slice == null ? title : title + ", at Y " + NumberText.digits(slice, DIGITS)),
+                    theme(),
+                    output);
             tell(output);
         } else {
             photograph(read);

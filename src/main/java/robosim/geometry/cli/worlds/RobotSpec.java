@@ -75,14 +75,7 @@ final class RobotSpec {
                 : List.of(new SonarRing(sonars, 0, 360.0 / sonars, 0, Double.POSITIVE_INFINITY, 0));
         List<WorldObject> objects = new ArrayList<>(world.objects());
         objects.add(new WorldObject(robot, match.group(9), rings));
-        return new World(
-                world.width(),
-                world.height(),
-                world.length(),
-                world.unit(),
-                world.dimension(),
-                world.accuracy(),
-                objects);
+        return world.withObjects(objects);
     }
 
     /**

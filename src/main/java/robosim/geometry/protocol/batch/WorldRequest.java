@@ -32,6 +32,15 @@ public sealed interface WorldRequest extends BatchRequest {
         return 1;
     }
 
+    private static void checkMove(String objectName, double x, double y, double z, double rx, double ry) {
+        Checks.present("objectName", objectName);
+        Checks.coordinate("x", x);
+        Checks.coordinate("y", y);
+        Checks.coordinate("z", z);
+        Checks.radians("rx", rx);
+        Checks.radians("ry", ry);
+    }
+
     /** What became of the last init: how many objects were added, which were left out and why, and the settings in use. */
     record Describe() implements WorldRequest {
         @Serial
@@ -138,12 +147,7 @@ public sealed interface WorldRequest extends BatchRequest {
 
         /** Refuses null, and numbers that are NaN or beyond 2<sup>100</sup>. */
         public Go {
-            Checks.present("objectName", objectName);
-            Checks.coordinate("x", x);
-            Checks.coordinate("y", y);
-            Checks.coordinate("z", z);
-            Checks.radians("rx", rx);
-            Checks.radians("ry", ry);
+            checkMove(objectName, x, y, z, rx, ry);
         }
 
         @Override
@@ -171,12 +175,7 @@ public sealed interface WorldRequest extends BatchRequest {
 
         /** Refuses null, and numbers that are NaN or out of range. */
         public GoToContact {
-            Checks.present("objectName", objectName);
-            Checks.coordinate("x", x);
-            Checks.coordinate("y", y);
-            Checks.coordinate("z", z);
-            Checks.radians("rx", rx);
-            Checks.radians("ry", ry);
+            checkMove(objectName, x, y, z, rx, ry);
             Checks.size("clearance", clearance);
         }
 
@@ -217,12 +216,7 @@ public sealed interface WorldRequest extends BatchRequest {
 
         /** Refuses null, and numbers that are NaN or out of range. */
         public GoAndSlide {
-            Checks.present("objectName", objectName);
-            Checks.coordinate("x", x);
-            Checks.coordinate("y", y);
-            Checks.coordinate("z", z);
-            Checks.radians("rx", rx);
-            Checks.radians("ry", ry);
+            checkMove(objectName, x, y, z, rx, ry);
             Checks.size("clearance", clearance);
             if (bends < 0 || bends > MOST_BENDS) {
                 throw new IllegalArgumentException("bends must be from 0 to " + MOST_BENDS + " (got: " + bends + ")");

@@ -129,13 +129,7 @@ public record WorldCheck(
     }
 
     private static World without(World world, Set<WorldObject> left) {
-        return new World(
-                world.width(),
-                world.height(),
-                world.length(),
-                world.unit(),
-                world.dimension(),
-                world.accuracy(),
+        return world.withObjects(
                 world.objects().stream().filter(o -> !left.contains(o)).toList());
     }
 
