@@ -41,10 +41,14 @@ public final class Main {
         if (arguments.length == 0 || !arguments[0].equals(ViewCommand.NAME)) {
             System.setProperty("java.awt.headless", "true");
         }
-        if (Arrays.stream(arguments).anyMatch(argument -> argument.endsWith(".xml"))) {
-            WorldSchema.prepare(); // while the command line is parsed
-        }
-        int code = code(() -> Commands.run(arguments), System.err);
+        int code = code(
+                () -> {
+                    if (Arrays.stream(arguments).anyMatch(argument -> argument.endsWith(".xml"))) {
+                        WorldSchema.prepare(); // while the command line is parsed
+                    }
+                    return Commands.run(arguments);
+                },
+                System.err);
         if (code != 0) {
             System.exit(code);
         }
