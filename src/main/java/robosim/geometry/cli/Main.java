@@ -1,10 +1,12 @@
 package robosim.geometry.cli;
 
 import java.io.PrintStream;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.function.IntSupplier;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.worlds.ViewCommand;
+import robosim.geometry.world.xml.WorldSchema;
 
 /** The entry point of the command line; {@code --help} lists the commands. */
 public final class Main {
@@ -39,7 +41,14 @@ public final class Main {
         if (arguments.length == 0 || !arguments[0].equals(ViewCommand.NAME)) {
             System.setProperty("java.awt.headless", "true");
         }
-        int code = code(() -> Commands.run(arguments), System.err);
+        int code = code(
+                () -> {
+                    if (Arrays.stream(arguments).anyMatch(argument -> argument.endsWith(".xml"))) {
+                        WorldSchema.prepare(); // while the command line is parsed
+                    }
+                    return Commands.run(arguments);
+                },
+                System.err);
         if (code != 0) {
             System.exit(code);
         }

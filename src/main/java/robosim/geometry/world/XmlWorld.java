@@ -3,7 +3,6 @@ package robosim.geometry.world;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -15,9 +14,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import javax.xml.XMLConstants;
-import javax.xml.validation.Schema;
-import javax.xml.validation.SchemaFactory;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.SAXException;
@@ -28,6 +24,7 @@ import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.WorldSchema;
 
 /**
  * The module's own format: how its files are opened, checked against the schema and read, with the files that they
@@ -253,7 +250,7 @@ final class XmlWorld implements WorldHandler.Includes {
 
     private WorldHandler parse(InputStream in, String source, @Nullable Path base, @Nullable List<FileProblem> problems)
             throws FileProblem {
-        ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
+        ValidatorHandler validator = WorldSchema.get().newValidatorHandler();
         WorldHandler handler = new WorldHandler(source, base, validator, problems, this);
         try {
             validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
@@ -269,27 +266,6 @@ final class XmlWorld implements WorldHandler.Includes {
         } catch (IOException e) {
             throw new FileProblem(
                     source, handler.line(), handler.column(), "the file could not be read: " + e.getMessage(), e);
-        }
-    }
-
-    /** Loaded when the first world is read. */
-    private static final class SchemaHolder {
-        static final Schema SCHEMA = load();
-
-        private static Schema load() {
-            URL resource = XmlWorld.class.getResource("world.xsd");
-            if (resource == null) {
-                throw new IllegalStateException("world.xsd is missing from the package robosim.geometry.world");
-            }
-            try {
-                SchemaFactory factory = SchemaFactory.newDefaultInstance();
-                factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
-                return factory.newSchema(resource);
-            } catch (SAXException e) {
-                throw new IllegalStateException("world.xsd is not a valid schema: " + e.getMessage(), e);
-            }
         }
     }
 }

@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
@@ -61,7 +60,7 @@ final class Questions {
     private final RobotReachability reachability;
     private final Watch watch;
     private final SplittableRandom random = new SplittableRandom(SEED);
-    private final List<Sheet> sheets = new ArrayList<>();
+    private final List<Sheet> sheets;
     private final Sheet truth;
     private final double slack;
     private final long triangles;
@@ -83,61 +82,20 @@ final class Questions {
     /** Number of free places so far. */
     private int freeSoFar;
 
-    /** One setting, with its answers. */
-    private static final class Sheet {
-        final Dimension dimension;
-        final Accuracy accuracy;
-        final Geometry geometry;
-        int places;
-        int placesOtherwise;
-        int moves;
-        int movesOtherwise;
-        int distances;
-        int distancesOtherwise;
-        double shortest;
-
-        Sheet(World world, Dimension dimension, Accuracy accuracy) {
-            this.dimension = dimension;
-            this.accuracy = accuracy;
-            geometry = new Geometry(world.width(), world.height(), world.length(), dimension, accuracy);
-            world.objects().forEach(object -> geometry.addObjectUnchecked(object.object()));
-        }
-
-        boolean hasFailed() {
-            return placesOtherwise + movesOtherwise + distancesOtherwise > 0;
-        }
-
-        Setting setting() {
-            return new Setting(
-                    dimension,
-                    accuracy,
-                    places,
-                    placesOtherwise,
-                    moves,
-                    movesOtherwise,
-                    distances,
-                    distancesOtherwise,
-                    shortest);
-        }
-    }
-
     /**
      * Questions about a world.
      *
      * @param reachability after the rooms have been found
      * @param triangles    of all meshes
+     * @param sheets       as {@link Sheet#all} makes them
      */
-    Questions(World world, RobotReachability reachability, long triangles, Watch watch) {
+    Questions(World world, RobotReachability reachability, long triangles, List<Sheet> sheets, Watch watch) {
         this.triangles = triangles;
         this.world = world;
         this.reachability = reachability;
         this.watch = watch;
         this.slack = SAME * StrictMath.hypot(StrictMath.hypot(world.width(), world.length()), world.height());
-        for (Dimension dimension : Dimension.values()) {
-            for (Accuracy accuracy : Accuracy.values()) {
-                sheets.add(new Sheet(world, dimension, accuracy));
-            }
-        }
+        this.sheets = sheets;
         truth = exact(world.dimension());
         standIn = world.objects().stream().anyMatch(object -> object.object().isMoveable())
                 ? null

@@ -8,6 +8,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
@@ -104,6 +105,8 @@ public record WorldCheck(
             outside.add(object);
         });
         World inside = outside.isEmpty() ? world : without(world, left);
+        // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
+        CompletableFuture<List<Sheet>> sheets = CompletableFuture.supplyAsync(() -> Sheet.all(inside));
         Overlaps overlaps = new Overlaps(inside, watch);
         Set<String> touching = new HashSet<>();
         for (Overlap overlap : overlaps.found()) {
@@ -125,7 +128,7 @@ public record WorldCheck(
                 overlaps.found(),
                 overlaps.staticCount(),
                 found,
-                new Questions(inside, reachability, pieces.triangles, watch).ask());
+                new Questions(inside, reachability, pieces.triangles, sheets.join(), watch).ask());
     }
 
     private static World without(World world, Set<WorldObject> left) {
