@@ -49,6 +49,7 @@ class LenientXmlTest {
                 <collision name='c'><geometry><sphere><radius>0.5</radius></sphere></geometry>
                 <surface><friction><ode><fdir1 gz:expressed_in='l'>1 0 0</fdir1></ode></friction></surface></collision>
                 <sensor name='s' type='custom' gz:type='optical_flow'/></link>
+                <gz:semantics><a/></gz:semantics><ignition:policies/>
                 <plugin name='p' filename='f'><gz::system_priority>3</gz::system_priority></plugin></model></sdf>
                 """));
         assertThat(read.isWhole()).isTrue();

@@ -52,7 +52,7 @@ final class ColladaElement {
         }
         double number = Double.NaN;
         try {
-            number = Numbers.parse(word.toString());
+            number = Numbers.parse(word);
         } catch (IllegalArgumentException e) {
             wrongWord = wrongWord == null ? String.valueOf(e.getMessage()) : wrongWord;
         }

@@ -185,6 +185,8 @@ public final class SdfNames {
     static boolean isPassedOver(String parent, String child) {
         Set<String> names = PASSED_OVER.get(parent);
         return (names != null && (names.isEmpty() || names.contains(child)))
+                || child.startsWith("gz:") // Gazebo's own extensions, which say nothing of shapes and places
+                || child.startsWith("ignition:")
                 || (parent.equals("model") && (OF_WORLDS.contains(child) || child.equals("state")));
     }
 

@@ -9,6 +9,13 @@ public final class Numbers {
     /** A double has at most 24 characters; longer exact decimals are allowed up to this length. */
     static final int MAX_LENGTH = 100;
 
+    /** So many decimal digits are below 2^53. */
+    private static final int MOST_DIGITS = 15;
+
+    private static final double[] POWERS = {
+        1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15
+    };
+
     private Numbers() {}
 
     /** The words of a text, separated by white space; one empty word if it has none. */
@@ -31,6 +38,42 @@ public final class Numbers {
     /** A regular expression's {@code \\s}, which takes several times as long. */
     private static boolean isSpace(char c) {
         return c == ' ' || (c >= '\t' && c <= '\r');
+    }
+
+    /** A number; the message of the exception says what is required and what was given. */
+    public static double parse(CharSequence word) {
+        double plain = plain(word);
+        return Double.isNaN(plain) ? parse(word.toString()) : plain;
+    }
+
+    /**
+     * The number that a few digits are, with a sign and a point or without; NaN if it is written otherwise. Digits and power
+     * of ten are exact as doubles, so that their quotient is rounded once, to the same bits as any correct parser's.
+     */
+    static double plain(CharSequence word) {
+        int length = word.length();
+        boolean isSigned = length > 0 && (word.charAt(0) == '-' || word.charAt(0) == '+');
+        long digits = 0;
+        int count = 0;
+        int point = -1;
+        for (int k = isSigned ? 1 : 0; k < length; k++) {
+            char c = word.charAt(k);
+            if (c >= '0' && c <= '9') {
+                if (++count > MOST_DIGITS) {
+                    return Double.NaN;
+                }
+                digits = 10 * digits + (c - '0');
+            } else if (c == '.' && point < 0) {
+                point = count;
+            } else {
+                return Double.NaN;
+            }
+        }
+        if (count == 0) {
+            return Double.NaN;
+        }
+        double value = point < 0 || point == count ? digits : digits / POWERS[count - point];
+        return word.charAt(0) == '-' ? -value : value;
     }
 
     /** A number; the message of the exception says what is required and what was given. */
