@@ -234,6 +234,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("975ee45e52442613");
+        assertThat(Long.toHexString(digest)).isEqualTo("fec08e42141a15a1");
     }
 }

@@ -13,6 +13,9 @@ final class Ledger {
     /** What is touched faster than this wakes up, m/s. */
     private static final double WAKE = 5e-3;
 
+    /** Less than this share of the energy is rounding. */
+    private static final double ROUNDING = 1e-12;
+
     private final List<Rigid> bodies;
     private final double[] gravity;
 
@@ -101,19 +104,20 @@ final class Ledger {
 
     /**
      * Takes from a body what its group has too much. Those that touch nothing but each other keep their momentum: they lose what
-     * they move about their common centre of mass.
+     * they move about their common centre of mass, unless that is rounding alone.
      */
     private void brake(Rigid body, int group) {
+        double excess = moving[group] + risen[group] - before[group];
+        boolean isFree = !isHeld[group] && excess > ROUNDING * moving[group];
         double carried = 0;
-        for (int axis = 0; axis < 3 && !isHeld[group]; axis++) {
+        for (int axis = 0; axis < 3 && isFree; axis++) {
             double drift = momentum[3 * group + axis] / mass[group];
             carried += 0.5 * mass[group] * drift * drift;
         }
         double inner = moving[group] - carried;
-        double most = before[group] - risen[group] - carried;
-        double share = inner > 0 ? Math.sqrt(Math.max(0, most) / inner) : 1;
+        double share = inner > 0 ? Math.sqrt(Math.max(0, inner - excess) / inner) : 1;
         for (int k = 0; k < 6; k++) {
-            double drift = k < 3 && !isHeld[group] ? momentum[3 * group + k] / mass[group] : 0;
+            double drift = k < 3 && isFree ? momentum[3 * group + k] / mass[group] : 0;
             body.v[k] = drift + (body.v[k] - drift) * share;
         }
     }
