@@ -45,11 +45,14 @@ public record AckermannDrive(
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        return Drives.next(this, now, body, seconds);
+        double[] v = Quantity.numbers(now, body, seconds);
+        next(v, body, seconds);
+        return Quantity.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {
-        double forward = Quantity.toward(v[0], Quantity.clamp(speed, maxSpeed), Drives.step(maxAcceleration, seconds));
+        double forward =
+                Quantity.toward(v[0], Quantity.clamp(speed, maxSpeed), Quantity.step(maxAcceleration, seconds));
         // Before the curve is applied, since a limit of the speed would change it.
         forward = Quantity.clamp(forward, body.maxSpeed());
         double wheels = Quantity.clamp(steering, maxSteering);

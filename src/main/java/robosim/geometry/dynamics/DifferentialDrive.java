@@ -57,11 +57,13 @@ public record DifferentialDrive(double track, double maxSpeed, double maxAcceler
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        return Drives.next(this, now, body, seconds);
+        double[] v = Quantity.numbers(now, body, seconds);
+        next(v, body, seconds);
+        return Quantity.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {
-        double step = Drives.step(maxAcceleration, seconds);
+        double step = Quantity.step(maxAcceleration, seconds);
         double fastest = Math.max(Math.abs(left), Math.abs(right));
         double share = fastest > maxSpeed ? maxSpeed / fastest : 1;
         double aside = aside(v[3]);

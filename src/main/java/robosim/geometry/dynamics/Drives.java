@@ -1,24 +1,12 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.model.Twist;
 
 /** Drives on plain numbers, which allocate nothing: metres a second forward, up and to the right, degrees a second. */
 final class Drives {
     private Drives() {}
 
-    /** What {@link Drive#next} answers. */
-    static Twist next(Drive drive, Twist now, Body body, double seconds) {
-        Checks.present("now", now);
-        Checks.present("body", body);
-        Quantity.atLeastZero("seconds", seconds);
-        double[] v = {now.x(), now.y(), now.z(), now.ry()};
-        next(drive, v, body, seconds);
-        return new Twist(v[0], v[1], v[2], v[3]);
-    }
-
-    /** The same in place. */
+    /** What {@link Drive#next} answers, in place. */
     static void next(Drive drive, double[] v, Body body, double seconds) {
         if (drive instanceof DifferentialDrive of) {
             of.next(v, body, seconds);
@@ -60,10 +48,5 @@ final class Drives {
     /** Whether it may go sideways. */
     static boolean isAnyWay(Drive drive) {
         return drive instanceof OmnidirectionalDrive || drive instanceof VelocityDrive || drive instanceof ForceDrive;
-    }
-
-    /** The length of a step times a limit, which may be infinite. */
-    static double step(double limit, double seconds) {
-        return seconds == 0 ? 0 : limit * seconds;
     }
 }

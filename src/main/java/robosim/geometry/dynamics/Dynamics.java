@@ -22,7 +22,7 @@ import robosim.geometry.model.Twist;
 
 /**
  * Bodies that move, push and bounce, and never overlap anything: each step goes from collision to collision. In a PLANAR world
- * they drive and slide on the floor, in a SPATIAL one they fall, tip and roll.
+ * they drive and slide on the floor, in a SPATIAL one they fall, tip and roll, and drive over what they stand on.
  *
  * <pre>{@code
  * Geometry world = new Geometry(20, 5, 20, Dimension.PLANAR, Accuracy.EXACT);

@@ -25,7 +25,9 @@ public record ForceDrive(double x, double z, double torque) implements Drive {
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        return Drives.next(this, now, body, seconds);
+        double[] v = Quantity.numbers(now, body, seconds);
+        next(v, body, seconds);
+        return Quantity.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {

@@ -38,7 +38,9 @@ public record OmnidirectionalDrive(
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        return Drives.next(this, now, body, seconds);
+        double[] v = Quantity.numbers(now, body, seconds);
+        next(v, body, seconds);
+        return Quantity.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {
@@ -47,8 +49,9 @@ public record OmnidirectionalDrive(
         double dx = command.x() * share - v[0];
         double dz = command.z() * share - v[2];
         double change = Math.sqrt(dx * dx + dz * dz);
-        double most = Drives.step(maxAcceleration, seconds);
-        v[3] = Quantity.toward(v[3], Quantity.clamp(command.ry(), maxTurn), Drives.step(maxTurnAcceleration, seconds));
+        double most = Quantity.step(maxAcceleration, seconds);
+        v[3] = Quantity.toward(
+                v[3], Quantity.clamp(command.ry(), maxTurn), Quantity.step(maxTurnAcceleration, seconds));
         if (change <= most) {
             v[0] = command.x() * share;
             v[2] = command.z() * share;

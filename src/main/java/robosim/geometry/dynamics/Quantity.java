@@ -1,5 +1,8 @@
 package robosim.geometry.dynamics;
 
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Twist;
+
 /** Checks of physical quantities; each message names the argument and its value. */
 final class Quantity {
     /** The largest quantity; products of five of them are far from overflow. */
@@ -46,5 +49,22 @@ final class Quantity {
     /** A value after it has gone towards another one by no more than a step. */
     static double toward(double from, double to, double step) {
         return Math.abs(to - from) <= step ? to : from + Math.copySign(step, to - from);
+    }
+
+    /** A limit of a change times the length of a step; the limit may be infinite. */
+    static double step(double limit, double seconds) {
+        return seconds == 0 ? 0 : limit * seconds;
+    }
+
+    /** The numbers of a velocity at the beginning of a step, checked as {@link Drive#next} does. */
+    static double[] numbers(Twist now, Body body, double seconds) {
+        Checks.present("now", now);
+        Checks.present("body", body);
+        atLeastZero("seconds", seconds);
+        return new double[] {now.x(), now.y(), now.z(), now.ry()};
+    }
+
+    static Twist twist(double[] v) {
+        return new Twist(v[0], v[1], v[2], v[3]);
     }
 }

@@ -16,7 +16,9 @@ public record VelocityDrive(Twist velocity) implements Drive {
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        return Drives.next(this, now, body, seconds);
+        double[] v = Quantity.numbers(now, body, seconds);
+        next(v, body);
+        return Quantity.twist(v);
     }
 
     void next(double[] v, Body body) {

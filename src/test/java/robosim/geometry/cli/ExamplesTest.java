@@ -47,7 +47,8 @@ class ExamplesTest {
         int seen = 0;
         while (uses.find()) {
             seen++;
-            assertThat(uses.group()).isIn("robosim.geometry.model", "robosim.geometry.protocol");
+            assertThat(uses.group())
+                    .isIn("robosim.geometry.model", "robosim.geometry.protocol", "robosim.geometry.protocol.motion");
         }
         assertThat(seen).isGreaterThan(10);
     }

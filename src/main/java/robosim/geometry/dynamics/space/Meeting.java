@@ -14,6 +14,9 @@ final class Meeting {
     /** A direction that is off by less than so many radians is that of the face. */
     private static final double ALONG = 1e-5;
 
+    /** A direction separates two pieces as well as another one if it does so by this share of the distance. */
+    private static final double AS_WELL = 0.9;
+
     /** Edges are parallel where the sine of their angle is below this. */
     private static final double PARALLEL = 1e-3;
 
@@ -63,22 +66,17 @@ final class Meeting {
     }
 
     /**
-     * Makes the direction that of a face, if it is one but for rounding and separates the two by more. Of a body that tips over
+     * Makes the direction that of a face, if it is one but for rounding and separates the two as well. Of a body that tips over
      * an edge that is its own face: what overhangs is below the other one.
      */
     private void chooseFace(LeafKind kind, double[] row, int at, LeafKind otherKind, double[] other, int otherAt) {
         double x = nx;
         double y = ny;
         double z = nz;
-        double best = along(kind, row, at, otherKind, other, otherAt, x, y, z);
         for (int which = 0; which < 2; which++) {
             if (which == 0 ? takeFace(otherKind, other, otherAt) : takeFace(kind, row, at)) {
-                double room = along(kind, row, at, otherKind, other, otherAt, nx, ny, nz);
-                if (room >= best) {
-                    best = room;
-                    x = nx;
-                    y = ny;
-                    z = nz;
+                if (along(kind, row, at, otherKind, other, otherAt, nx, ny, nz) > AS_WELL * apart) {
+                    return;
                 }
                 nx = x;
                 ny = y;
