@@ -86,7 +86,7 @@ class FallingProofTest {
     }
 
     /** Kinetic and potential energy. */
-    private static double energy(Geometry world, Dynamics dynamics) {
+    static double energy(Geometry world, Dynamics dynamics) {
         double sum = 0;
         for (String name : dynamics.names()) {
             Body body = dynamics.body(name);

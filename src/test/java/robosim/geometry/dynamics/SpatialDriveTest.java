@@ -290,24 +290,6 @@ class SpatialDriveTest {
         assertThat((threads.getThreadAllocatedBytes(id) - before) / 100).isLessThan(64);
     }
 
-    private static double energy(Geometry world, Dynamics dynamics) {
-        double sum = 0;
-        for (String name : dynamics.names()) {
-            Body body = dynamics.body(name);
-            GeometryObject object = world.getObject(name);
-            double[] moments = Inertia.moments(object, body);
-            SpatialVelocity v = dynamics.spatialVelocity(name);
-            double[] r = object.pose().rotation();
-            for (int k = 0; k < 3; k++) {
-                double along = StrictMath.toRadians(r[k] * v.rx() + r[3 + k] * v.ry() + r[6 + k] * v.rz());
-                sum += 0.5 * moments[k] * along * along;
-            }
-            sum += body.mass()
-                    * (0.5 * v.speed() * v.speed() + G * object.center().y());
-        }
-        return sum;
-    }
-
     /** The force of a drive times the way: it pushes with its mass times its limit, and besides carries its weight uphill. */
     @Test
     void energyGrowsByNoMoreThanADriveDoes() {
@@ -321,7 +303,7 @@ class SpatialDriveTest {
                 if (step == 4000) {
                     dynamics.drive("cart", new DifferentialDrive(0.4, 1, 2).driving(-0.9, 9));
                 }
-                double before = energy(world, dynamics);
+                double before = FallingProofTest.energy(world, dynamics);
                 Point from = world.getObject("cart").center();
                 double heading = world.getObject("cart").heading();
                 dynamics.advance(0.001);
@@ -333,7 +315,7 @@ class SpatialDriveTest {
                         Math.IEEEremainder(world.getObject("cart").heading() - heading, 360));
                 double way = Math.sqrt(dx * dx + dy * dy + dz * dz);
                 double most = 20 * 2 * way + 20 * G * Math.max(0, dy) + 2 * 2 / 0.4 * Math.abs(turned);
-                double after = energy(world, dynamics);
+                double after = FallingProofTest.energy(world, dynamics);
                 growth = Math.max(growth, after - before);
                 assertThat(after - before)
                         .as("%s degrees, step %d", degrees, step)
