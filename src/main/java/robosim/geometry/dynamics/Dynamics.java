@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.dynamics.step.Stepper;
-import robosim.geometry.dynamics.step.Touches;
+import robosim.geometry.dynamics.step.ContactLog;
+import robosim.geometry.dynamics.step.PlanarStepper;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
@@ -74,7 +74,7 @@ public final class Dynamics {
     private final Map<String, Surface> surfaces = new HashMap<>();
     private final Carrier carrier;
     private final ObjectTable objects;
-    private final Stepper stepper;
+    private final PlanarStepper stepper;
     private final SurfaceTable table;
 
     /** Null in a PLANAR world. */
@@ -83,11 +83,11 @@ public final class Dynamics {
     /** The bodies by their index in the stepper; objects that only stand in the way come after them. */
     private final List<BodyState> order = new ArrayList<>();
 
-    private final Stepper.Pushes pushes = this::push;
+    private final PlanarStepper.Pushes pushes = this::push;
     private boolean isStale = true;
 
     /** Runs between two parts of the work. */
-    private Runnable breath = () -> {};
+    private Runnable betweenParts = () -> {};
 
     /**
      * Bodies in a world, none so far.
@@ -119,7 +119,7 @@ public final class Dynamics {
         }
         carrier = Carrier.of(world);
         objects = carrier.objects;
-        stepper = new Stepper(world, world.width(), world.length());
+        stepper = new PlanarStepper(world, world.width(), world.length());
         table = new SurfaceTable(ground);
         falling = falls ? new Falling(world, carrier, table, gravity) : null;
     }
@@ -237,7 +237,7 @@ public final class Dynamics {
      *     again
      */
     public void pausing(Runnable between) {
-        breath = Checks.present("between", between);
+        betweenParts = Checks.present("between", between);
         stepper.pausing(between);
         if (falling != null) {
             falling.pausing(between);
@@ -336,7 +336,7 @@ public final class Dynamics {
         });
         Set<Integer> moved = new HashSet<>();
         for (BodyState each : bodies.values()) {
-            breath.run();
+            betweenParts.run();
             int id = carrier.mover(each.name);
             moved.add(id);
             order.add(each);
@@ -353,16 +353,16 @@ public final class Dynamics {
         if (falling != null) {
             return falling.last();
         }
-        Touches now = stepper.touches();
-        Touches before = stepper.before();
+        ContactLog now = stepper.touches();
+        ContactLog before = stepper.before();
         List<BodyContact> contacts = new ArrayList<>(now.count);
         for (int k = 0; k < now.count; k++) {
-            breath.run();
+            betweenParts.run();
             contacts.add(contact(now, k, before.find(now, k) < 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST));
         }
         List<BodyContact> ended = new ArrayList<>();
         for (int k = 0; k < before.count; k++) {
-            breath.run();
+            betweenParts.run();
             if (now.find(before, k) < 0) {
                 ended.add(contact(before, k, BodyContact.Phase.END));
             }
@@ -376,7 +376,7 @@ public final class Dynamics {
         return new StepResult(contacts, stopped, ended);
     }
 
-    private BodyContact contact(Touches of, int k, BodyContact.Phase phase) {
+    private BodyContact contact(ContactLog of, int k, BodyContact.Phase phase) {
         int body = stepper.id(of.body[k]);
         double y = objects.places()[objects.place(body) + 1];
         String other =

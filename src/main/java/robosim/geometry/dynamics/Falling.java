@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.space.ContactLog;
 import robosim.geometry.dynamics.space.Driver;
-import robosim.geometry.dynamics.space.Space;
-import robosim.geometry.dynamics.space.Touched;
+import robosim.geometry.dynamics.space.SpatialStepper;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
@@ -15,11 +15,11 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Twist;
 
-/** What {@link Dynamics} does in a SPATIAL world: its bodies, as {@link Space} has them. */
+/** What {@link Dynamics} does in a SPATIAL world: its bodies, as {@link SpatialStepper} has them. */
 final class Falling {
     private final Geometry world;
     private final Carrier carrier;
-    private final Space space;
+    private final SpatialStepper space;
     private final SurfaceTable table;
     private final List<BodyState> order = new ArrayList<>();
     private final double[] velocity = new double[4];
@@ -29,12 +29,12 @@ final class Falling {
         this.world = world;
         this.carrier = carrier;
         this.table = table;
-        if (!Space.isExact(carrier)) {
+        if (!SpatialStepper.isExact(carrier)) {
             throw new IllegalArgumentException(
                     "world must have the accuracy EXACT where heights count (got: " + world.accuracy() + ")");
         }
         double[] pull = {gravity.x(), gravity.y(), gravity.z()};
-        space = new Space(carrier, world.width(), world.height(), world.length(), pull);
+        space = new SpatialStepper(carrier, world.width(), world.height(), world.length(), pull);
         space.driveBy(this::next);
     }
 
@@ -162,8 +162,8 @@ final class Falling {
     }
 
     StepResult last() {
-        Touched now = space.touched();
-        Touched before = space.before();
+        ContactLog now = space.touched();
+        ContactLog before = space.before();
         List<BodyContact> contacts = new ArrayList<>(now.count());
         for (int k = 0; k < now.count(); k++) {
             contacts.add(contact(now, k, before.find(now, k) < 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST));
@@ -183,7 +183,7 @@ final class Falling {
         return new StepResult(contacts, stopped, ended);
     }
 
-    private static BodyContact contact(Touched of, int k, BodyContact.Phase phase) {
+    private static BodyContact contact(ContactLog of, int k, BodyContact.Phase phase) {
         return new BodyContact(
                 of.body(k),
                 of.other(k),

@@ -234,6 +234,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("fec08e42141a15a1");
+        assertThat(Long.toHexString(digest)).isEqualTo("c804a4e7995139dd");
     }
 }

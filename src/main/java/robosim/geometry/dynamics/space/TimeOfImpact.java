@@ -16,17 +16,17 @@ final class TimeOfImpact {
     static final double NEVER = 1;
 
     /** Two meet where they are this near, in metres: what sweeps leave, and half as much. */
-    private static final double MET = 1.5 * Way.GAP;
+    private static final double MET = 1.5 * TurningSweep.GAP;
 
     /** An advance by less than so much of the gap is the last. */
-    private static final double CLOSE = 1e-3 * Way.GAP;
+    private static final double CLOSE = 1e-3 * TurningSweep.GAP;
 
     private static final int MOST_STEPS = 64;
 
-    private final List<Rigid> bodies;
-    private final Nearby near;
+    private final List<RigidBody> bodies;
+    private final NearbyPieces near;
     private final Turning turning = new Turning();
-    private final Meeting meeting = new Meeting();
+    private final ContactGeometry meeting = new ContactGeometry();
     private final LeafColumn leafA = new LeafColumn(1);
     private final LeafColumn leafB = new LeafColumn(1);
     private final double[] placeA = new double[Pose.PLACE];
@@ -36,7 +36,7 @@ final class TimeOfImpact {
     private final double[] turnA = new double[3];
     private final double[] turnB = new double[3];
 
-    TimeOfImpact(List<Rigid> bodies, Nearby near) {
+    TimeOfImpact(List<RigidBody> bodies, NearbyPieces near) {
         this.bodies = bodies;
         this.near = near;
     }
@@ -45,7 +45,7 @@ final class TimeOfImpact {
     double first(double seconds) {
         double first = NEVER;
         for (int a = 0; a < bodies.size(); a++) {
-            Rigid one = bodies.get(a);
+            RigidBody one = bodies.get(a);
             if (!one.isAsleep) {
                 motion(one, seconds, wayA, turnA);
                 for (int b = a + 1; b < bodies.size(); b++) {
@@ -59,14 +59,14 @@ final class TimeOfImpact {
     }
 
     /** Translation and turn in a slice. */
-    private static void motion(Rigid body, double seconds, double[] translation, double[] turn) {
+    private static void motion(RigidBody body, double seconds, double[] translation, double[] turn) {
         for (int axis = 0; axis < 3; axis++) {
             translation[axis] = 0.5 * (body.v[axis] + body.u[axis]) * seconds;
             turn[axis] = 0.5 * (body.v[3 + axis] + body.u[3 + axis]) * seconds;
         }
     }
 
-    private double meet(Rigid a, Rigid b, double seconds, double before) {
+    private double meet(RigidBody a, RigidBody b, double seconds, double before) {
         motion(b, seconds, wayB, turnB);
         double px = b.place[0] - a.place[0];
         double py = b.place[1] - a.place[1];
@@ -99,8 +99,8 @@ final class TimeOfImpact {
         return Math.min(NEVER, apart / (closing + Math.sqrt(root)));
     }
 
-    private double advance(Rigid a, Rigid b, double from, double before) {
-        double turns = a.reach * Rigid.length(turnA, 0) + b.reach * Rigid.length(turnB, 0);
+    private double advance(RigidBody a, RigidBody b, double from, double before) {
+        double turns = a.reach * RigidBody.length(turnA, 0) + b.reach * RigidBody.length(turnB, 0);
         double share = from;
         for (int step = 0; step < MOST_STEPS; step++) {
             place(a, wayA, turnA, share, placeA, leafA);
@@ -125,7 +125,8 @@ final class TimeOfImpact {
         return share;
     }
 
-    private void place(Rigid body, double[] translation, double[] turn, double share, double[] place, LeafColumn leaf) {
+    private void place(
+            RigidBody body, double[] translation, double[] turn, double share, double[] place, LeafColumn leaf) {
         turning.turn(body.place, turn, share, place);
         for (int axis = 0; axis < 3; axis++) {
             place[axis] = body.place[axis] + share * translation[axis];

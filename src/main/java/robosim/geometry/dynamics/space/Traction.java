@@ -16,7 +16,7 @@ final class Traction {
     /** A contact is below a body if its normal is within 60 degrees of the body's own up. */
     private static final double BELOW = 0.5;
 
-    private final List<Rigid> bodies;
+    private final List<RigidBody> bodies;
     private final double[] gravity;
     private final Driver.Aim aim = new Driver.Aim();
     private final List<Wheels> all = new ArrayList<>();
@@ -27,7 +27,7 @@ final class Traction {
 
     private int count;
 
-    Traction(List<Rigid> bodies, double[] gravity) {
+    Traction(List<RigidBody> bodies, double[] gravity) {
         this.bodies = bodies;
         this.gravity = gravity;
     }
@@ -39,7 +39,7 @@ final class Traction {
     /** Notes which bodies have a drive, and wakes those that theirs moves. */
     void begin(double seconds) {
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             aim.set(0, 0, 0);
             body.isDriven = driver.next(b, aim, seconds);
             body.isDriving = body.isDriven && !aim.isStill();
@@ -50,7 +50,7 @@ final class Traction {
     }
 
     /** Whether a contact is below a driven body; the sign is 1 for a normal towards it, else -1. */
-    static boolean isBelow(Rigid body, double[] normal, int at, double sign) {
+    static boolean isBelow(RigidBody body, double[] normal, int at, double sign) {
         double[] place = body.place;
         double along = normal[at] * place[4] + normal[at + 1] * place[7] + normal[at + 2] * place[10];
         return body.isDriven && sign * along > BELOW;
@@ -59,7 +59,7 @@ final class Traction {
     /** Whether a contact is below a body as gravity has it. */
     boolean carries(double[] normal, int at, double sign) {
         double along = -(normal[at] * gravity[0] + normal[at + 1] * gravity[1] + normal[at + 2] * gravity[2]);
-        return sign * along > BELOW * Rigid.length(gravity, 0);
+        return sign * along > BELOW * RigidBody.length(gravity, 0);
     }
 
     /**
@@ -89,7 +89,7 @@ final class Traction {
         }
         for (int b = 0; count > 0 && b < bodies.size(); b++) {
             if (wheelsOf[b] >= 0) {
-                Rigid body = bodies.get(b);
+                RigidBody body = bodies.get(b);
                 body.isOnWheels = true;
                 Wheels wheels = all.get(wheelsOf[b]);
                 wheels.begin(body, support(contacts, wheel, b));
@@ -107,8 +107,8 @@ final class Traction {
     }
 
     /** The one moving body on which a body stands; null if anything below it stands still. */
-    private @Nullable Rigid support(Contacts contacts, int[] wheel, int b) {
-        @Nullable Rigid first = null;
+    private @Nullable RigidBody support(Contacts contacts, int[] wheel, int b) {
+        @Nullable RigidBody first = null;
         for (int k = 0; k < contacts.count; k++) {
             if (wheel[k] == b) {
                 int other = contacts.body[k] == b ? contacts.other[k] : contacts.body[k];
@@ -143,7 +143,7 @@ final class Traction {
     void finish() {
         for (int b = 0; count > 0 && b < bodies.size(); b++) {
             if (wheelsOf[b] >= 0) {
-                Rigid body = bodies.get(b);
+                RigidBody body = bodies.get(b);
                 body.lastWork = Math.max(0, all.get(wheelsOf[b]).work());
                 body.work += body.lastWork;
             }

@@ -11,7 +11,7 @@ final class Turning {
 
     /** Turns a place by a share of a vector in radians. */
     void turn(double[] from, double[] angle, double share, double[] to) {
-        double size = Rigid.length(angle, 0);
+        double size = RigidBody.length(angle, 0);
         double half = 0.5 * size * share;
         double sine = size == 0 ? 0 : StrictMath.sin(half) / size;
         double w = StrictMath.cos(half);

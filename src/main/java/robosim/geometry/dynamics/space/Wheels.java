@@ -10,10 +10,10 @@ final class Wheels {
     /** Wheels that move across their way more quickly than this slide, m/s. */
     private static final double STICK = 1e-4;
 
-    private Rigid body;
+    private RigidBody body;
 
     /** What carries it; null if that stands still. */
-    private @Nullable Rigid support;
+    private @Nullable RigidBody support;
 
     final double[] up = new double[3];
     private final double[] forward = new double[3];
@@ -55,19 +55,19 @@ final class Wheels {
     private double aside;
     private double spin;
 
-    Wheels(Rigid body) {
+    Wheels(RigidBody body) {
         this.body = body;
     }
 
     /** Stands on something, whose normal is in {@link #up}, not yet of unit length. */
-    void begin(Rigid on, @Nullable Rigid carrier) {
+    void begin(RigidBody on, @Nullable RigidBody carrier) {
         body = on;
         support = carrier;
         push = 0;
         aside = 0;
         spin = 0;
         grip = 0;
-        double size = Rigid.length(up, 0);
+        double size = RigidBody.length(up, 0);
         double[] place = on.place;
         for (int k = 0; k < 3; k++) {
             up[k] /= size;
@@ -75,7 +75,7 @@ final class Wheels {
         }
         // Wheels roll across their axles, along the ground.
         cross(up, right, forward);
-        size = Rigid.length(forward, 0);
+        size = RigidBody.length(forward, 0);
         for (int k = 0; k < 3; k++) {
             forward[k] /= size;
         }
@@ -142,7 +142,7 @@ final class Wheels {
     private double speed(double[] along, boolean atEnd) {
         double[] v = atEnd ? body.u : body.v;
         double own = dot(v, along);
-        Rigid on = support;
+        RigidBody on = support;
         if (on == null) {
             return own;
         }
@@ -152,7 +152,7 @@ final class Wheels {
     }
 
     /** The moment of a direction, at the centre of the body, about that of what carries it. */
-    private void arm(Rigid on, double[] along) {
+    private void arm(RigidBody on, double[] along) {
         double x = body.place[0] - on.place[0];
         double y = body.place[1] - on.place[1];
         double z = body.place[2] - on.place[2];
@@ -161,7 +161,7 @@ final class Wheels {
         axis[2] = x * along[1] - y * along[0];
     }
 
-    private double spin(Rigid of, boolean atEnd) {
+    private double spin(RigidBody of, boolean atEnd) {
         double[] v = atEnd ? of.u : of.v;
         return v[3] * up[0] + v[4] * up[1] + v[5] * up[2];
     }
@@ -172,7 +172,7 @@ final class Wheels {
     }
 
     private double lightness(double[] along) {
-        Rigid on = support;
+        RigidBody on = support;
         if (on == null) {
             return 1 / body.mass;
         }
@@ -186,7 +186,7 @@ final class Wheels {
     }
 
     /** By how much a torque about an axis changes the speed of turning about it. */
-    private static double about(Rigid of, double[] n) {
+    private static double about(RigidBody of, double[] n) {
         double[] i = of.inverse;
         return n[0] * (i[0] * n[0] + i[1] * n[1] + i[2] * n[2])
                 + n[1] * (i[3] * n[0] + i[4] * n[1] + i[5] * n[2])
@@ -251,7 +251,7 @@ final class Wheels {
         for (int k = 0; k < 3; k++) {
             body.u[k] += impulse / body.mass * along[k];
         }
-        Rigid on = support;
+        RigidBody on = support;
         if (on != null) {
             for (int k = 0; k < 3; k++) {
                 on.u[k] -= impulse / on.mass * along[k];
@@ -261,11 +261,11 @@ final class Wheels {
         }
     }
 
-    private void turn(Rigid of, double impulse) {
+    private void turn(RigidBody of, double impulse) {
         twist(of, up, impulse);
     }
 
-    private static void twist(Rigid of, double[] n, double impulse) {
+    private static void twist(RigidBody of, double[] n, double impulse) {
         double[] i = of.inverse;
         for (int k = 0; k < 3; k++) {
             of.u[3 + k] += impulse * (i[3 * k] * n[0] + i[3 * k + 1] * n[1] + i[3 * k + 2] * n[2]);

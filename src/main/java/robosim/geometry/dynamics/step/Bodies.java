@@ -48,7 +48,7 @@ final class Bodies {
     int[] changes = new int[FIRST];
 
     /** Runs between two parts of the work of a step, so that one step cannot keep others waiting. */
-    Runnable breath = () -> {};
+    Runnable betweenParts = () -> {};
 
     int add() {
         if (count == id.length) {

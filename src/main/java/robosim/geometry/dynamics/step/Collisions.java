@@ -6,7 +6,7 @@ final class Collisions {
     private static final int MOST_PUSHES = 16;
 
     /** What drives do. */
-    Stepper.Pushes pushes = (body, angle) -> false;
+    PlanarStepper.Pushes pushes = (body, angle) -> false;
 
     /** A number of the collision at hand: pairs and bodies that belong to it are marked with it. */
     int mark;
@@ -14,14 +14,14 @@ final class Collisions {
     private final Bodies bodies;
     private final Pieces pieces;
     private final Pairs pairs;
-    private final Meetings meetings;
+    private final CollisionPrediction meetings;
     private final TimeOfImpact impact;
     private final Island island;
     private final ContactSolver solver;
-    private final Floor floor;
+    private final FloorFriction floor;
     private int[] bodyMark = new int[8];
 
-    Collisions(Scene scene, Pairs pairs, Meetings meetings, Floor floor) {
+    Collisions(Scene scene, Pairs pairs, CollisionPrediction meetings, FloorFriction floor) {
         this.pairs = pairs;
         this.meetings = meetings;
         this.floor = floor;
@@ -46,7 +46,7 @@ final class Collisions {
             join(other, now);
         }
         for (int k = 0; k < island.bodyCount; k++) {
-            bodies.breath.run();
+            bodies.betweenParts.run();
             int body = island.bodyList[k];
             if (bodies.lightness[body] == 0) {
                 continue;
@@ -74,7 +74,7 @@ final class Collisions {
     }
 
     /** Solves what has been gathered, and lets drives make up for what it has cost them. */
-    boolean settle(Touches touches) {
+    boolean settle(ContactLog touches) {
         boolean isSolved = solver.solve();
         meetings.tell(touches);
         for (int round = 0; round < MOST_PUSHES && isSolved && push(); round++) {

@@ -61,7 +61,7 @@ final class ContactSolver {
     private double uphill;
 
     private final Bodies bodies;
-    private final Floor floor;
+    private final FloorFriction floor;
     private final Island island;
 
     // By body: the velocity before all and before this solution, and what is added to it, with rounding errors.
@@ -70,7 +70,7 @@ final class ContactSolver {
     private double[] sums = new double[3 * FIRST];
     private double[] rests = new double[3 * FIRST];
 
-    ContactSolver(Bodies bodies, Floor floor, Island island) {
+    ContactSolver(Bodies bodies, FloorFriction floor, Island island) {
         this.bodies = bodies;
         this.floor = floor;
         this.island = island;
@@ -278,7 +278,7 @@ final class ContactSolver {
 
     private void breathe() {
         if (island.count > PART) {
-            bodies.breath.run();
+            bodies.betweenParts.run();
         }
     }
 

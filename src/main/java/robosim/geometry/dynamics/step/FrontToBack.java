@@ -6,7 +6,7 @@ import robosim.geometry.exact.Degrees;
 
 /**
  * Carries bodies in the world along the ways that were found for them. In an exact world all go at once whose ways are proved
- * to keep apart ({@link AllAtOnce}); what is left goes as far as is free by a swept move that is exact, and stops.
+ * to keep apart ({@link SimultaneousMotion}); what is left goes as far as is free by a swept move that is exact, and stops.
  *
  * <p>Below exact, where objects collide as what stands for them, one goes after the other, each by swept moves against where
  * all others stand at that moment. Where a body that has yet to move is in the way, it goes first, as far as it was to go by
@@ -37,7 +37,7 @@ final class FrontToBack {
 
     private final Legs legs = new Legs();
     private final Legs shortened = new Legs();
-    private final AllAtOnce allAtOnce;
+    private final SimultaneousMotion allAtOnce;
 
     // By body: its next leg, and where it was to be at the time to which it has been carried.
     private int[] firstLeg = new int[FIRST];
@@ -75,7 +75,7 @@ final class FrontToBack {
     FrontToBack(Carrier carrier, Scene scene, double gap) {
         this.carrier = carrier;
         bodies = scene.bodies;
-        allAtOnce = new AllAtOnce(scene);
+        allAtOnce = new SimultaneousMotion(scene);
         this.gap = gap;
     }
 
@@ -316,7 +316,7 @@ final class FrontToBack {
 
     /** Makes a translation and a turn, one after the other in one of both orders; nothing if neither is free. */
     private boolean makes(int b, double dx, double dz, double degrees) {
-        bodies.breath.run();
+        bodies.betweenParts.run();
         int id = bodies.id[b];
         boolean translates = dx != 0 || dz != 0;
         if (!translates || carrier.translate(id, dx, 0, dz)) {
@@ -375,7 +375,7 @@ final class FrontToBack {
 
     /** Lets a body go as far as it may, where it ends. */
     private void settle(int b) {
-        bodies.breath.run();
+        bodies.betweenParts.run();
         int id = bodies.id[b];
         int leg = firstLeg[b];
         double dx = legs.x[leg] - atX[b];

@@ -44,9 +44,9 @@ final class Island {
     int[] parts = new int[FIRST];
 
     private final Bodies bodies;
-    private final Floor floor;
+    private final FloorFriction floor;
 
-    Island(Bodies bodies, Floor floor) {
+    Island(Bodies bodies, FloorFriction floor) {
         this.bodies = bodies;
         this.floor = floor;
     }

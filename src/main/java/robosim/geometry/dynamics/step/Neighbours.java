@@ -13,12 +13,12 @@ final class Neighbours {
     private final Scene scene;
     private final Bodies bodies;
     private final Pairs pairs;
-    private final Meetings meetings;
+    private final CollisionPrediction meetings;
     private final CellGrid grid = new CellGrid();
     private final double[] own = new double[4];
     private double end;
 
-    Neighbours(Scene scene, Pairs pairs, Meetings meetings) {
+    Neighbours(Scene scene, Pairs pairs, CollisionPrediction meetings) {
         this.scene = scene;
         this.pairs = pairs;
         this.meetings = meetings;
@@ -44,7 +44,7 @@ final class Neighbours {
             grid.put(b, own[0] - margin, own[1] - margin, own[2] + margin, own[3] + margin);
         }
         for (int b = 0; b < bodies.count; b++) {
-            bodies.breath.run();
+            bodies.betweenParts.run();
             findOthers(b, 0, true);
             if (pairs.count > most) {
                 return false;

@@ -62,7 +62,7 @@ final class Scene {
         ObjectTable objects = carrier.objects;
         upwards = new double[3 * Math.max(1, bodies.count)];
         for (int b = 0; b < bodies.count; b++) {
-            bodies.breath.run();
+            bodies.betweenParts.run();
             outline(b);
             cover(surfaces, bodies.id[b]);
         }

@@ -60,8 +60,8 @@ final class Questions {
     private final RobotReachability reachability;
     private final Watch watch;
     private final SplittableRandom random = new SplittableRandom(SEED);
-    private final List<Sheet> sheets;
-    private final Sheet truth;
+    private final List<SettingTally> tallies;
+    private final SettingTally truth;
     private final double slack;
     private final long triangles;
 
@@ -87,15 +87,15 @@ final class Questions {
      *
      * @param reachability after the rooms have been found
      * @param triangles    of all meshes
-     * @param sheets       as {@link Sheet#all} makes them
+     * @param tallies       as {@link SettingTally#all} makes them
      */
-    Questions(World world, RobotReachability reachability, long triangles, List<Sheet> sheets, Watch watch) {
+    Questions(World world, RobotReachability reachability, long triangles, List<SettingTally> tallies, Watch watch) {
         this.triangles = triangles;
         this.world = world;
         this.reachability = reachability;
         this.watch = watch;
         this.slack = SAME * StrictMath.hypot(StrictMath.hypot(world.width(), world.length()), world.height());
-        this.sheets = sheets;
+        this.tallies = tallies;
         truth = exact(world.dimension());
         standIn = world.objects().stream().anyMatch(object -> object.object().isMoveable())
                 ? null
@@ -110,12 +110,12 @@ final class Questions {
     }
 
     /** The settings whose answers are still compared with the true ones. */
-    private List<Sheet> open() {
+    private List<SettingTally> open() {
         boolean first = freeSoFar <= (triangles > MANY ? FIRST_AMONG_MESHES : FIRST);
-        List<Sheet> open = new ArrayList<>(sheets.size());
-        for (Sheet sheet : sheets) {
-            if (sheet != truth && (!sheet.hasFailed() || (first && isTold(sheet)))) {
-                open.add(sheet);
+        List<SettingTally> open = new ArrayList<>(tallies.size());
+        for (SettingTally tally : tallies) {
+            if (tally != truth && (!tally.hasFailed() || (first && isTold(tally)))) {
+                open.add(tally);
             }
         }
         return open;
@@ -125,16 +125,16 @@ final class Questions {
      * Whether users are told how often a setting that fails does so: one of the dimension that is recommended, as far as is
      * known yet, or EXACT in the other.
      */
-    private boolean isTold(Sheet sheet) {
-        return sheet.accuracy == Accuracy.EXACT
-                || sheet.dimension == world.dimension()
+    private boolean isTold(SettingTally tally) {
+        return tally.accuracy == Accuracy.EXACT
+                || tally.dimension == world.dimension()
                 || (world.dimension() == Dimension.SPATIAL
-                        && !exact(sheet.dimension).hasFailed());
+                        && !exact(tally.dimension).hasFailed());
     }
 
-    private Sheet exact(Dimension dimension) {
-        return sheets.stream()
-                .filter(sheet -> sheet.dimension == dimension && sheet.accuracy == Accuracy.EXACT)
+    private SettingTally exact(Dimension dimension) {
+        return tallies.stream()
+                .filter(tally -> tally.dimension == dimension && tally.accuracy == Accuracy.EXACT)
                 .findFirst()
                 .orElseThrow();
     }
@@ -148,11 +148,11 @@ final class Questions {
         if (!truth.setting().isAskedEnough() || met < Setting.MIN_ANSWERS || freeSoFar < FIRST) {
             return false;
         }
-        for (Sheet sheet : sheets) {
+        for (SettingTally tally : tallies) {
             boolean matters = world.dimension() == Dimension.SPATIAL
-                    || sheet.dimension == Dimension.PLANAR
-                    || (sheet.accuracy == Accuracy.EXACT && !proven);
-            if (matters && sheet != truth && !sheet.hasFailed()) {
+                    || tally.dimension == Dimension.PLANAR
+                    || (tally.accuracy == Accuracy.EXACT && !proven);
+            if (matters && tally != truth && !tally.hasFailed()) {
                 return false;
             }
         }
@@ -191,9 +191,9 @@ final class Questions {
         for (int k = 0; k < asked && !isDecided(); k++) {
             ask(robots.get(k), RobotReachability.isMany(robots.get(k).object()) ? few : each, k, asked);
         }
-        Sheet enough = sheets.stream()
-                .filter(sheet -> world.dimension() == Dimension.SPATIAL || sheet.dimension == Dimension.PLANAR)
-                .filter(sheet -> sheet.setting().isSame())
+        SettingTally enough = tallies.stream()
+                .filter(tally -> world.dimension() == Dimension.SPATIAL || tally.dimension == Dimension.PLANAR)
+                .filter(tally -> tally.setting().isSame())
                 .findFirst()
                 .orElse(truth);
         boolean told = truth.setting().isAskedEnough() && met >= Setting.MIN_ANSWERS;
@@ -203,7 +203,7 @@ final class Questions {
                 proven,
                 met,
                 SEED,
-                sheets.stream().map(Sheet::setting).toList(),
+                tallies.stream().map(SettingTally::setting).toList(),
                 standIn);
     }
 
@@ -211,7 +211,7 @@ final class Questions {
         GeometryObject home = robot.object();
         String name = String.valueOf(home.name());
         GridSearch search = standIn == null ? reachability.search(name) : null;
-        sheets.forEach(sheet -> sheet.geometry.removeObject(name));
+        tallies.forEach(tally -> tally.geometry.removeObject(name));
         int free = 0;
         for (int tries = 0; free < count && tries < count * TRIES && !isDecided(); tries++) {
             watch.at("questions", (long) number * count + free, (long) robots * count);
@@ -228,7 +228,7 @@ final class Questions {
             }
         }
         if (standIn == null) {
-            sheets.forEach(sheet -> sheet.geometry.addObjectUnchecked(home));
+            tallies.forEach(tally -> tally.geometry.addObjectUnchecked(home));
         }
     }
 
@@ -272,9 +272,9 @@ final class Questions {
         boolean right = !truth.geometry.testObject(body);
         met += right ? 0 : 1;
         truth.places++;
-        for (Sheet sheet : open()) {
-            sheet.places++;
-            sheet.placesOtherwise += sheet.geometry.testObject(body) == right ? 1 : 0;
+        for (SettingTally tally : open()) {
+            tally.places++;
+            tally.placesOtherwise += tally.geometry.testObject(body) == right ? 1 : 0;
         }
         return right;
     }
@@ -286,17 +286,17 @@ final class Questions {
         boolean right = moves(truth, body, name, move);
         met += right ? 0 : 1;
         truth.moves++;
-        for (Sheet sheet : open()) {
-            sheet.moves++;
-            sheet.movesOtherwise += moves(sheet, body, name, move) == right ? 0 : 1;
+        for (SettingTally tally : open()) {
+            tally.moves++;
+            tally.movesOtherwise += moves(tally, body, name, move) == right ? 0 : 1;
         }
     }
 
     /** Adds the body, even in contact, tries the move and removes the body again. */
-    private static boolean moves(Sheet sheet, GeometryObject body, String name, Move move) {
-        boolean stands = sheet.geometry.addObjectUnchecked(body);
-        boolean allowed = stands && sheet.geometry.move(name, move).allowed();
-        sheet.geometry.removeObject(name);
+    private static boolean moves(SettingTally tally, GeometryObject body, String name, Move move) {
+        boolean stands = tally.geometry.addObjectUnchecked(body);
+        boolean allowed = stands && tally.geometry.move(name, move).allowed();
+        tally.geometry.removeObject(name);
         return allowed;
     }
 
@@ -306,12 +306,12 @@ final class Questions {
         double right = hears(truth, body, name, mount, ring);
         met += Double.isFinite(right) ? 1 : 0;
         truth.distances++;
-        for (Sheet sheet : open()) {
-            double heard = hears(sheet, body, name, mount, ring);
-            sheet.distances++;
+        for (SettingTally tally : open()) {
+            double heard = hears(tally, body, name, mount, ring);
+            tally.distances++;
             if (Double.compare(heard, right) != 0 && !(Math.abs(heard - right) <= slack)) {
-                sheet.distancesOtherwise++;
-                sheet.shortest = Math.max(sheet.shortest, heard < right ? right - heard : 0);
+                tally.distancesOtherwise++;
+                tally.shortest = Math.max(tally.shortest, heard < right ? right - heard : 0);
             }
         }
     }
@@ -323,16 +323,16 @@ final class Questions {
                 : rings.get(random.nextInt(rings.size()));
     }
 
-    private static double hears(Sheet sheet, GeometryObject body, String name, Ray mount, SonarRing ring) {
-        if (!sheet.geometry.addObjectUnchecked(body)) {
+    private static double hears(SettingTally tally, GeometryObject body, String name, Ray mount, SonarRing ring) {
+        if (!tally.geometry.addObjectUnchecked(body)) {
             return Double.NaN;
         }
         try {
-            return sheet.geometry.getSonarDistance(name, mount, ring.min(), ring.max(), ring.width());
+            return tally.geometry.getSonarDistance(name, mount, ring.min(), ring.max(), ring.width());
         } catch (IllegalArgumentException vertical) {
             return Double.NaN; // a sonar of a robot lying on its side; in PLANAR it cannot point up
         } finally {
-            sheet.geometry.removeObject(name);
+            tally.geometry.removeObject(name);
         }
     }
 

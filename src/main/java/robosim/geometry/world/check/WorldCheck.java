@@ -106,7 +106,7 @@ public record WorldCheck(
         });
         World inside = outside.isEmpty() ? world : without(world, left);
         // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
-        CompletableFuture<List<Sheet>> sheets = CompletableFuture.supplyAsync(() -> Sheet.all(inside));
+        CompletableFuture<List<SettingTally>> tallies = CompletableFuture.supplyAsync(() -> SettingTally.all(inside));
         Overlaps overlaps = new Overlaps(inside, watch);
         Set<String> touching = new HashSet<>();
         for (Overlap overlap : overlaps.found()) {
@@ -128,7 +128,7 @@ public record WorldCheck(
                 overlaps.found(),
                 overlaps.staticCount(),
                 found,
-                new Questions(inside, reachability, pieces.triangles, sheets.join(), watch).ask());
+                new Questions(inside, reachability, pieces.triangles, tallies.join(), watch).ask());
     }
 
     private static World without(World world, Set<WorldObject> left) {

@@ -29,7 +29,7 @@ class CollisionsTest {
         for (int run = 0; run < 60; run++) {
             int count = random.nextInt(2, 10);
             Geometry world = new Geometry(3, 2, 3, Dimension.PLANAR, Accuracy.EXACT);
-            Stepper stepper = new Stepper(world, 3, 3);
+            PlanarStepper stepper = new PlanarStepper(world, 3, 3);
             Carrier carrier = Carrier.of(world);
             double speed = Math.pow(10, random.nextDouble(-3, 4));
             int bodies = 0;

@@ -15,7 +15,7 @@ class ContactSolverTest {
     private static final double NOTHING = 1e-9;
 
     private final Bodies bodies = new Bodies();
-    private final Floor floor = new Floor(bodies);
+    private final FloorFriction floor = new FloorFriction(bodies);
     private final Island island = new Island(bodies, floor);
     private final ContactSolver solver = new ContactSolver(bodies, floor, island);
     private final SplittableRandom random = new SplittableRandom(5);

@@ -7,7 +7,7 @@ import robosim.geometry.dynamics.step.Surfaces;
  * Impulses at contacts, one after the other until nothing changes any more (Catto 2005): Newton's restitution, and Coulomb's
  * friction within its cone.
  */
-final class Impulses {
+final class SequentialImpulses {
     /** Slower approaches do not bounce, m/s: twice what gravity makes of rest in a slice. */
     static final double BOUNCE = 0.02;
 
@@ -19,7 +19,7 @@ final class Impulses {
     /** Impulses that change a velocity by less than so many m/s no longer count. */
     private static final double SMALL = 1e-9;
 
-    private final List<Rigid> bodies;
+    private final List<RigidBody> bodies;
 
     private double[] target = new double[0];
     private double[] pushed = new double[0];
@@ -36,13 +36,13 @@ final class Impulses {
     private final double[] arm = new double[3];
     private final Traction traction;
 
-    Impulses(List<Rigid> bodies, Traction traction) {
+    SequentialImpulses(List<RigidBody> bodies, Traction traction) {
         this.bodies = bodies;
         this.traction = traction;
     }
 
     private double[] velocity(int b, boolean atEnd) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         return atEnd ? body.u : body.v;
     }
 
@@ -119,7 +119,7 @@ final class Impulses {
         double apart = c.apart[k];
         // What is not there yet, and comes fast enough to bounce, is met on the way.
         boolean isBall = bodies.get(c.body[k]).isBall;
-        isOff[k] = before < -BOUNCE && apart > (isBall ? 4 * gap : Way.THERE);
+        isOff[k] = before < -BOUNCE && apart > (isBall ? 4 * gap : TurningSweep.THERE);
         if (isOff[k]) {
             return false;
         }
@@ -153,7 +153,7 @@ final class Impulses {
 
     /** A body's own friction with a floor, where the contact is below it, which may make that one of its wheels. */
     private double floor(Contacts c, int k, int b, double sign) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         boolean isWheel = Traction.isBelow(body, c.normal, 3 * k, sign);
         if (isWheel && wheel[k] < 0) {
             wheel[k] = b;
@@ -200,7 +200,7 @@ final class Impulses {
     }
 
     private double lightness(int b, Contacts c, int k, double[] along, int at) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         reach(b, c, k);
         double x = arm[1] * along[at + 2] - arm[2] * along[at + 1];
         double y = arm[2] * along[at] - arm[0] * along[at + 2];
@@ -221,7 +221,7 @@ final class Impulses {
         tangents[at] = isLevel ? 0 : -nz;
         tangents[at + 1] = isLevel ? nz : 0;
         tangents[at + 2] = isLevel ? -ny : nx;
-        double size = Rigid.length(tangents, at);
+        double size = RigidBody.length(tangents, at);
         for (int axis = 0; axis < 3; axis++) {
             tangents[at + axis] /= size;
         }
@@ -268,7 +268,7 @@ final class Impulses {
     }
 
     private void give(int b, Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         double[] v = velocity(b, atEnd);
         reach(b, c, k);
         double x = impulse * along[at];

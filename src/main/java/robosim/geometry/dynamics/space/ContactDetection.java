@@ -6,24 +6,24 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** Finds where bodies touch. */
-final class Gathering {
+final class ContactDetection {
     /** Contacts are looked for within so many metres. */
     private static final double TOUCH = 1e-4;
 
     /** What rises above a plane by less than so many metres is flush with it. */
     private static final double FLUSH = 1e-7;
 
-    private final List<Rigid> bodies;
-    private final Ledger ledger;
-    private final Nearby near;
+    private final List<RigidBody> bodies;
+    private final EnergyBudget budget;
+    private final NearbyPieces near;
     private final Contacts contacts;
-    private final Meeting meeting = new Meeting();
+    private final ContactGeometry meeting = new ContactGeometry();
     private final LeafColumn leaf = new LeafColumn(1);
     private int[] bodyOf = new int[0];
 
-    Gathering(List<Rigid> bodies, Ledger ledger, Nearby near, Contacts contacts) {
+    ContactDetection(List<RigidBody> bodies, EnergyBudget budget, NearbyPieces near, Contacts contacts) {
         this.bodies = bodies;
-        this.ledger = ledger;
+        this.budget = budget;
         this.near = near;
         this.contacts = contacts;
     }
@@ -46,7 +46,7 @@ final class Gathering {
 
     /** Finds the contacts of a body; those with other bodies that will find them too only if asked. */
     void gather(int b, boolean all) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         near.find(body, 0, 0, 0, body.reach + TOUCH);
         near.leaf(body, body.place, leaf);
         int from = contacts.count;
@@ -59,7 +59,7 @@ final class Gathering {
             if (meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, at) && meeting.apart <= TOUCH) {
                 body.isTouching = true;
                 if (other >= 0) {
-                    ledger.join(b, other);
+                    budget.join(b, other);
                 }
                 body.isHeld |= other < 0 || bodies.get(other).isAsleep;
                 int added = contacts.count;

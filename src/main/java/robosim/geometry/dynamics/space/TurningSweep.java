@@ -20,7 +20,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  * the gap is at least the one between those at the ends less {@code e |d| / 4 + reach (t^2 + 2 t e) / 8}; for e = 0 that is the
  * sagitta.
  */
-final class Way {
+final class TurningSweep {
     /** Bodies stop so many metres before contact. */
     static final double GAP = 1e-8;
 
@@ -40,8 +40,8 @@ final class Way {
     private static final int MOST_FAILED = 12;
 
     private final Placer placer;
-    private final Nearby near;
-    private final Meeting meeting = new Meeting();
+    private final NearbyPieces near;
+    private final ContactGeometry meeting = new ContactGeometry();
     private final LeafColumn before = new LeafColumn(1);
     private final LeafColumn after = new LeafColumn(1);
     private final double[] place = new double[Pose.PLACE];
@@ -88,15 +88,15 @@ final class Way {
     /** The share of what was tried that may be free, where it was not. */
     private double hope;
 
-    Way(Placer placer, Nearby near) {
+    TurningSweep(Placer placer, NearbyPieces near) {
         this.placer = placer;
         this.near = near;
     }
 
     /** Goes by a displacement, turning by a vector in radians; answers the share that was made. */
-    double go(Rigid body, double[] d, double[] angle) {
-        double way = Rigid.length(d, 0);
-        double turned = Rigid.length(angle, 0);
+    double go(RigidBody body, double[] d, double[] angle) {
+        double way = RigidBody.length(d, 0);
+        double turned = RigidBody.length(angle, 0);
         boolean turns = !body.isBall && turned * body.reach > NOTHING;
         if (!turns) {
             double share = way == 0 ? 1 : placer.toContact(body.id, d[0], d[1], d[2], GAP);
@@ -141,18 +141,18 @@ final class Way {
     }
 
     /** Moves a body by a displacement, if that is free up to a gap; answers whether it was. */
-    boolean lift(Rigid body, double x, double y, double z) {
+    boolean lift(RigidBody body, double x, double y, double z) {
         boolean isFree = placer.toContact(body.id, x, y, z, GAP) >= 1;
         read(body);
         return isFree;
     }
 
     /** Takes over where the world has a body. */
-    void read(Rigid body) {
+    void read(RigidBody body) {
         System.arraycopy(placer.objects.places(), placer.objects.place(body.id), body.place, 0, Pose.PLACE);
     }
 
-    private boolean isMade(Rigid body, double[] d, double[] angle, double turned, double share) {
+    private boolean isMade(RigidBody body, double[] d, double[] angle, double turned, double share) {
         turner.turn(body.place, angle, share, place);
         for (int axis = 0; axis < 3; axis++) {
             place[axis] = body.place[axis] + share * d[axis];
@@ -162,8 +162,8 @@ final class Way {
         near.leaf(body, place, after);
         part = turned * share;
         double sagitta = body.reach * part * part / 8 * (1 + 1e-9);
-        double moved = (Rigid.length(d, 0) + body.reach * turned) * share;
-        displaced = Rigid.length(d, 0) * share;
+        double moved = (RigidBody.length(d, 0) + body.reach * turned) * share;
+        displaced = RigidBody.length(d, 0) * share;
         reach = body.reach;
         if (!isFree(sagitta, moved) && !isFreeAbove()) {
             return false;
@@ -217,7 +217,7 @@ final class Way {
      * does not touch, is where it then comes to.
      */
     private boolean isFreeAbove() {
-        double size = Rigid.length(up, 0);
+        double size = RigidBody.length(up, 0);
         if (size < 0.1) {
             return false;
         }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /** The energy of bodies in a slice, shared by those that touch each other; and which of them come to rest. */
-final class Ledger {
+final class EnergyBudget {
     /** What touches something and moves more slowly than this for so long comes to rest: m/s, s. */
     private static final double SLOW = 1e-3;
 
@@ -16,7 +16,7 @@ final class Ledger {
     /** Less than this share of the energy is rounding. */
     private static final double ROUNDING = 1e-12;
 
-    private final List<Rigid> bodies;
+    private final List<RigidBody> bodies;
     private final double[] gravity;
 
     // By group: the energy before and what drives have added, the kinetic one now, the potential one gained, mass and
@@ -29,7 +29,7 @@ final class Ledger {
     private boolean[] isPressed = new boolean[0];
     private boolean[] isHeld = new boolean[0];
 
-    Ledger(List<Rigid> bodies, double[] gravity) {
+    EnergyBudget(List<RigidBody> bodies, double[] gravity) {
         this.bodies = bodies;
         this.gravity = gravity;
     }
@@ -37,7 +37,7 @@ final class Ledger {
     /** Notes what each body has when a slice begins, after damping. */
     void begin(double seconds) {
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             body.group = b;
             body.isTouching = false;
             body.isHeld = false;
@@ -57,8 +57,8 @@ final class Ledger {
      * other.
      */
     void join(int a, int b) {
-        Rigid body = bodies.get(a);
-        Rigid other = bodies.get(b);
+        RigidBody body = bodies.get(a);
+        RigidBody other = bodies.get(b);
         other.isTouching = true;
         if (other.isAsleep && (body.isPressed || body.speed(body.v) > WAKE)) {
             other.wake();
@@ -66,7 +66,7 @@ final class Ledger {
         int from = body.group;
         int to = other.group;
         for (int k = 0; k < bodies.size(); k++) {
-            Rigid each = bodies.get(k);
+            RigidBody each = bodies.get(k);
             each.group = each.group == from ? to : each.group;
         }
     }
@@ -77,14 +77,14 @@ final class Ledger {
      */
     void finish(double seconds) {
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             if (!body.isAsleep) {
                 System.arraycopy(body.u, 0, body.v, 0, 6);
             }
         }
         sum();
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             int group = body.group;
             body.isPressed = isPressed[group];
             if (moving[group] + risen[group] > before[group]) {
@@ -92,7 +92,7 @@ final class Ledger {
             }
         }
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             if (!body.isAsleep) {
                 body.slow = body.isTouching && !body.isPressed && body.speed(body.v) < SLOW ? body.slow + seconds : 0;
                 if (body.slow > REST) {
@@ -106,7 +106,7 @@ final class Ledger {
      * Takes from a body what its group has too much. Those that touch nothing but each other keep their momentum: they lose what
      * they move about their common centre of mass, unless that is rounding alone.
      */
-    private void brake(Rigid body, int group) {
+    private void brake(RigidBody body, int group) {
         double excess = moving[group] + risen[group] - before[group];
         boolean isFree = !isHeld[group] && excess > ROUNDING * moving[group];
         double carried = 0;
@@ -142,7 +142,7 @@ final class Ledger {
         Arrays.fill(isPressed, false);
         Arrays.fill(isHeld, false);
         for (int b = 0; b < count; b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             if (!body.isAsleep) {
                 int group = body.group;
                 before[group] += body.energy + body.work;

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /** Who touched whom in a step: one entry for each body and what it touched, in the order in which they were first told. */
-public final class Touched {
+public final class ContactLog {
     private static final int FIRST = 64;
 
     private final Contacts all = new Contacts();
@@ -53,7 +53,7 @@ public final class Touched {
     }
 
     /** The entry of the same two in another step, or -1. */
-    public int find(Touched of, int entry) {
+    public int find(ContactLog of, int entry) {
         return table[slot(of.keys[entry])] - 1;
     }
 

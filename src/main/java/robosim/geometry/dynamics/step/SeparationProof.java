@@ -16,7 +16,7 @@ import robosim.geometry.exact.Turned;
  * time is halved. Two discs on straight ways are solved in closed form. All that is left has to exceed {@link #slack}, many
  * times what is lost in rounding, here and when places are stored.
  */
-final class Passing {
+final class SeparationProof {
     /** Most times that a time is halved. */
     private static final int MOST_HALVES = 6;
 
@@ -54,7 +54,7 @@ final class Passing {
     private double missingX;
     private double missingZ;
 
-    Passing(Pieces pieces, Bodies bodies) {
+    SeparationProof(Pieces pieces, Bodies bodies) {
         this.pieces = pieces;
         this.bodies = bodies;
     }
@@ -248,7 +248,7 @@ final class Passing {
         double atEnd = to.distance();
         if (!(atEnd > slack)) {
             if (halves == 0) {
-                missing = Math.max(Meetings.GAP, 8 * slack) - atEnd;
+                missing = Math.max(CollisionPrediction.GAP, 8 * slack) - atEnd;
                 missingX = to.nx;
                 missingZ = to.nz;
                 isMissingAtEnd = true;

@@ -3,7 +3,7 @@ package robosim.geometry.dynamics.step;
 import java.util.Arrays;
 
 /** Who touched whom in a step: one entry for each two objects, in the order in which they were first told. */
-public final class Touches {
+public final class ContactLog {
     private static final int FIRST = 16;
 
     /** Added to the id of an object without a body, so that it is told from the index of one. */
@@ -36,7 +36,7 @@ public final class Touches {
     private long[] keys = new long[FIRST];
     private int[] table = new int[4 * FIRST];
 
-    Touches() {
+    ContactLog() {
         Arrays.fill(table, -1);
     }
 
@@ -48,7 +48,7 @@ public final class Touches {
     }
 
     /** The entry of the same two in another step, or -1. */
-    public int find(Touches of, int entry) {
+    public int find(ContactLog of, int entry) {
         return find(of.keys[entry]);
     }
 

@@ -14,14 +14,14 @@ import robosim.geometry.model.Point;
  * What is proved to pass does, at every one of many times, decided exactly; and what passes with room to spare is proved.
  * {@code -Ddynamics.passing=N} for N pairs.
  */
-class PassingTest {
+class SeparationProofTest {
     private static final int TIMES = 200;
 
     private final SplittableRandom random = new SplittableRandom(30);
     private final Pieces pieces = new Pieces();
     private final Bodies bodies = new Bodies();
     private final Legs legs = new Legs();
-    private final Passing passing = new Passing(pieces, bodies);
+    private final SeparationProof passing = new SeparationProof(pieces, bodies);
 
     /** Half sizes of a box, or a radius and 0. */
     private final double[][] half = new double[2][2];

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * slowed in full at once, and what the floor has left after that holds it in the collisions with them, so that what they cannot
  * move stands still.
  */
-final class Floor {
+final class FloorFriction {
     private final Bodies bodies;
 
     // The deceleration by the floor, m/s^2 and rad/s^2.
@@ -32,7 +32,7 @@ final class Floor {
     double changeZ;
     double changeTurn;
 
-    Floor(Bodies bodies) {
+    FloorFriction(Bodies bodies) {
         this.bodies = bodies;
     }
 

@@ -7,7 +7,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Copies of the convex pieces around a body: of other objects, and of the border of the world. */
-final class Nearby implements Placer.Pieces {
+final class NearbyPieces implements Placer.Pieces {
     private static final int FIRST = 64;
 
     int count;
@@ -32,7 +32,7 @@ final class Nearby implements Placer.Pieces {
     private final double[] half;
     private final double[] box = new double[6];
 
-    Nearby(Placer placer, double[] half) {
+    NearbyPieces(Placer placer, double[] half) {
         this.placer = placer;
         this.half = half;
     }
@@ -42,7 +42,7 @@ final class Nearby implements Placer.Pieces {
      *
      * @param reach how far from the centre it may be
      */
-    void find(Rigid body, double dx, double dy, double dz, double reach) {
+    void find(RigidBody body, double dx, double dy, double dz, double reach) {
         count = 0;
         for (int axis = 0; axis < 3; axis++) {
             double by = axis == 0 ? dx : axis == 1 ? dy : dz;
@@ -97,7 +97,7 @@ final class Nearby implements Placer.Pieces {
     }
 
     /** Writes the leaf of a body at a place. */
-    void leaf(Rigid body, double[] place, LeafColumn out) {
+    void leaf(RigidBody body, double[] place, LeafColumn out) {
         placer.leaves(body.id, place, out);
     }
 }

@@ -8,7 +8,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.world.World;
 
 /** One setting, with its answers. */
-final class Sheet {
+final class SettingTally {
     final Dimension dimension;
     final Accuracy accuracy;
     final Geometry geometry;
@@ -20,7 +20,7 @@ final class Sheet {
     int distancesOtherwise;
     double shortest;
 
-    Sheet(World world, Dimension dimension, Accuracy accuracy) {
+    SettingTally(World world, Dimension dimension, Accuracy accuracy) {
         this.dimension = dimension;
         this.accuracy = accuracy;
         geometry = new Geometry(world.width(), world.height(), world.length(), dimension, accuracy);
@@ -45,13 +45,13 @@ final class Sheet {
     }
 
     /** All settings, with a world for each and no answers yet. */
-    static List<Sheet> all(World world) {
-        List<Sheet> sheets = new ArrayList<>();
+    static List<SettingTally> all(World world) {
+        List<SettingTally> tallies = new ArrayList<>();
         for (Dimension dimension : Dimension.values()) {
             for (Accuracy accuracy : Accuracy.values()) {
-                sheets.add(new Sheet(world, dimension, accuracy));
+                tallies.add(new SettingTally(world, dimension, accuracy));
             }
         }
-        return sheets;
+        return tallies;
     }
 }

@@ -5,7 +5,7 @@ import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /** Carries bodies through a slice of time, from collision to collision. */
-final class Carriage {
+final class Integrator {
     /** Most collisions of a body in a slice. */
     private static final int MOST_EVENTS = 8;
 
@@ -26,12 +26,12 @@ final class Carriage {
     /** So many bodies in a row make way for each other. */
     private static final int MOST_AHEAD = 64;
 
-    private final List<Rigid> bodies;
+    private final List<RigidBody> bodies;
     private final double[] gravity;
-    private final Way way;
+    private final TurningSweep way;
     private final Turning turning = new Turning();
-    private final Gathering gathering;
-    private final Impulses impulses;
+    private final ContactDetection detection;
+    private final SequentialImpulses impulses;
     private final Contacts contacts;
     private final Runnable tell;
     private final double[] d = new double[3];
@@ -44,25 +44,25 @@ final class Carriage {
      *
      * @param tell runs after each collision, when its contacts and impulses are known
      */
-    Carriage(
-            List<Rigid> bodies,
+    Integrator(
+            List<RigidBody> bodies,
             double[] gravity,
-            Way way,
-            Gathering gathering,
-            Impulses impulses,
+            TurningSweep way,
+            ContactDetection detection,
+            SequentialImpulses impulses,
             Contacts contacts,
             Runnable tell) {
         this.bodies = bodies;
         this.gravity = gravity;
         this.way = way;
-        this.gathering = gathering;
+        this.detection = detection;
         this.impulses = impulses;
         this.contacts = contacts;
         this.tell = tell;
     }
 
     /** Lets gravity act on a body: the velocity at the end of a time. */
-    void fall(Rigid body, double seconds) {
+    void fall(RigidBody body, double seconds) {
         if (body.isAsleep) {
             return;
         }
@@ -75,7 +75,7 @@ final class Carriage {
     /** Lets a part of a slice begin, in which no body has been carried yet; it is a share of the time looked ahead. */
     void begin(double share) {
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             body.isCarried = body.isAsleep;
             if (share < 1 && !body.isAsleep) {
                 for (int k = 0; k < 6; k++) {
@@ -96,7 +96,7 @@ final class Carriage {
 
     /** Carries a body from collision to collision; what is in its way and has not been carried yet goes first. */
     private void carry(int b, double seconds, Surfaces surfaces, int depth) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         body.isCarried = true;
         double rest = seconds;
         int idle = 0;
@@ -169,7 +169,7 @@ final class Carriage {
             return -1;
         }
         contacts.clear();
-        gathering.gather(b, true);
+        detection.gather(b, true);
         for (int k = 0; k < contacts.count; k++) {
             int other = contacts.other[k];
             if (other >= 0 && !bodies.get(other).isCarried && !bodies.get(other).isAsleep) {
@@ -182,10 +182,10 @@ final class Carriage {
     /** Lifts a body over a lip that is in its way, if that is low; the energy that it takes is taken from its speed. */
     private boolean climbs(int b) {
         contacts.clear();
-        gathering.gather(b, true);
+        detection.gather(b, true);
         int ground = -1;
         for (int k = 0; k < contacts.count; k++) {
-            if (up(k, gravity) < -BELOW * Rigid.length(gravity, 0)
+            if (up(k, gravity) < -BELOW * RigidBody.length(gravity, 0)
                     && (ground < 0 || contacts.apart[k] < contacts.apart[ground])) {
                 ground = k;
             }
@@ -194,7 +194,7 @@ final class Carriage {
         if (lip <= 0) {
             return false;
         }
-        double lift = lip + 2 * Way.GAP;
+        double lift = lip + 2 * TurningSweep.GAP;
         int n = 3 * ground;
         double[] normal = contacts.normal;
         return way.lift(bodies.get(b), lift * normal[n], lift * normal[n + 1], lift * normal[n + 2]);
@@ -210,7 +210,7 @@ final class Carriage {
     private double lip(int ground) {
         double highest = 0;
         for (int k = 0; k < contacts.count; k++) {
-            double high = isGround(k, ground) ? 0 : gathering.height(k, ground);
+            double high = isGround(k, ground) ? 0 : detection.height(k, ground);
             // A piece that rises farther on is as high as where it touches.
             double beside = 0;
             for (int m = 0; m < contacts.count; m++) {
@@ -242,7 +242,7 @@ final class Carriage {
     }
 
     /** The angle by which a body turns in a time: of one that turns freely, with the velocity halfway (midpoint method). */
-    private void spin(Rigid body, double seconds) {
+    private void spin(RigidBody body, double seconds) {
         for (int axis = 0; axis < 3; axis++) {
             angle[axis] = 0.5 * (body.v[3 + axis] + body.u[3 + axis]) * seconds;
         }
@@ -260,8 +260,8 @@ final class Carriage {
     }
 
     /** When a share of the way was made that begins with one velocity and ends with another one. */
-    private double time(Rigid body, double share, double rest) {
-        double way = Rigid.length(d, 0);
+    private double time(RigidBody body, double share, double rest) {
+        double way = RigidBody.length(d, 0);
         if (way == 0) {
             return share * rest;
         }
@@ -277,26 +277,26 @@ final class Carriage {
 
     /** Resolves the collision of a body that has met something on its way. */
     private void hit(int b, double rest, Surfaces surfaces) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         body.work -= body.lastWork;
         body.lastWork = 0;
         contacts.clear();
-        gathering.gather(b, true);
+        detection.gather(b, true);
         for (int k = 0; k < contacts.count; k++) {
             remember(contacts.other[k]);
         }
-        impulses.solve(contacts, b, false, rest, Way.GAP, surfaces);
+        impulses.solve(contacts, b, false, rest, TurningSweep.GAP, surfaces);
         for (int k = 0; k < contacts.count; k++) {
             pass(contacts.other[k]);
         }
         fall(body, rest);
-        impulses.solve(contacts, b, true, rest, Way.GAP, surfaces);
+        impulses.solve(contacts, b, true, rest, TurningSweep.GAP, surfaces);
         tell.run();
     }
 
     private void remember(int other) {
         if (other >= 0) {
-            Rigid body = bodies.get(other);
+            RigidBody body = bodies.get(other);
             System.arraycopy(body.v, 0, body.known, 0, 6);
         }
     }
@@ -304,7 +304,7 @@ final class Carriage {
     /** What another body was given now, it has at the end of the slice too; once. */
     private void pass(int other) {
         if (other >= 0) {
-            Rigid body = bodies.get(other);
+            RigidBody body = bodies.get(other);
             for (int k = 0; k < 6; k++) {
                 body.u[k] += body.v[k] - body.known[k];
                 body.known[k] = body.v[k];

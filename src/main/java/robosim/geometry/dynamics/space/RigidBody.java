@@ -7,7 +7,7 @@ import robosim.geometry.engine.objects.ObjectTable;
  * A rigid body: where it is, how it moves, and its inertia. A velocity is six numbers: m/s along the world's axes, then
  * radians a second about them.
  */
-final class Rigid {
+final class RigidBody {
     final int id;
     final double mass;
 
@@ -82,7 +82,7 @@ final class Rigid {
 
     private final double[] own = new double[3];
 
-    Rigid(int id, double mass, double[] moments, boolean isBall, double reach) {
+    RigidBody(int id, double mass, double[] moments, boolean isBall, double reach) {
         this.id = id;
         this.mass = mass;
         this.moments = moments.clone();

@@ -10,7 +10,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * points at which they touch. The direction is that of the algorithm of Gilbert, Johnson and Keerthi (1988), made that of a
  * face where it is one but for rounding.
  */
-final class Meeting {
+final class ContactGeometry {
     /** A direction that is off by less than so many radians is that of the face. */
     private static final double ALONG = 1e-5;
 

@@ -4,12 +4,12 @@ import java.util.Arrays;
 
 /**
  * Finds who may go all of its way while all others go theirs: for each two whose ways come near each other it is proved that
- * they stay apart at every time ({@link Passing}). Where that cannot be proved, both wait where they stand; who cannot be
+ * they stay apart at every time ({@link SeparationProof}). Where that cannot be proved, both wait where they stand; who cannot be
  * proved to pass one who waits, waits too. What is left goes at once, each to where its last leg ends.
  *
  * <p>Nothing here relies on how the ways were found.
  */
-final class AllAtOnce {
+final class SimultaneousMotion {
     private static final int FIRST = 32;
 
     /** So often those that do not pass each other are parted more. */
@@ -20,7 +20,7 @@ final class AllAtOnce {
 
     private final Scene scene;
     private final Bodies bodies;
-    private final Passing passing;
+    private final SeparationProof passing;
     private final CellGrid grid = new CellGrid();
     private final double[] box = new double[4];
     private Legs legs = new Legs();
@@ -40,10 +40,10 @@ final class AllAtOnce {
 
     private int waitingCount;
 
-    AllAtOnce(Scene scene) {
+    SimultaneousMotion(Scene scene) {
         this.scene = scene;
         bodies = scene.bodies;
-        passing = new Passing(scene.pieces, bodies);
+        passing = new SeparationProof(scene.pieces, bodies);
     }
 
     /** Whether a body may go all of its way. */
@@ -62,7 +62,7 @@ final class AllAtOnce {
      * that are in each other are put apart.
      */
     void findBulging(Legs ways) {
-        begin(ways, Passing.MOST_BULGE + MOST_SHIFT);
+        begin(ways, SeparationProof.MOST_BULGE + MOST_SHIFT);
         boolean isChanged = true;
         for (int round = 0; round < ROUNDS && isChanged; round++) {
             isChanged = false;
@@ -73,7 +73,7 @@ final class AllAtOnce {
         }
         for (int body = 0; body < bodies.count; body++) {
             if (goes[body]) {
-                hold(body, Passing.MOST_BULGE);
+                hold(body, SeparationProof.MOST_BULGE);
                 if (!grid.holds(body, box[0], box[1], box[2], box[3])) {
                     letWait(body); // shifted so far that there may be others of whom nobody has asked
                 }
@@ -144,7 +144,7 @@ final class AllAtOnce {
             box[3] = Math.max(box[3], legs.z[leg]);
         }
         double most = Math.max(Math.max(-box[0], box[2]), Math.max(-box[1], box[3]));
-        double around = size * (1 + bulge) + 4 * Passing.slack(2 * Math.abs(most) + size);
+        double around = size * (1 + bulge) + 4 * SeparationProof.slack(2 * Math.abs(most) + size);
         box[0] -= around;
         box[1] -= around;
         box[2] += around;

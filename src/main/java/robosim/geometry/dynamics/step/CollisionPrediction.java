@@ -1,7 +1,7 @@
 package robosim.geometry.dynamics.step;
 
 /** When pairs meet, where they touch, and how far they are kept apart. */
-final class Meetings {
+final class CollisionPrediction {
     /** How far apart bodies stop, metres. */
     static final double GAP = 1e-10;
 
@@ -35,7 +35,7 @@ final class Meetings {
     private double gap;
     private double end;
 
-    Meetings(Scene scene, Pairs pairs, Floor floor) {
+    CollisionPrediction(Scene scene, Pairs pairs, FloorFriction floor) {
         this.scene = scene;
         this.pairs = pairs;
         bodies = scene.bodies;
@@ -71,7 +71,7 @@ final class Meetings {
 
     /** Expects when a pair meets next, from a time on. */
     void predict(int pair, double now) {
-        bodies.breath.run();
+        bodies.betweenParts.run();
         double time = impact.first(pairs.a[pair], pairs.b[pair], now, end);
         pairs.touches[pair] = isTouch(pair, impact.apart);
         if (pairs.touches[pair] && pairs.solved[pair] != now && isApproaching(pair, now)) {
@@ -170,7 +170,7 @@ final class Meetings {
 
     /** Whether two had to be put apart. */
     private boolean isPutApart(int pair, double now) {
-        bodies.breath.run();
+        bodies.betweenParts.run();
         double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
         double missing = gap - distance;
         int a = pieces.body[pairs.a[pair]];
@@ -192,7 +192,7 @@ final class Meetings {
     }
 
     /** Tells who pushed whom. */
-    void tell(Touches touches) {
+    void tell(ContactLog touches) {
         for (int c = 0; c < island.count; c++) {
             if (solver.push[c] > 0) {
                 int piece = pairs.b[island.pair[c]];
@@ -210,11 +210,11 @@ final class Meetings {
     }
 
     /** Tells of a contact that is left at the end. */
-    void tellResting(Touches touches, int pair) {
+    void tellResting(ContactLog touches, int pair) {
         if (!pairs.touches[pair]) {
             return;
         }
-        bodies.breath.run();
+        bodies.betweenParts.run();
         int pa = pairs.a[pair];
         int pb = pairs.b[pair];
         double distance = impact.measure(pa, pb, end);

@@ -3,7 +3,7 @@ package robosim.geometry.dynamics.step;
 import java.util.Arrays;
 
 /** In which order bodies are carried: of two that touch at the end, the one into whose place the other goes is first. */
-final class Order {
+final class CarryingOrder {
     /** The bodies, first to last. */
     int[] bodies = new int[8];
 

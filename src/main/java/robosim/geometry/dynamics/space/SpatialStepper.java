@@ -12,7 +12,7 @@ import robosim.geometry.engine.objects.ObjectTable;
  * Moves rigid bodies in space by slices of time: impulses where they touch, then gravity against what holds them, and then
  * each is carried to its next contact, the lowest first.
  */
-public final class Space {
+public final class SpatialStepper {
     /** Slices last so many seconds, or more where a step would have too many of them. */
     private static final double SLICE = 1e-3;
 
@@ -23,20 +23,20 @@ public final class Space {
 
     private final Placer placer;
     private final double[] gravity;
-    private final List<Rigid> bodies = new ArrayList<>();
-    private final Ledger ledger;
-    private final Way way;
+    private final List<RigidBody> bodies = new ArrayList<>();
+    private final EnergyBudget budget;
+    private final TurningSweep way;
     private final Traction traction;
-    private final Impulses impulses;
+    private final SequentialImpulses impulses;
     private final Contacts contacts = new Contacts();
-    private final Gathering gathering;
-    private final Carriage carriage;
+    private final ContactDetection detection;
+    private final Integrator carriage;
     private final TimeOfImpact impact;
     private final double[] known = new double[ObjectTable.PLACE];
     private int[] order = new int[0];
-    private Runnable breath = () -> {};
-    private Touched now = new Touched();
-    private Touched last = new Touched();
+    private Runnable betweenParts = () -> {};
+    private ContactLog now = new ContactLog();
+    private ContactLog last = new ContactLog();
     private long changes = -1;
 
     /**
@@ -44,17 +44,17 @@ public final class Space {
      *
      * @param gravity three numbers, m/s^2
      */
-    public Space(Carrier carrier, double width, double height, double length, double[] gravity) {
+    public SpatialStepper(Carrier carrier, double width, double height, double length, double[] gravity) {
         placer = carrier.placer();
-        Nearby near = new Nearby(placer, new double[] {width / 2, height / 2, length / 2});
-        way = new Way(placer, near);
+        NearbyPieces near = new NearbyPieces(placer, new double[] {width / 2, height / 2, length / 2});
+        way = new TurningSweep(placer, near);
         this.gravity = gravity.clone();
-        ledger = new Ledger(bodies, this.gravity);
+        budget = new EnergyBudget(bodies, this.gravity);
         traction = new Traction(bodies, this.gravity);
-        impulses = new Impulses(bodies, traction);
-        gathering = new Gathering(bodies, ledger, near, contacts);
+        impulses = new SequentialImpulses(bodies, traction);
+        detection = new ContactDetection(bodies, budget, near, contacts);
         impact = new TimeOfImpact(bodies, near);
-        carriage = new Carriage(bodies, this.gravity, way, gathering, impulses, contacts, this::tell);
+        carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, this::tell);
     }
 
     /** Whether a world is one in which bodies can move. */
@@ -70,7 +70,7 @@ public final class Space {
 
     /** Adds a body at rest; answers its index. */
     public int add(int id, double mass, double[] moments, boolean isBall, double reach) {
-        Rigid body = new Rigid(id, mass, moments, isBall, reach);
+        RigidBody body = new RigidBody(id, mass, moments, isBall, reach);
         way.read(body);
         bodies.add(body);
         return bodies.size() - 1;
@@ -84,7 +84,7 @@ public final class Space {
     /** Sets what slows a body, and its limits; radians. */
     public void limit(
             int b, double floorFriction, double damping, double turnDamping, double maxSpeed, double maxTurn) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         body.floorFriction = floorFriction;
         body.damping = damping;
         body.turnDamping = turnDamping;
@@ -99,7 +99,7 @@ public final class Space {
 
     /** Sets the velocity of a body and wakes it, unless it is the one that it has. */
     public void setVelocity(int b, double[] to) {
-        Rigid body = bodies.get(b);
+        RigidBody body = bodies.get(b);
         if (!Arrays.equals(body.v, to)) {
             System.arraycopy(to, 0, body.v, 0, 6);
             body.wake();
@@ -112,22 +112,22 @@ public final class Space {
     }
 
     /** The contacts of the last step, and of the one before. */
-    public Touched touched() {
+    public ContactLog touched() {
         return now;
     }
 
-    public Touched before() {
+    public ContactLog before() {
         return last;
     }
 
     /** Runs something between two bodies in each part of a step, so that a long one gives way to others. */
     public void pausing(Runnable between) {
-        breath = between;
+        betweenParts = between;
     }
 
     /** Moves all bodies by a time. */
     public void run(double seconds, Surfaces surfaces) {
-        Touched older = last;
+        ContactLog older = last;
         last = now;
         now = older;
         now.clear();
@@ -157,17 +157,17 @@ public final class Space {
     private void refresh() {
         boolean isNew = changes != placer.objects.changes();
         changes = placer.objects.changes();
-        gathering.clear(placer.objects.limit());
+        detection.clear(placer.objects.limit());
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
-            gathering.add(body.id, b);
+            RigidBody body = bodies.get(b);
+            detection.add(body.id, b);
             System.arraycopy(body.place, 0, known, 0, body.place.length);
             way.read(body);
             isNew |= !Arrays.equals(known, 0, body.place.length, body.place, 0, body.place.length);
             body.isStopped = false;
         }
         if (isNew) {
-            bodies.forEach(Rigid::wake);
+            bodies.forEach(RigidBody::wake);
         }
     }
 
@@ -180,18 +180,18 @@ public final class Space {
         traction.begin(seconds);
         boolean any = false;
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             any |= !body.isAsleep;
         }
         if (!any) {
             return 0;
         }
-        ledger.begin(seconds);
+        budget.begin(seconds);
         contacts.clear();
         for (int b = 0; b < bodies.size(); b++) {
             if (!bodies.get(b).isAsleep) {
-                breath.run();
-                gathering.gather(b, false);
+                betweenParts.run();
+                detection.gather(b, false);
             }
         }
         solve(seconds, surfaces);
@@ -202,21 +202,21 @@ public final class Space {
         sort();
         for (int k = 0; k < bodies.size(); k++) {
             if (!bodies.get(order[k]).isAsleep) {
-                breath.run();
+                betweenParts.run();
                 carriage.carry(order[k], made, surfaces);
             }
         }
-        ledger.finish(made);
+        budget.finish(made);
         return made;
     }
 
     private void solve(double seconds, Surfaces surfaces) {
-        impulses.solve(contacts, -1, false, seconds, Way.GAP, surfaces);
+        impulses.solve(contacts, -1, false, seconds, TurningSweep.GAP, surfaces);
         for (int b = 0; b < bodies.size(); b++) {
-            Rigid body = bodies.get(b);
+            RigidBody body = bodies.get(b);
             carriage.fall(body, seconds);
         }
-        impulses.solve(contacts, -1, true, seconds, Way.GAP, surfaces);
+        impulses.solve(contacts, -1, true, seconds, TurningSweep.GAP, surfaces);
     }
 
     /** The bodies, the lowest first. */
@@ -256,7 +256,7 @@ public final class Space {
         contacts.clear();
         for (int b = 0; b < bodies.size(); b++) {
             if (bodies.get(b).isAsleep) {
-                gathering.gather(b, true);
+                detection.gather(b, true);
             }
         }
         for (int k = 0; k < contacts.count; k++) {

@@ -8,7 +8,7 @@ import robosim.geometry.engine.motion.Carrier;
  * a time of its own, so that a collision concerns only those that touch there (Lubachevsky 1991); a queue holds the next
  * collision of each pair. Then the world carries them along the ways found.
  */
-public final class Stepper {
+public final class PlanarStepper {
     /** Most times that the velocity of a body changes in one go; then it is held until the end. */
     private static final int MOST_CHANGES = 48;
 
@@ -36,14 +36,14 @@ public final class Stepper {
     private final Pairs pairs = new Pairs();
     private final Island island;
     private final ContactSolver solver;
-    private final Order order = new Order();
-    private final Floor floor;
-    private final Meetings meetings;
+    private final CarryingOrder order = new CarryingOrder();
+    private final FloorFriction floor;
+    private final CollisionPrediction meetings;
     private final Collisions met;
     private final Neighbours neighbours;
     private final FrontToBack carrying;
-    private Touches touches = new Touches();
-    private Touches before = new Touches();
+    private ContactLog touches = new ContactLog();
+    private ContactLog before = new ContactLog();
 
     private double end;
     private int[] hits = new int[16];
@@ -55,23 +55,23 @@ public final class Stepper {
     /** Whether a body had to be stopped. */
     boolean[] isStopped = new boolean[8];
 
-    public Stepper(Object world, double width, double length) {
+    public PlanarStepper(Object world, double width, double length) {
         Carrier carrier = Carrier.of(world);
         scene = new Scene(carrier, width, length);
         bodies = scene.bodies;
         pieces = scene.pieces;
-        floor = new Floor(bodies);
-        meetings = new Meetings(scene, pairs, floor);
+        floor = new FloorFriction(bodies);
+        meetings = new CollisionPrediction(scene, pairs, floor);
         island = meetings.island;
         solver = meetings.solver;
         met = new Collisions(scene, pairs, meetings, floor);
         neighbours = new Neighbours(scene, pairs, meetings);
-        carrying = new FrontToBack(carrier, scene, Meetings.GAP);
+        carrying = new FrontToBack(carrier, scene, CollisionPrediction.GAP);
     }
 
     /** Runs something between two parts of each step. */
     public void pausing(Runnable between) {
-        bodies.breath = between;
+        bodies.betweenParts = between;
     }
 
     /** Forgets all bodies. */
@@ -139,18 +139,18 @@ public final class Stepper {
     }
 
     /** Who touched whom in this step. */
-    public Touches touches() {
+    public ContactLog touches() {
         return touches;
     }
 
     /** Who touched whom in the step before. */
-    public Touches before() {
+    public ContactLog before() {
         return before;
     }
 
     /** Begins a step. */
     public void begin() {
-        Touches last = touches;
+        ContactLog last = touches;
         touches = before;
         before = last;
         touches.clear();
