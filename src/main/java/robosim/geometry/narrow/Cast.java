@@ -280,9 +280,13 @@ public final class Cast {
     }
 
     private double convex(LeafKind kind, double[] row, int at, double limit) {
-        if (isFarFromOrigin || !isTakenUp(0, kind, row, at)) {
-            return convex(ox, oy, oz, kind, row, at, limit);
-        }
+        return isFarFromOrigin || !isTakenUp(0, kind, row, at)
+                ? convex(ox, oy, oz, kind, row, at, limit)
+                : scaled(kind);
+    }
+
+    /** The distance of the leaf that is scaled up. */
+    private double scaled(LeafKind kind) {
         UnderflowScaling m = s.scaling;
         return m.down(convex(m.up(ox), height(m.up(oy)), m.up(oz), kind, m.a, 0, Double.POSITIVE_INFINITY));
     }

@@ -27,6 +27,10 @@ public final class UnderflowScaling {
      * @param more the largest coordinate of the other input of the query
      */
     public boolean take(Dimension dimension, double more, LeafKind kind, double[] row, int at) {
+        return isSmall(more, row, at) && takeAll(dimension, more, kind, row, at);
+    }
+
+    private boolean takeAll(Dimension dimension, double more, LeafKind kind, double[] row, int at) {
         int heights = heights(dimension, kind);
         if (!take(extent(more, kind, row, at, heights))) {
             return false;
@@ -43,6 +47,25 @@ public final class UnderflowScaling {
 
     /** Scales two leaves up if both and the other input, {@code more}, are small. */
     public boolean take(
+            Dimension dimension,
+            double more,
+            LeafKind kindA,
+            double[] rowA,
+            int i,
+            LeafKind kindB,
+            double[] rowB,
+            int j) {
+        return isSmall(more, rowA, i)
+                && isSmall(more, rowB, j)
+                && takeAll(dimension, more, kindA, rowA, i, kindB, rowB, j);
+    }
+
+    /** Whether the first length of a row, an x in all kinds, is small; mostly it is not, and no other is looked at. */
+    private static boolean isSmall(double more, double[] row, int at) {
+        return more < SMALL && Math.abs(row[at]) < SMALL;
+    }
+
+    private boolean takeAll(
             Dimension dimension,
             double more,
             LeafKind kindA,
@@ -109,7 +132,7 @@ public final class UnderflowScaling {
         return Math.scalb(Math.scalb(value, power / 2), power - power / 2);
     }
 
-    /** The largest of a number and the lengths of a leaf, or one of them that is not small: mostly the first. */
+    /** The largest of a number and the lengths of a leaf, or one of them that is not small. */
     private static double extent(double more, LeafKind kind, double[] row, int at, int heights) {
         double largest = more;
         for (int k = 0; k < kind.lengths() && largest < SMALL; k++) {
