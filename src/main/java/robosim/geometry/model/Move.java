@@ -11,7 +11,7 @@ import robosim.geometry.exact.Checks;
  *
  * <p>In {@link Dimension#PLANAR} an object's own turns are the same as in SPATIAL: its own X and Y may be tipped, and a
  * turn about its own X tips it, which changes its projection. Turns about the world's axes are about the vertical only
- * there, and {@code rx} is ignored. A translation by {@code y} changes the height, which does not count.
+ * there, and {@code rx} is ignored.
  *
  * @param x  world units forward
  * @param y  world units up

@@ -5,7 +5,7 @@ import robosim.geometry.model.Dimension;
 /**
  * Scales queries that are so small, and so near the origin, that products of their coordinates underflow, by a power of
  * two, which changes no bit of a distance. Every query about a convex leaf whose answer is a number passes through here,
- * before its kernel computes anything: a product that underflowed may make a hit of a miss, not only a distance wrong.
+ * before its kernel computes anything (fast paths of beams trust no small distance): a product that underflowed may make a hit of a miss, not only a distance wrong.
  *
  * <p>Kernels multiply up to six lengths, and those of an oval a factor of 2<sup>-101</sup> more: the rounding error of the
  * product of three, times the oval's least half axis, which is an error of rounding itself. If some coordinate or size is
