@@ -268,6 +268,9 @@ public final class Geometry extends GeometryQueries {
      * Makes a move along the object's own axes, or reports what blocks it. All or nothing: a refused move leaves the
      * object where it was, to the bit. Free places are checked as stored, after rounding: see {@link MoveResult} for
      * moves of the size of an ulp.
+     *
+     * <p>In PLANAR too, {@code rx} tips the object about its own X and {@code ry} turns it about its own Y, even if that is
+     * tipped; what its projection touches on the way blocks. For turns about the vertical see {@link #moveGlobal}.
      */
     public MoveResult move(String name, Move move) {
         return moves.own(registry.mover(name), Checks.present("move", move));
@@ -276,7 +279,8 @@ public final class Geometry extends GeometryQueries {
     /**
      * Makes a move along the world's axes, or reports what blocks it: a translation along them, then in place a turn by
      * {@code ry} about the world's Y and one by {@code rx} about the world's X, both through the object's centre. In
-     * PLANAR an object turns about the vertical only, and {@code rx} is ignored.
+     * PLANAR an object turns about the vertical only, and {@code rx} is ignored, unlike in {@link #move}: the world's X lies
+     * in the plane, and a plane has no turn about it.
      */
     public MoveResult moveGlobal(String name, Move move) {
         return moves.global(registry.mover(name), Checks.present("move", move));

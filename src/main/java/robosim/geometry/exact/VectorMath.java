@@ -38,6 +38,14 @@ public final class VectorMath {
         return Math.sqrt(x * x + z * z);
     }
 
+    /** The length of a vector, however small; as {@link #length} where that is not. */
+    public static double anyLength(double x, double y, double z) {
+        if (largest(x, y, z) < TINY) {
+            return length(x * LARGEST, y * LARGEST, z * LARGEST) / LARGEST;
+        }
+        return length(x, y, z);
+    }
+
     /**
      * A number, negated if {@code sign} is negative; without a branch, which would be mispredicted half of the time.
      */

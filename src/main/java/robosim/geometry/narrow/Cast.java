@@ -85,7 +85,7 @@ public final class Cast {
         cone = false;
         isFarFromOrigin = Math.abs(x) >= UnderflowScaling.SMALL
                 || Math.abs(z) >= UnderflowScaling.SMALL
-                || Math.abs(y) >= UnderflowScaling.SMALL;
+                || (Math.abs(y) >= UnderflowScaling.SMALL && dimension == Dimension.SPATIAL);
     }
 
     private static double scale(double greatest) {
@@ -280,15 +280,26 @@ public final class Cast {
     }
 
     private double convex(LeafKind kind, double[] row, int at, double limit) {
-        double distance = convex(ox, oy, oz, kind, row, at, limit);
-        // Only a small distance may have been spoiled by what underflowed.
-        if (distance > UnderflowScaling.SMALL
-                || isFarFromOrigin
-                || !s.scaling.take(VectorMath.largest(ox, oy, oz), kind, row, at)) {
-            return distance;
-        }
+        return isFarFromOrigin || !isTakenUp(0, kind, row, at)
+                ? convex(ox, oy, oz, kind, row, at, limit)
+                : scaled(kind);
+    }
+
+    /** The distance of the leaf that is scaled up. */
+    private double scaled(LeafKind kind) {
         UnderflowScaling m = s.scaling;
-        return m.down(convex(m.up(ox), m.up(oy), m.up(oz), kind, m.a, 0, Double.POSITIVE_INFINITY));
+        return m.down(convex(m.up(ox), height(m.up(oy)), m.up(oz), kind, m.a, 0, Double.POSITIVE_INFINITY));
+    }
+
+    /** Whether a leaf is scaled up, with the start and another length. */
+    private boolean isTakenUp(double more, LeafKind kind, double[] row, int at) {
+        double largest = Math.max(more, VectorMath.largest(ox, height(oy), oz));
+        return s.scaling.take(dimension, largest, kind, row, at);
+    }
+
+    /** A height where heights count, else 0. */
+    private double height(double y) {
+        return dimension == Dimension.PLANAR ? 0 : y;
     }
 
     private double convex(double x, double y, double z, LeafKind kind, double[] row, int at, double limit) {
@@ -356,6 +367,15 @@ public final class Cast {
             row = s.triangleA;
             at = 0;
         }
-        normals.at(px, py, pz, distance, ux, uy, uz, kind, row, at, out, dimension);
+        if (isFarFromOrigin || !isTakenUp(distance, kind, row, at)) {
+            normals.at(px, py, pz, distance, ux, uy, uz, kind, row, at, out, dimension);
+            return;
+        }
+        UnderflowScaling m = s.scaling;
+        double far = m.up(distance);
+        px = m.up(ox) + far * ux;
+        py = height(m.up(oy)) + far * uy;
+        pz = m.up(oz) + far * uz;
+        normals.at(px, py, pz, far, ux, uy, uz, kind, m.a, 0, out, dimension);
     }
 }

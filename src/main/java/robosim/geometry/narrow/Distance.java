@@ -103,10 +103,8 @@ public final class Distance {
     }
 
     private double convex(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double distance = asStored(dimension, kindA, a, i, kindB, b, j);
-        // Only a small distance may have been spoiled by what underflowed.
-        if (distance > UnderflowScaling.SMALL || !s.scaling.take(kindA, a, i, kindB, b, j)) {
-            return distance;
+        if (!s.scaling.take(dimension, kindA, a, i, kindB, b, j)) {
+            return asStored(dimension, kindA, a, i, kindB, b, j);
         }
         UnderflowScaling m = s.scaling;
         return m.down(asStored(dimension, kindA, m.a, 0, kindB, m.b, 0));

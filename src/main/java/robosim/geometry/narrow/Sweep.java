@@ -447,9 +447,8 @@ public final class Sweep {
     }
 
     private boolean isTakenUp(double largest, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        return isLevel()
-                ? s.scaling.takeLevel(largest, kindA, a, i, kindB, b, j)
-                : s.scaling.take(largest, kindA, a, i, kindB, b, j);
+        Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
+        return s.scaling.take(counted, largest, kindA, a, i, kindB, b, j);
     }
 
     private double scaled(double x, double y, double z, LeafKind kindA, LeafKind kindB) {

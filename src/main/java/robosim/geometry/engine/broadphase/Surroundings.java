@@ -2,6 +2,7 @@ package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 
 /**
@@ -165,7 +166,7 @@ public final class Surroundings {
         double dx = Math.max(0, Math.max(b[k] - ox, ox - b[k + 3]));
         double dz = Math.max(0, Math.max(b[k + 2] - oz, oz - b[k + 5]));
         double dy = table.dimension == Dimension.PLANAR ? 0 : Math.max(0, Math.max(b[k + 1] - oy, oy - b[k + 4]));
-        return Math.sqrt(dx * dx + dy * dy + dz * dz) * (1 - PAD);
+        return VectorMath.anyLength(dx, dy, dz) * (1 - PAD);
     }
 
     /** How many objects were found. */

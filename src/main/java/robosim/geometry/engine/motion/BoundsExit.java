@@ -1,6 +1,7 @@
 package robosim.geometry.engine.motion;
 
 import robosim.geometry.engine.objects.WorldBounds;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** Where an object on a leg leaves the world; its exact shape counts. */
@@ -33,7 +34,7 @@ final class BoundsExit {
         double dz = leg.displacement(2);
         LeafColumn exact = leg.exactAtStart();
         double leaves = worldBounds.share(exact, 0, exact.size(), dx, dy, dz);
-        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double length = VectorMath.anyLength(dx, dy, dz);
         return Math.max(0, Math.min(1, leaves) - (clearance > 0 ? clearance / length : 0));
     }
 

@@ -2,6 +2,7 @@ package robosim.geometry.engine.motion;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
@@ -130,15 +131,15 @@ final class ClearanceSearch implements Sweep.Stop {
             double dx = leg.displacement(0);
             double dy = leg.dimension() == Dimension.PLANAR ? 0 : leg.displacement(1);
             double dz = leg.displacement(2);
-            return Math.sqrt(dx * dx + dy * dy + dz * dz);
+            return VectorMath.anyLength(dx, dy, dz);
         }
         leg.atStart.bounds(0, leg.atStart.size(), box);
-        double reach = 0;
-        for (int k = 0; k < 3; k++) {
-            double far = Math.max(Math.abs(box[k] - leg.start[k]), Math.abs(box[3 + k] - leg.start[k]));
-            reach += far * far;
-        }
-        return Math.sqrt(reach) * leg.angle() * (Math.PI / 180);
+        return VectorMath.anyLength(farthest(0), farthest(1), farthest(2)) * leg.angle() * (Math.PI / 180);
+    }
+
+    /** How far the bounds extend along an axis from the centre at the start. */
+    private double farthest(int axis) {
+        return Math.max(Math.abs(box[axis] - leg.start[axis]), Math.abs(box[3 + axis] - leg.start[axis]));
     }
 
     private double wholeGap(double share, int part) {

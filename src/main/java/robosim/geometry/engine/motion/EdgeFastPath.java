@@ -6,6 +6,7 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
@@ -167,7 +168,8 @@ final class EdgeFastPath {
                         + Math.abs(middleZ)
                         + radius);
         // Clear of a disc that it overlaps at the start is not enough: the start must be free too.
-        boolean isApart = qx * qx + qz * qz > (reach + 2 * slack) * (reach + 2 * slack) * (1 + 0x1p-45);
+        boolean isApart =
+                qx * qx + qz * qz > (reach + 2 * slack) * (reach + 2 * slack) * (1 + 0x1p-45) + VectorMath.UNDERFLOW;
         boolean isOnSpot = dx == 0 && dz == 0;
         return isApart && (isOnSpot || DiscWay.past(qx, qz, dx, dz, reach, slack, false) == DiscWay.CLEAR)
                 ? PlainCells.PAST

@@ -24,7 +24,7 @@ public final class ConvexContact {
             double[] out,
             DistanceScratch s) {
         UnderflowScaling m = s.scaling;
-        if (m.take(kindA, a, i, kindB, b, j)) {
+        if (m.take(dimension, kindA, a, i, kindB, b, j)) {
             storedContact(dimension, kindA, m.a, 0, kindB, m.b, 0, out, s);
             for (int axis = 0; axis < 3; axis++) {
                 out[axis] = m.down(out[axis]);

@@ -2,6 +2,7 @@ package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
@@ -13,6 +14,9 @@ import robosim.geometry.model.TriangleMesh;
 public final class Enclosure {
     /** Outward rounding, relative to the numbers used: at most some 30 roundings of 2^-53, times eight. */
     private static final double WIDEN = 0x1p-45;
+
+    /** More than some 30 products lose to underflow. */
+    private static final double UNDERFLOW = 64 * Double.MIN_VALUE;
 
     private static final double ROOT_TWO = 1.4142135623730951; // rounded up: the root of two is below
 
@@ -44,7 +48,7 @@ public final class Enclosure {
             farthest = Math.max(farthest, reach(column, leaf, false));
             farthestLevel = Math.max(farthestLevel, reach(column, leaf, true));
         }
-        double widen = WIDEN * size();
+        double widen = WIDEN * size() + UNDERFLOW;
         radius = farthest + widen;
         levelRadius = farthestLevel + widen;
     }
@@ -77,7 +81,7 @@ public final class Enclosure {
         double dx = row[at] - middle(0);
         double dy = level ? 0 : row[at + 1] - middle(1);
         double dz = row[at + 2] - middle(2);
-        double centre = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double centre = VectorMath.anyLength(dx, dy, dz);
         return switch (kind) {
             case SPHERE -> centre + row[at + 3];
             case CYLINDER -> {
@@ -99,7 +103,7 @@ public final class Enclosure {
         int r = at + Leaf.ROTATION + 1;
         double axial = Math.abs(dx * row[r] + dy * row[r + 3] + dz * row[r + 6]);
         double across = crossLength(dx, dy, dz, row, r);
-        return Math.sqrt((axial + half) * (axial + half) + (across + radius) * (across + radius));
+        return VectorMath.legs(axial + half, across + radius);
     }
 
     /** How far the ends of a capsule's segment are from a point. */
@@ -108,24 +112,24 @@ public final class Enclosure {
         double hx = row[at + 4] * row[r];
         double hy = level ? 0 : row[at + 4] * row[r + 3];
         double hz = row[at + 4] * row[r + 6];
-        double one = Math.sqrt((dx + hx) * (dx + hx) + (dy + hy) * (dy + hy) + (dz + hz) * (dz + hz));
-        double two = Math.sqrt((dx - hx) * (dx - hx) + (dy - hy) * (dy - hy) + (dz - hz) * (dz - hz));
+        double one = VectorMath.anyLength(dx + hx, dy + hy, dz + hz);
+        double two = VectorMath.anyLength(dx - hx, dy - hy, dz - hz);
         return Math.max(one, two);
     }
 
     private double boxReach(double[] row, int at, boolean level) {
+        double[] offset = new double[3];
         double farthest = 0;
         for (int corner = 0; corner < 8; corner++) {
-            double squared = 0;
             for (int axis = 0; axis < 3; axis++) {
                 int r = at + Leaf.ROTATION + 3 * axis;
                 double p = row[at + axis] - middle(axis);
                 p += (corner & 1) == 0 ? -row[r] * row[at + 3] : row[r] * row[at + 3];
                 p += (corner & 2) == 0 ? -row[r + 1] * row[at + 4] : row[r + 1] * row[at + 4];
                 p += (corner & 4) == 0 ? -row[r + 2] * row[at + 5] : row[r + 2] * row[at + 5];
-                squared += level && axis == 1 ? 0 : p * p;
+                offset[axis] = level && axis == 1 ? 0 : p;
             }
-            farthest = Math.max(farthest, Math.sqrt(squared));
+            farthest = Math.max(farthest, VectorMath.anyLength(offset[0], offset[1], offset[2]));
         }
         return farthest;
     }
@@ -138,7 +142,7 @@ public final class Enclosure {
                 double dx = mesh.placed(v, 0, row, at) - middle(0);
                 double dy = level ? 0 : mesh.placed(v, 1, row, at) - middle(1);
                 double dz = mesh.placed(v, 2, row, at) - middle(2);
-                farthest = Math.max(farthest, Math.sqrt(dx * dx + dy * dy + dz * dz));
+                farthest = Math.max(farthest, VectorMath.anyLength(dx, dy, dz));
             }
         }
         return farthest;
@@ -216,7 +220,7 @@ public final class Enclosure {
     }
 
     private double widen(double[] row, int to) {
-        return WIDEN * (size() + Math.abs(row[to]) + Math.abs(row[to + 1]) + Math.abs(row[to + 2]));
+        return WIDEN * (size() + Math.abs(row[to]) + Math.abs(row[to + 1]) + Math.abs(row[to + 2])) + UNDERFLOW;
     }
 
     private static void axisBox(LeafColumn placed, LeafColumn out, int leaf) {
@@ -318,11 +322,11 @@ public final class Enclosure {
         double a = y * row[axis + 6] - z * row[axis + 3];
         double b = z * row[axis] - x * row[axis + 6];
         double c = x * row[axis + 3] - y * row[axis];
-        return Math.sqrt(a * a + b * b + c * c);
+        return VectorMath.anyLength(a, b, c);
     }
 
     private static void hold(double[] prism, int pair, double middle, double half, double size) {
-        double widen = WIDEN * size;
+        double widen = WIDEN * size + UNDERFLOW;
         prism[pair] = Math.min(prism[pair], middle - half - widen);
         prism[pair + 1] = Math.max(prism[pair + 1], middle + half + widen);
     }

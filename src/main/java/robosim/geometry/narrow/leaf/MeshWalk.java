@@ -18,7 +18,7 @@ public final class MeshWalk {
     public static final double WIDEN = 0x1p-46;
 
     /** Several times the error that underflow may add. */
-    public static final double UNDERFLOW = 0x1p-1000;
+    public static final double UNDERFLOW = 0x1p-1060;
 
     private final double[] low = new double[3];
     private final double[] high = new double[3];

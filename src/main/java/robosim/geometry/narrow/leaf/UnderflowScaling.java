@@ -1,16 +1,19 @@
 package robosim.geometry.narrow.leaf;
 
+import robosim.geometry.model.Dimension;
+
 /**
- * Scales leaves that are so small, and so near the origin, that products of their coordinates underflow, by a power of
- * two, which changes no bit of a distance. Verdicts do not need this, since they fall back on exact arithmetic.
+ * Scales queries that are so small, and so near the origin, that products of their coordinates underflow, by a power of
+ * two, which changes no bit of a distance. Every query about a convex leaf whose answer is a number passes through here,
+ * before its kernel computes anything (fast paths of beams trust no small distance): a product that underflowed may make a hit of a miss, not only a distance wrong.
  *
- * <p>Kernels multiply up to four lengths. If some coordinate or size is {@link #SMALL} or more, its ulp to the fourth
- * power is above {@code 2^-1075}, and the error of underflow is less than any bound stated in ulp of the largest
- * coordinate.
+ * <p>Kernels multiply up to six lengths, and those of an oval a factor of 2<sup>-101</sup> more: the rounding error of the
+ * product of three, times the oval's least half axis, which is an error of rounding itself. If some coordinate or size is
+ * {@link #SMALL} or more, that is above {@code 2^-875}, and twice as many digits of it are above {@code 2^-1000}.
  */
 public final class UnderflowScaling {
-    /** A query is scaled if all its coordinates and sizes are below this; distances below this are recomputed. */
-    public static final double SMALL = 0x1p-200;
+    /** A query is scaled if all its coordinates and sizes are below this. */
+    public static final double SMALL = 0x1p-128;
 
     public final double[] a = new double[Leaf.STRIDE];
     public final double[] b = new double[Leaf.STRIDE];
@@ -19,66 +22,95 @@ public final class UnderflowScaling {
     private int power;
 
     /**
-     * Scales a leaf up if it is small.
+     * Scales a leaf up if it and the other input are small; heights do not count in PLANAR, and become 0.
      *
-     * @param start the largest coordinate of the other input of the query
+     * @param more the largest coordinate of the other input of the query
      */
-    public boolean take(double start, LeafKind kind, double[] row, int at) {
-        return take(Math.max(start, extent(kind, row, at))) && copy(kind, row, at, a);
+    public boolean take(Dimension dimension, double more, LeafKind kind, double[] row, int at) {
+        return isSmall(more, row, at) && takeAll(dimension, more, kind, row, at);
+    }
+
+    private boolean takeAll(Dimension dimension, double more, LeafKind kind, double[] row, int at) {
+        int heights = heights(dimension, kind);
+        if (!take(extent(more, kind, row, at, heights))) {
+            return false;
+        }
+        copy(kind, row, at, heights, a);
+        return true;
     }
 
     /** Scales two leaves up if both are small. */
-    public boolean take(LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
-        return take(0, kindA, rowA, i, kindB, rowB, j);
+    public boolean take(
+            Dimension dimension, LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
+        return take(dimension, 0, kindA, rowA, i, kindB, rowB, j);
     }
 
     /** Scales two leaves up if both and the other input, {@code more}, are small. */
-    public boolean take(double more, LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
-        return take(Math.max(more, Math.max(extent(kindA, rowA, i), extent(kindB, rowB, j))))
-                && copy(kindA, rowA, i, a)
-                && copy(kindB, rowB, j, b);
+    public boolean take(
+            Dimension dimension,
+            double more,
+            LeafKind kindA,
+            double[] rowA,
+            int i,
+            LeafKind kindB,
+            double[] rowB,
+            int j) {
+        return isSmall(more, rowA, i)
+                && isSmall(more, rowB, j)
+                && takeAll(dimension, more, kindA, rowA, i, kindB, rowB, j);
     }
 
-    /** As {@link #take(double, LeafKind, double[], int, LeafKind, double[], int)}, where heights do not count: there are none then. */
-    public boolean takeLevel(double more, LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
-        level(kindA, rowA, i, a);
-        level(kindB, rowB, j, b);
-        return take(more, kindA, a, 0, kindB, b, 0);
+    /** Whether the first length of a row, an x in all kinds, is small; mostly it is not, and no other is looked at. */
+    private static boolean isSmall(double more, double[] row, int at) {
+        return more < SMALL && Math.abs(row[at]) < SMALL;
     }
 
-    private static void level(LeafKind kind, double[] row, int at, double[] out) {
-        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        switch (kind) {
-            case PRISM -> {
-                out[8] = 0;
-                out[9] = 0;
-            }
-            case TRIANGLE -> {
-                out[1] = 0;
-                out[4] = 0;
-                out[7] = 0;
-            }
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> {
-                out[1] = 0;
-                out[4] = 0;
-            }
-            case SPHERE, BOX, CYLINDER, CAPSULE ->
-                out[1] = 0; // a tilted leaf's size along its axis affects its projection
-            case MESH, SOLID_MESH, GRID -> throw kind.refused();
+    private boolean takeAll(
+            Dimension dimension,
+            double more,
+            LeafKind kindA,
+            double[] rowA,
+            int i,
+            LeafKind kindB,
+            double[] rowB,
+            int j) {
+        int heightsA = heights(dimension, kindA);
+        int heightsB = heights(dimension, kindB);
+        if (!take(extent(extent(more, kindA, rowA, i, heightsA), kindB, rowB, j, heightsB))) {
+            return false;
         }
+        copy(kindA, rowA, i, heightsA, a);
+        copy(kindB, rowB, j, heightsB, b);
+        return true;
+    }
+
+    /** Which numbers of a row are heights that do not count, one bit each. */
+    private static int heights(Dimension dimension, LeafKind kind) {
+        if (dimension == Dimension.SPATIAL) {
+            return 0;
+        }
+        return switch (kind) {
+            case PRISM -> 1 << 8 | 1 << 9;
+            case TRIANGLE -> 1 << 1 | 1 << 4 | 1 << 7;
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> 1 << 1 | 1 << 4;
+            case SPHERE, BOX, CYLINDER, CAPSULE -> 1 << 1; // a tilted leaf's size along its axis affects its projection
+            case MESH, SOLID_MESH, GRID -> throw kind.refused();
+        };
     }
 
     private boolean take(double largest) {
+        if (!(largest < SMALL && largest > 0)) {
+            return false;
+        }
         power = -Math.getExponent(largest);
-        return largest < SMALL && largest > 0;
+        return true;
     }
 
-    private boolean copy(LeafKind kind, double[] row, int at, double[] out) {
+    private void copy(LeafKind kind, double[] row, int at, int heights, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
         for (int k = 0; k < kind.lengths(); k++) {
-            out[k] = up(out[k]);
+            out[k] = (heights >> k & 1) == 0 ? up(out[k]) : 0;
         }
-        return true;
     }
 
     public double up(double length) {
@@ -89,15 +121,24 @@ public final class UnderflowScaling {
         return scale(length, -power);
     }
 
+    /** The same, rounded up where it is a subnormal number. */
+    public double ceiling(double length) {
+        double rounded = down(length);
+        return up(rounded) < length ? Math.nextUp(rounded) : rounded;
+    }
+
     /** In two steps, because the factor itself may not be a double. */
     private static double scale(double value, int power) {
         return Math.scalb(Math.scalb(value, power / 2), power - power / 2);
     }
 
-    private static double extent(LeafKind kind, double[] row, int at) {
-        double largest = 0;
-        for (int k = 0; k < kind.lengths(); k++) {
-            largest = Math.max(largest, Math.abs(row[at + k]));
+    /** The largest of a number and the lengths of a leaf, or one of them that is not small. */
+    private static double extent(double more, LeafKind kind, double[] row, int at, int heights) {
+        double largest = more;
+        for (int k = 0; k < kind.lengths() && largest < SMALL; k++) {
+            if ((heights >> k & 1) == 0) {
+                largest = Math.max(largest, Math.abs(row[at + k]));
+            }
         }
         return largest;
     }

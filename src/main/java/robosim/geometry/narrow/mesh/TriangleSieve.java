@@ -13,6 +13,12 @@ import robosim.geometry.model.TriangleMesh;
  * line have opposite signs. An instance belongs to one owner of queries and allocates nothing.
  */
 final class TriangleSieve {
+    /**
+     * The least area that is trusted. It is spanned by coordinates of some 2^-300, whose pad is above 2^-350, and what
+     * underflows of its product with another coordinate adds less than 2^-470 to a distance.
+     */
+    private static final double UNDERFLOW = 0x1p-600;
+
     /** The coordinate that changes the most along the line (0 to 2), and the other two. */
     private int main;
 
@@ -27,6 +33,8 @@ final class TriangleSieve {
     private double lineMain;
     private double inverseMain;
     private double pad;
+
+    private double leastDoubt;
 
     /** An upper bound of any triangle's {@link #doubt}. */
     private double mostDoubt;
@@ -72,6 +80,7 @@ final class TriangleSieve {
         lineMain = line[main];
         lineOne = line[one] + slopeOne * lineMain;
         lineTwo = line[two] + slopeTwo * lineMain;
+        leastDoubt = 32 * pad * pad + UNDERFLOW;
         mostDoubt = doubt(12 * size);
     }
 
@@ -176,9 +185,10 @@ final class TriangleSieve {
      * The error of the area spanned by two of a triangle's corners, given the sum of all six coordinates relative to the
      * line. Each of these is off by 4 pads at most: by one for the corner and one for the line, and, as slopes are at most 1,
      * by as much for their main coordinates; the roundings here are less than 16u of the sizes of which the pad is 128u and
-     * uses 32u. The two products and their difference are off by 3u of a quarter of the sum's square.
+     * uses 32u. The two products and their difference are off by 3u of a quarter of the sum's square. Areas below {@link
+     * #UNDERFLOW} are not trusted at all.
      */
     private double doubt(double sum) {
-        return Filter.bound(sum * (4 * pad + 0x1p-51 * sum) + 32 * pad * pad);
+        return Filter.bound(sum * (4 * pad + 0x1p-51 * sum) + leastDoubt);
     }
 }

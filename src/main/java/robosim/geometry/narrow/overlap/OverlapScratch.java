@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.sat.SatScratch;
 
 /** The working memory of overlap tests. */
@@ -13,6 +14,9 @@ public class OverlapScratch extends SatScratch {
      * query whose result is "apart" may have set it on the way, in a part that did not decide.
      */
     public boolean uncertain;
+
+    /** That of {@link PlanarOverlap}, which kernels ask about leaves that are scaled up already. */
+    final UnderflowScaling ovals = new UnderflowScaling();
 
     /** The part of a leaf in a horizontal contact plane. */
     public final double[] triangleC = new double[Leaf.STRIDE];

@@ -81,8 +81,8 @@ public final class PlanarOverlap {
 
     private static boolean oval(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        UnderflowScaling m = s.scaling;
-        return m.take(kindA, a, i, kindB, b, j)
+        UnderflowScaling m = s.ovals;
+        return m.take(Dimension.PLANAR, kindA, a, i, kindB, b, j)
                 ? storedOval(kindA, m.a, 0, kindB, m.b, 0, s)
                 : storedOval(kindA, a, i, kindB, b, j, s);
     }

@@ -3,8 +3,10 @@ package robosim.geometry.narrow.turn;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
 
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them. */
 public final class SweptBounds {
@@ -53,6 +55,34 @@ public final class SweptBounds {
         if (degrees == 0) {
             return;
         }
+        UnderflowScaling m = s.scaling;
+        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
+            extend(kind, row, at, px, py, pz, wx, wy, wz, degrees, out6, s);
+            return;
+        }
+        for (int k = 0; k < 6; k++) {
+            out6[k] = m.up(out6[k]);
+        }
+        extend(kind, m.a, 0, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out6, s);
+        for (int k = 0; k < 3; k++) {
+            out6[k] = -m.ceiling(-out6[k]);
+            out6[k + 3] = m.ceiling(out6[k + 3]);
+        }
+    }
+
+    private static void extend(
+            LeafKind kind,
+            double[] row,
+            int at,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double degrees,
+            double[] out6,
+            TurnScratch s) {
         TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
@@ -90,6 +120,34 @@ public final class SweptBounds {
         if (degrees == 0) {
             return;
         }
+        UnderflowScaling m = s.scaling;
+        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
+            extendDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s);
+            return;
+        }
+        for (int k = 0; k < 4; k++) {
+            out4[k] = m.up(out4[k]);
+        }
+        extendDiagonals(kind, m.a, 0, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out4, s);
+        for (int k = 0; k < 4; k += 2) {
+            out4[k] = -m.ceiling(-out4[k]);
+            out4[k + 1] = m.ceiling(out4[k + 1]);
+        }
+    }
+
+    private static void extendDiagonals(
+            LeafKind kind,
+            double[] row,
+            int at,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double degrees,
+            double[] out4,
+            TurnScratch s) {
         TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);

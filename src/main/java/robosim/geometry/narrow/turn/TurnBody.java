@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Radians;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.AxisBody;
 
@@ -22,6 +23,9 @@ final class TurnBody {
 
     /** The error of sqrt(1 - s^2) if s is 1 to within rounding. */
     private static final double LOST = 0x1p-25;
+
+    /** The least square that has all its digits, with some to spare. */
+    private static final double LEAST_SQUARE = 0x1p-900;
 
     /** Whether heights are ignored, for turns about the vertical in the plane. */
     boolean level;
@@ -340,11 +344,11 @@ final class TurnBody {
         double best = start;
         double beyond = margin + (rims ? radius * across(sk) : 0);
         for (int m = 0; m < points; m++) {
-            double rho = Math.sqrt(a[m] * a[m] + b[m] * b[m]);
+            double rho = VectorMath.legs(Math.abs(a[m]), Math.abs(b[m]));
             double rise;
             double top;
             if (angle >= FULL || passes(StrictMath.atan2(b[m], a[m]), 0, angle)) {
-                rise = rho == 0 ? 0 : a[m] > 0 ? b[m] * b[m] / (rho + a[m]) : rho - a[m];
+                rise = rho == 0 ? 0 : a[m] > 0 ? squareOver(b[m], rho + a[m]) : rho - a[m];
                 top = rho;
             } else {
                 double sin = Radians.sin(0.5 * angle);
@@ -360,6 +364,12 @@ final class TurnBody {
             }
         }
         return best;
+    }
+
+    /** The square of a number over another one, also if the square underflows. */
+    private static double squareOver(double b, double by) {
+        double square = b * b;
+        return square > LEAST_SQUARE ? square / by : b * (b / by);
     }
 
     private static double up(double start, double place) {
@@ -380,7 +390,7 @@ final class TurnBody {
         double here = k[m] + a[m] * cos + b[m] * sin + radius * across(s);
         double found = Math.max(best, here);
         double swing = Math.sqrt(sa * sa + sb * sb);
-        double rho = Math.sqrt(a[m] * a[m] + b[m] * b[m]);
+        double rho = VectorMath.legs(Math.abs(a[m]), Math.abs(b[m]));
         // By the steepest that the rim gets, and by how fast its reach may grow from the middle.
         double rise = Math.min(rho, Math.abs(b[m] * cos - a[m] * sin) + 0.5 * rho * half) * half;
         double simple = k[m] + a[m] * cos + b[m] * sin + rise + radius * steepest(from, to);

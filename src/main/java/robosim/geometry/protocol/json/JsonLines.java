@@ -131,8 +131,8 @@ public final class JsonLines {
             case "batch" -> new JsonBatches(in).batch();
             case "step" -> new JsonSteps(in).step();
             default ->
-                throw new ProtocolException(
-                        "a request's type must be init, moves, sonars, batch or step (got: " + Text.quoted(type) + ")");
+                throw new ProtocolException("a request's type must be init, moves, sonars, batch, step or ping (got: "
+                        + Text.quoted(type) + ")");
         };
     }
 

@@ -180,12 +180,11 @@ class MeshRayTest {
 
     /** The triangle as a mesh of its own, which has no tree to speak of, through the kernel alone. */
     private double alone(double[] row, double[] ray) {
-        double distance =
-                SpatialRay.distance(ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], LeafKind.TRIANGLE, row, 0, scratch);
         UnderflowScaling m = new UnderflowScaling();
-        if (distance > UnderflowScaling.SMALL
-                || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), LeafKind.TRIANGLE, row, 0)) {
-            return distance;
+        double largest = VectorMath.largest(ray[0], ray[1], ray[2]);
+        if (!m.take(Dimension.SPATIAL, largest, LeafKind.TRIANGLE, row, 0)) {
+            return SpatialRay.distance(
+                    ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], LeafKind.TRIANGLE, row, 0, scratch);
         }
         return m.down(SpatialRay.distance(
                 m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), ray[3], ray[4], ray[5], LeafKind.TRIANGLE, m.a, 0, scratch));

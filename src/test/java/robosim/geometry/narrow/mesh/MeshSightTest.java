@@ -135,11 +135,10 @@ class MeshSightTest {
 
     /** The triangle through the kernel alone. */
     private double alone(double[] row, double[] ray, Dimension dimension, boolean isCone, double half) {
-        double distance = kernel(row, ray[0], ray[1], ray[2], dimension, isCone, half);
         UnderflowScaling m = new UnderflowScaling();
-        if (distance > UnderflowScaling.SMALL
-                || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), LeafKind.TRIANGLE, row, 0)) {
-            return distance;
+        double height = dimension == Dimension.PLANAR ? 0 : ray[1];
+        if (!m.take(dimension, VectorMath.largest(ray[0], height, ray[2]), LeafKind.TRIANGLE, row, 0)) {
+            return kernel(row, ray[0], ray[1], ray[2], dimension, isCone, half);
         }
         return m.down(kernel(m.a, m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), dimension, isCone, half));
     }
