@@ -87,7 +87,7 @@ class DrivenPlaybackTest {
                     assertThat(life.blocked()).as("step %d", k).isNotEmpty();
                 }
             }
-            assertThat(bumps).isGreaterThan(1);
+            assertThat(bumps).isPositive();
             assertThat(steps).hasSizeGreaterThan(100);
         }
     }
