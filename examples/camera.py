@@ -8,7 +8,7 @@ objects as PPM in colours, and every tenth time what the camera sees in colour, 
 
     python3 examples/camera.py --connect localhost:7575 --save frames
 
-against a module that listens, such as `robosim serve`. It exits with 0 where every ball was visited, with 1 where one was
+against a module that listens, such as `robosim-geometry serve`. It exits with 0 where every ball was visited, with 1 where one was
 not, or an answer did not keep to the protocol, and with 2 where it could not be asked.
 """
 

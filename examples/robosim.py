@@ -10,7 +10,7 @@
         print(module.move("robot", x=5).obstacle)   # wall
         print(module.scan("robot", count=360)[90])  # inf: nothing to the left
 
-against a module that listens, such as `robosim serve 7575`; `robosim.accept(port)` waits for one that connects. Copy this
+against a module that listens, such as `robosim-geometry serve 7575`; `robosim.accept(port)` waits for one that connects. Copy this
 file beside your program. Run by itself it carries out the lines above: python3 examples/robosim.py localhost:7575
 
 Lengths are world units, Y is up, forward is an object's own +X, and to its right is its +Z. Every angle is in radians;
@@ -784,7 +784,7 @@ def connect(to: str, secret: Optional[str] = None, timeout: Optional[float] = No
     try:
         sock = socket.create_connection(_place(to), timeout)
     except OSError as e:
-        raise NotDone(f"no module listens at {to}: {e}; start one with `robosim serve {to.rpartition(':')[2]}`") from None
+        raise NotDone(f"no module listens at {to}: {e}; start one with `robosim-geometry serve {to.rpartition(':')[2]}`") from None
     return Module(sock, secret)
 
 

@@ -22,6 +22,9 @@ final class FrontToBack {
     /** So often those that wait are asked again, each time for half of their way if none could go. */
     private static final int SHARES = 8;
 
+    /** Who goes a smaller share of the way is stopped; who goes more is late, and keeps its velocity. */
+    private static final double LEAST_SHARE = 0x1p-3;
+
     /** Most bodies that are let go first, for one that waits. */
     private static final int MOST_WAITING = 64;
 
@@ -151,7 +154,7 @@ final class FrontToBack {
     /** Lets all go at once that can; those that wait go when the others have gone, some a part of their way only. */
     private void carryAtOnce() {
         allAtOnce.find(legs);
-        put(legs, false);
+        put(legs, 1);
         double share = 1;
         for (int round = 0; round < SHARES && isLeft(); round++) {
             shortened.makeRoom(bodies.count);
@@ -162,7 +165,7 @@ final class FrontToBack {
                 }
             }
             allAtOnce.findBulging(shortened);
-            share = put(shortened, share < 1) ? share : 0.5 * share;
+            share = put(shortened, share) ? share : 0.5 * share;
         }
     }
 
@@ -185,7 +188,7 @@ final class FrontToBack {
     }
 
     /** Puts all that may go where they end; answers whether any could. */
-    private boolean put(Legs of, boolean isShort) {
+    private boolean put(Legs of, double share) {
         boolean isAny = false;
         for (int b = 0; b < bodies.count; b++) {
             if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
@@ -194,7 +197,7 @@ final class FrontToBack {
                 carrier.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
                 arrive(b, of.time[leg], of.x[leg], of.z[leg], of.angle[leg]);
                 firstLeg[b] = -1;
-                isBlocked[b] = isShort;
+                isBlocked[b] = share < LEAST_SHARE;
                 isAny = true;
             }
         }
