@@ -13,8 +13,8 @@ public final class Turned {
     /** Works out both for an angle. */
     public void by(double angle) {
         if (Math.abs(angle) > SMALL) {
-            cos = StrictMath.cos(angle);
-            sin = StrictMath.sin(angle);
+            cos = Radians.cos(angle);
+            sin = Radians.sin(angle);
             return;
         }
         double s = angle * angle;

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.space;
 
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.Radians;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.Pose;
 
@@ -13,8 +14,8 @@ final class Turning {
     void turn(double[] from, double[] angle, double share, double[] to) {
         double size = RigidBody.length(angle, 0);
         double half = 0.5 * size * share;
-        double sine = size == 0 ? 0 : StrictMath.sin(half) / size;
-        double w = StrictMath.cos(half);
+        double sine = size == 0 ? 0 : Radians.sin(half) / size;
+        double w = Radians.cos(half);
         double x = sine * angle[0];
         double y = sine * angle[1];
         double z = sine * angle[2];

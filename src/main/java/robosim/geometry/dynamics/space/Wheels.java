@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.space;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Radians;
 
 /**
  * How one driven body stands on what is below it, and the impulses that its drive gives in a part of a slice: forward, to the
@@ -124,8 +125,8 @@ final class Wheels {
     }
 
     private void turnAxes(double angle) {
-        double sin = StrictMath.sin(angle);
-        double cos = StrictMath.cos(angle);
+        double sin = Radians.sin(angle);
+        double cos = Radians.cos(angle);
         for (int k = 0; k < 3; k++) {
             double f = forward[k];
             double r = right[k];

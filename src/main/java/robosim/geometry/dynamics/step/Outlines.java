@@ -3,6 +3,7 @@ package robosim.geometry.dynamics.step;
 import java.util.Arrays;
 import java.util.List;
 import robosim.geometry.exact.Orientation;
+import robosim.geometry.exact.Radians;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -115,10 +116,10 @@ final class Outlines {
 
     private void addTipped(Point c, double[] r, double radius, double half) {
         count = 0;
-        double around = radius / StrictMath.cos(StrictMath.PI / RIM);
+        double around = radius / Radians.cos(StrictMath.PI / RIM);
         for (int k = 0; k < RIM; k++) {
-            double a = around * StrictMath.cos(2 * StrictMath.PI * k / RIM);
-            double b = around * StrictMath.sin(2 * StrictMath.PI * k / RIM);
+            double a = around * Radians.cos(2 * StrictMath.PI * k / RIM);
+            double b = around * Radians.sin(2 * StrictMath.PI * k / RIM);
             double x = r[0] * a + r[2] * b;
             double z = r[6] * a + r[8] * b;
             point(c.x() + x + r[1] * half, c.z() + z + r[7] * half);

@@ -11,6 +11,9 @@ final class Separation {
     /** A corner that is past the end of an edge by no more, metres, is across it: near contact rounding would turn the normal. */
     private static final double BESIDE = 1e-9;
 
+    /** Distances that differ by less, as a share of the coordinates, are the same up to rounding. */
+    private static final double TIED = 0x1p-48;
+
     /** The corners of both, as they have been put. */
     double[] ax = new double[8];
 
@@ -32,6 +35,11 @@ final class Separation {
     private int faceOf;
 
     private int face;
+
+    /** How far the line of that edge keeps the other away, and whether the corner nearest to it is across the edge. */
+    private double best;
+
+    private boolean isAcross;
 
     private final Turned turned = new Turned();
 
@@ -109,56 +117,61 @@ final class Separation {
         if (an == 1 && bn == 1) {
             return points(ax[0] - bx[0], az[0] - bz[0]) - radius;
         }
-        double best = Double.NEGATIVE_INFINITY;
-        double inX = 0;
-        double inZ = 0;
-        boolean isFace = false;
-        // Edges of a, whose outward normal is from a towards b; then those of b.
-        for (int side = 0; side < 2; side++) {
-            double[] px = side == 0 ? ax : bx;
-            double[] pz = side == 0 ? az : bz;
-            double[] qx = side == 0 ? bx : ax;
-            double[] qz = side == 0 ? bz : az;
-            int pn = side == 0 ? an : bn;
-            int qn = side == 0 ? bn : an;
-            for (int k = 0; pn > 1 && k < pn; k++) {
-                int next = k + 1 == pn ? 0 : k + 1;
-                double dx = px[next] - px[k];
-                double dz = pz[next] - pz[k];
-                double length = Math.sqrt(dx * dx + dz * dz);
-                if (length == 0) {
-                    continue;
-                }
-                double ex = dz / length;
-                double ez = -dx / length;
-                double least = Double.POSITIVE_INFINITY;
-                int support = 0;
-                for (int j = 0; j < qn; j++) {
-                    double s = ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]);
-                    if (s < least) {
-                        least = s;
-                        support = j;
-                    }
-                }
-                if (least > best) {
-                    best = least;
-                    inX = side == 0 ? -ex : ex;
-                    inZ = side == 0 ? -ez : ez;
-                    face = k;
-                    faceOf = 1 + side;
-                    double along = dx * (qx[support] - px[k]) + dz * (qz[support] - pz[k]);
-                    double past = BESIDE * Math.max(1, length) * length;
-                    isFace = along >= -past && along <= length * length + past;
-                }
-            }
-        }
-        nx = inX;
-        nz = inZ;
-        if (best <= 0 || isFace) {
+        best = Double.NEGATIVE_INFINITY;
+        isAcross = false;
+        nx = 0;
+        nz = 0;
+        edges(1, ax, az, an, bx, bz, bn);
+        edges(2, bx, bz, bn, ax, az, an);
+        if (best <= 0 || isAcross) {
             return best - radius;
         }
         faceOf = 0;
         return byCorners() - radius;
+    }
+
+    /**
+     * Looks for an edge of p whose line keeps q further away than the best one so far. Where two edges are parallel up to
+     * rounding, the one that is across the nearest corner is taken: its distance is that of the pieces, whereas the
+     * direction from corner to corner is noise when the two nearly touch.
+     */
+    private void edges(int side, double[] px, double[] pz, int pn, double[] qx, double[] qz, int qn) {
+        for (int k = 0; pn > 1 && k < pn; k++) {
+            int next = k + 1 == pn ? 0 : k + 1;
+            double dx = px[next] - px[k];
+            double dz = pz[next] - pz[k];
+            double length = Math.sqrt(dx * dx + dz * dz);
+            if (length == 0) {
+                continue;
+            }
+            double ex = dz / length;
+            double ez = -dx / length;
+            double least = Double.POSITIVE_INFINITY;
+            for (int j = 0; j < qn; j++) {
+                least = Math.min(least, ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]));
+            }
+            double tied = TIED * (Math.abs(px[k]) + Math.abs(pz[k]) + length);
+            double lead = least - best;
+            if (lead <= -tied) {
+                continue;
+            }
+            boolean across = false;
+            double past = BESIDE * Math.max(1, length) * length;
+            for (int j = 0; j < qn && !across; j++) {
+                if (ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]) <= least + tied) {
+                    double along = dx * (qx[j] - px[k]) + dz * (qz[j] - pz[k]);
+                    across = along >= -past && along <= length * length + past;
+                }
+            }
+            if (across == isAcross ? lead > 0 : across || lead > tied) {
+                best = least;
+                isAcross = across;
+                nx = side == 1 ? -ex : ex;
+                nz = side == 1 ? -ez : ez;
+                face = k;
+                faceOf = side;
+            }
+        }
     }
 
     /**
