@@ -23,6 +23,9 @@ public final class Degrees {
     // From this magnitude on, neighbouring doubles are more than a quarter turn apart.
     private static final double MOST_QUARTERS = 0x1p52;
 
+    // Up to here any number of whole turns is a double.
+    private static final double MOST_TURNS = 0x1p52;
+
     private Degrees() {}
 
     /**
@@ -55,13 +58,21 @@ public final class Degrees {
     }
 
     // The remainder of an angle after subtracting the nearest number of whole turns; a tie goes to the even number.
-    // Exact, since subtracting one turn is (Sterbenz).
+    // Exact, since subtracting whole turns is where they are a double (Sterbenz).
     private static double remainder(double degrees) {
         double size = Math.abs(degrees);
         if (size <= 180) {
             return degrees;
         }
-        return size < 540 ? degrees - Math.copySign(360, degrees) : Math.IEEEremainder(degrees, 360);
+        if (size < 540) {
+            return degrees - Math.copySign(360, degrees);
+        }
+        if (size >= MOST_TURNS) {
+            return Math.IEEEremainder(degrees, 360); // many times slower
+        }
+        double left = degrees - 360 * Math.rint(degrees / 360);
+        // Next to a tie the rounded quotient may be that of the other turn.
+        return left > 180 ? left - 360 : left < -180 ? left + 360 : left;
     }
 
     /**

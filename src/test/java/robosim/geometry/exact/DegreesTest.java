@@ -35,6 +35,25 @@ class DegreesTest {
                 .isEqualTo(Double.doubleToRawLongBits(cosine));
     }
 
+    /** The reduction to a turn is that of Math.IEEEremainder, next to half turns and for any number of turns. */
+    @Test
+    void anglesAreReducedExactly() {
+        SplittableRandom random = new SplittableRandom(26);
+        for (int i = 0; i < 200_000; i++) {
+            double size = StrictMath.scalb(random.nextDouble(1, 2), random.nextInt(7, 60));
+            double tie = 180 * Math.rint(size / 180);
+            double degrees = switch (i % 4) {
+                case 0 -> size;
+                case 1 -> tie;
+                case 2 -> Math.nextUp(tie);
+                default -> Math.nextDown(tie);
+            };
+            double reduced = Math.IEEEremainder(degrees, 360);
+            assertThat(Degrees.sin(degrees)).as("sin " + degrees).isEqualTo(Degrees.sin(reduced) + 0.0);
+            assertThat(Degrees.cos(-degrees)).as("cos " + degrees).isEqualTo(Degrees.cos(reduced));
+        }
+    }
+
     @Test
     void symmetricAtEighths() {
         double root = Math.sqrt(0.5);

@@ -146,11 +146,11 @@ final class Separation {
             }
             double ex = dz / length;
             double ez = -dx / length;
+            double tied = TIED * (Math.abs(px[k]) + Math.abs(pz[k]) + length);
             double least = Double.POSITIVE_INFINITY;
-            for (int j = 0; j < qn; j++) {
+            for (int j = 0; j < qn && least - best > -tied; j++) {
                 least = Math.min(least, ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]));
             }
-            double tied = TIED * (Math.abs(px[k]) + Math.abs(pz[k]) + length);
             double lead = least - best;
             if (lead <= -tied) {
                 continue;
