@@ -271,6 +271,15 @@ class ObjMaterialsTest {
                 .hasSize(1);
     }
 
+    /** Programs for Windows write backslashes. */
+    @Test
+    void pathsMayHaveBackslashes() throws IOException {
+        file("materials/m.mtl", "newmtl a\nKd 0 0 1\nmap_Kd -clamp on .\\m.png\n");
+        picture("materials/m.png");
+        file("m.obj", "mtllib .\\materials\\m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
+        assertThat(ObjReader.read(folder.resolve("m.obj")).material().texture()).isNotNull();
+    }
+
     @Test
     void aMaterialThatNobodyUsesNeedsNoPicture() throws IOException {
         assertThat(read("newmtl a\nmap_Kd no.png\nnewmtl b\nKd 0 0 1\n", "usemtl b\nf 1 2 3\n")

@@ -133,7 +133,7 @@ final class MaterialLibrary {
         return new Color(shares[0], shares[1], shares[2]);
     }
 
-    /** The name after the options, which may have spaces. */
+    /** The name after the options, which may have spaces; Windows programs write {@code \\} where {@code /} is meant. */
     private static String picture(String[] words) {
         int at = 1;
         while (at < words.length && OPTIONS.containsKey(words[at])) {
@@ -148,7 +148,7 @@ final class MaterialLibrary {
         for (int k = at; k < words.length; k++) {
             name.append(k == at ? "" : " ").append(words[k]);
         }
-        return name.toString();
+        return name.toString().replace('\\', '/');
     }
 
     private static boolean isNumber(String word) {

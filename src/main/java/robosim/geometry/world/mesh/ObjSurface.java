@@ -186,7 +186,7 @@ public final class ObjSurface {
             case "o" -> object = rest(text, 1);
             case "g" -> groups = List.of(words).subList(1, words.length);
             case "usemtl" -> faces.use(rest(text));
-            case "mtllib" -> libraries.add(rest(text));
+            case "mtllib" -> libraries.add(rest(text).replace('\\', '/')); // as Windows programs write it
             default -> {
                 if (!PASSED_OVER.contains(words[0])) {
                     throw new IllegalArgumentException("a statement must be v, f or one that does not affect the"
