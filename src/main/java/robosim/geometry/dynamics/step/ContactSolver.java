@@ -8,7 +8,7 @@ import java.util.Arrays;
  * among its contacts (mass splitting: Tonge, Benevolenski and Voroshilov 2012), carried on by Nesterov's method with restarts
  * (Mazhar, Heyn, Negrut and Tasora 2015); so no order of contacts matters and what is symmetric stays so; sums are carried with
  * their rounding errors for the same reason. If it has not come to rest after a bounded number of rounds, sweeps in order
- * (Guendelman, Bridson and Fedkiw 2003) do the rest.
+ * (Guendelman, Bridson and Fedkiw 2003) do the rest; a single contact begins with these, which come to rest sooner.
  *
  * <p>A contact that slides rubs less than one that sticks, so it might go from the one to the other for ever. After a number of
  * rounds one that slides goes on to slide.
@@ -208,6 +208,9 @@ final class ContactSolver {
         if (count == 1) {
             soften(false);
             guess(isRubbing);
+            if (sweep(isRubbing, rest)) { // one contact and the floor: no order to keep out of the result
+                return;
+            }
         }
         soften(true);
         int rounds = Math.min(MOST_ROUNDS, ROUNDS + ROUNDS_EACH * count);
@@ -222,11 +225,17 @@ final class ContactSolver {
             theta = nextTheta;
         }
         soften(false);
+        sweep(isRubbing, rest);
+    }
+
+    /** Sweeps until all has come to rest; false if that takes too long. */
+    private boolean sweep(boolean isRubbing, double rest) {
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
-            if (sweep(isRubbing) <= rest) {
-                return;
+            if (sweepOnce(isRubbing, island.count > 1 || sweep >= DECIDED) <= rest) {
+                return true;
             }
         }
+        return false;
     }
 
     /** Lets all contacts answer the same velocities; tells by how much speeds change at most. */
@@ -258,11 +267,11 @@ final class ContactSolver {
     }
 
     /** Lets each contact answer what those before it have left; tells by how much speeds change at most. */
-    private double sweep(boolean isRubbing) {
+    private double sweepOnce(boolean isRubbing, boolean isDecided) {
         breathe();
         double change = 0;
         for (int c = 0; c < island.count; c++) {
-            change = Math.max(change, answer(c, isRubbing, true, false));
+            change = Math.max(change, answer(c, isRubbing, isDecided, false));
         }
         for (int k = 0; k < island.bodyCount; k++) {
             int body = island.bodyList[k];
