@@ -26,26 +26,26 @@ final class CellGrid {
     private int largeCount;
     private boolean[] isLarge = new boolean[FIRST];
 
-    /** The least X and Z and the greatest of each item. */
+    /** The least X and Z and the greatest of each item; NaN, which meets nothing, until it is given. */
     private double[] boxes = new double[4 * FIRST];
 
     private int[] seen = new int[FIRST];
     private int stamp;
     private int count;
 
-    /** How many items have a box. */
+    /** No item from this one on has a box. */
     private int boxed;
 
     int[] found = new int[FIRST];
     int foundCount;
 
-    /** Empties it for a number of items, whose boxes follow in the order of their indices. */
+    /** Empties it for a number of items, whose boxes follow. */
     void clear(int items, double cellSize) {
         cell = cellSize;
         count = items;
         boxed = 0;
         mostCells = Math.min(MOST_CELLS, items);
-        empty(Math.max(64, Integer.highestOneBit(Math.max(1, items)) * 4));
+        empty(Math.max(64, Integer.highestOneBit(Math.max(1, items)) * 8));
         if (seen.length < items) {
             int room = Math.max(items, 2 * seen.length);
             seen = new int[room];
@@ -56,6 +56,7 @@ final class CellGrid {
             stamp = 0;
         }
         Arrays.fill(isLarge, 0, items, false);
+        Arrays.fill(boxes, 0, 4 * items, Double.NaN);
     }
 
     private void empty(int size) {
@@ -100,10 +101,16 @@ final class CellGrid {
             empty(size);
             Arrays.fill(isLarge, 0, boxed, false);
             for (int item = 0; item < boxed; item++) {
-                enter(item);
+                if (hasBox(item)) {
+                    enter(item);
+                }
             }
             size *= 2;
         } while (entries > slots);
+    }
+
+    private boolean hasBox(int item) {
+        return !Double.isNaN(boxes[4 * item]);
     }
 
     private void enter(int item) {
@@ -147,13 +154,21 @@ final class CellGrid {
 
     /** Writes the items whose boxes meet a box to {@link #found}, in ascending order. */
     void find(double minX, double minZ, double maxX, double maxZ) {
+        findAbove(-1, minX, minZ, maxX, maxZ);
+    }
+
+    /**
+     * Writes those above an item. For any item but -1 the boxes must have been given in the order of their indices, each once:
+     * then the entries of a cell, of which the last is the first, come in descending order.
+     */
+    void findAbove(int above, double minX, double minZ, double maxX, double maxZ) {
         foundCount = 0;
         double fromX = Math.floor(minX / cell);
         double fromZ = Math.floor(minZ / cell);
         double toX = Math.floor(maxX / cell);
         double toZ = Math.floor(maxZ / cell);
         if (!isSmall(fromX, fromZ, toX, toZ)) {
-            for (int item = 0; item < count; item++) {
+            for (int item = above + 1; item < count; item++) {
                 if (meets(item, minX, minZ, maxX, maxZ)) {
                     found[foundCount++] = item;
                 }
@@ -164,12 +179,12 @@ final class CellGrid {
             Arrays.fill(seen, 0);
             stamp = 1;
         }
-        for (int k = 0; k < largeCount; k++) {
+        for (int k = largeCount - 1; k >= 0 && large[k] > above; k--) {
             see(large[k], minX, minZ, maxX, maxZ);
         }
         for (long j = (long) fromZ; j <= (long) toZ; j++) {
             for (long i = (long) fromX; i <= (long) toX; i++) {
-                for (int entry = heads[slot(i, j)]; entry >= 0; entry = next[entry]) {
+                for (int entry = heads[slot(i, j)]; entry >= 0 && items[entry] > above; entry = next[entry]) {
                     see(items[entry], minX, minZ, maxX, maxZ);
                 }
             }

@@ -67,12 +67,12 @@ final class Neighbours {
     private void findOthers(int b, double now, boolean isFirst) {
         sweep(b, now);
         boolean canMove = bodies.ownLightness[b] > 0;
-        grid.find(own[0], own[1], own[2], own[3]);
+        grid.findAbove(
+                isFirst ? b : -1, own[0], own[1], own[2], own[3]); // in the first round each pair is found by both
         int found = grid.foundCount;
         for (int k = 0; k < found; k++) {
             int other = grid.found[k];
-            // In the first round each pair of bodies is found by both.
-            if ((isFirst ? other > b : other != b) && (canMove || bodies.ownLightness[other] > 0)) {
+            if (other != b && (canMove || bodies.ownLightness[other] > 0)) {
                 pairUp(b, other, isFirst, now);
             }
         }

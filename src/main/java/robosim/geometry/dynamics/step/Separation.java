@@ -148,18 +148,27 @@ final class Separation {
             double ez = -dx / length;
             double tied = TIED * (Math.abs(px[k]) + Math.abs(pz[k]) + length);
             double least = Double.POSITIVE_INFINITY;
-            for (int j = 0; j < qn && least - best > -tied; j++) {
-                least = Math.min(least, ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]));
+            int support = 0;
+            for (int j = 0; j < qn; j++) {
+                double s = ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]);
+                if (s < least) {
+                    least = s;
+                    support = j;
+                    if (s - best <= -tied) {
+                        break;
+                    }
+                }
             }
             double lead = least - best;
             if (lead <= -tied) {
                 continue;
             }
-            boolean across = false;
             double past = BESIDE * Math.max(1, length) * length;
+            double along = dx * (qx[support] - px[k]) + dz * (qz[support] - pz[k]);
+            boolean across = along >= -past && along <= length * length + past;
             for (int j = 0; j < qn && !across; j++) {
                 if (ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]) <= least + tied) {
-                    double along = dx * (qx[j] - px[k]) + dz * (qz[j] - pz[k]);
+                    along = dx * (qx[j] - px[k]) + dz * (qz[j] - pz[k]);
                     across = along >= -past && along <= length * length + past;
                 }
             }

@@ -116,9 +116,10 @@ final class SimultaneousMotion {
         for (int body = 0; body < count; body++) {
             goes[body] = legs.first[body] >= 0;
             hold(body, bulge);
-            grid.put(body, box[0], box[1], box[2], box[3]);
             if (goes[body]) {
                 findStill(body);
+            } else {
+                grid.put(body, box[0], box[1], box[2], box[3]);
             }
         }
         for (int body = 0; body < count; body++) {
@@ -159,16 +160,14 @@ final class SimultaneousMotion {
         }
     }
 
+    /** Pairs a body up with those that wait and with those who go and came before: so each pair is found once. */
     private void findOthers(int body, double bulge) {
         hold(body, bulge);
         grid.find(box[0], box[1], box[2], box[3]);
         for (int k = 0; k < grid.foundCount; k++) {
-            int other = grid.found[k];
-            // Each pair of bodies that both go is found twice.
-            if (other != body && (other < body || legs.first[other] < 0)) {
-                add(body, other);
-            }
+            add(body, grid.found[k]);
         }
+        grid.put(body, box[0], box[1], box[2], box[3]);
     }
 
     private void add(int body, int other) {

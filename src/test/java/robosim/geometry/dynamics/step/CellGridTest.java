@@ -43,6 +43,49 @@ class CellGridTest {
         assertThat(found).isBetween(asked / 20, asked / 2);
     }
 
+    /** Boxes that are given in any order, asked for in between: those that have none yet are not found, whatever was there before. */
+    @Test
+    void whatHasNoBoxIsNotFound() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int round = 0; round < 300; round++) {
+            int count = random.nextInt(1, 200);
+            double[][] boxes = new double[count][];
+            grid.clear(count, 0.5);
+            int step = round % 2 == 0 ? 1 : count - 1; // upward or downward
+            for (int k = 0, item = 0; k < count; k++, item = (item + step) % count) {
+                double[] own = box(random);
+                grid.find(own[0], own[1], own[2], own[3]);
+                assertFound(boxes, -1, own);
+                boxes[item] = put(random, item);
+            }
+        }
+    }
+
+    @Test
+    void thoseAboveAreFound() {
+        SplittableRandom random = new SplittableRandom(4);
+        for (int round = 0; round < 300; round++) {
+            int count = random.nextInt(1, 200);
+            double[][] boxes = new double[count][];
+            grid.clear(count, 0.5);
+            for (int item = 0; item < count; item++) {
+                boxes[item] = put(random, item);
+            }
+            for (int item = 0; item < count; item++) {
+                double[] own = box(random);
+                grid.findAbove(item, own[0], own[1], own[2], own[3]);
+                assertFound(boxes, item, own);
+            }
+        }
+    }
+
+    private void assertFound(double[][] boxes, int above, double[] own) {
+        int[] expected = IntStream.range(above + 1, boxes.length)
+                .filter(other -> boxes[other] != null && meets(boxes[other], own))
+                .toArray();
+        assertThat(Arrays.copyOf(grid.found, grid.foundCount)).isEqualTo(expected);
+    }
+
     /** A body that meets things again and again is put there again each time: what replaced boxes leave does not pile up. */
     @Test
     void replacedBoxesDoNotPileUp() {
