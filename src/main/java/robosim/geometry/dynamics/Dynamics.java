@@ -254,6 +254,7 @@ public final class Dynamics {
     public void advance(double seconds) {
         Quantity.positive("seconds", seconds);
         if (bodies.isEmpty() && !isStale) {
+            stepper.begin(); // contacts that have ended are told once
             return;
         }
         if (falling != null) {
@@ -376,15 +377,11 @@ public final class Dynamics {
         return new StepResult(contacts, stopped, ended);
     }
 
-    private BodyContact contact(ContactLog of, int k, BodyContact.Phase phase) {
-        int body = stepper.id(of.body[k]);
-        double y = objects.places()[objects.place(body) + 1];
-        String other =
-                of.otherObject[k] < 0 ? null : objects.value(of.otherObject[k]).name();
+    private static BodyContact contact(ContactLog of, int k, BodyContact.Phase phase) {
         return new BodyContact(
-                order.get(of.body[k]).name,
-                other,
-                new Point(of.x[k], y, of.z[k]),
+                of.body(k),
+                of.other(k),
+                new Point(of.x[k], of.y[k], of.z[k]),
                 new Point(of.nx[k], 0, of.nz[k]),
                 phase == BodyContact.Phase.END ? 0 : of.impulse[k],
                 phase);

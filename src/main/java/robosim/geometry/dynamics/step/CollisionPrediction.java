@@ -197,8 +197,7 @@ final class CollisionPrediction {
             if (solver.push[c] > 0) {
                 int piece = pairs.b[island.pair[c]];
                 touches.add(
-                        island.a[c],
-                        island.b[c],
+                        bodies.id[island.a[c]],
                         pieces.object[piece],
                         island.px[c],
                         island.pz[c],
@@ -221,8 +220,7 @@ final class CollisionPrediction {
         if (distance <= TOUCH * gap) {
             manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
             touches.add(
-                    pieces.body[pa],
-                    pieces.body[pb],
+                    pieces.object[pa],
                     pieces.object[pb],
                     manifold.x[0],
                     manifold.z[0],

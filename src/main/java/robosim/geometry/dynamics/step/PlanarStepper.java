@@ -42,8 +42,8 @@ public final class PlanarStepper {
     private final Collisions met;
     private final Neighbours neighbours;
     private final FrontToBack carrying;
-    private ContactLog touches = new ContactLog();
-    private ContactLog before = new ContactLog();
+    private ContactLog touches;
+    private ContactLog before;
 
     private double end;
     private int[] hits = new int[16];
@@ -67,6 +67,8 @@ public final class PlanarStepper {
         met = new Collisions(scene, pairs, meetings, floor);
         neighbours = new Neighbours(scene, pairs, meetings);
         carrying = new FrontToBack(carrier, scene, CollisionPrediction.GAP);
+        touches = new ContactLog(carrier.objects);
+        before = new ContactLog(carrier.objects);
     }
 
     /** Runs something between two parts of each step. */
@@ -166,8 +168,6 @@ public final class PlanarStepper {
     public void build(Surfaces surfaces) {
         scene.build(surfaces);
         carrying.know();
-        touches.clear();
-        before.clear();
     }
 
     /** Lets everything go on for a time in seconds; where too many may meet in it, for one half and then the other. */
