@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
@@ -54,7 +55,7 @@ class ProximityTest {
                 least = Math.min(least, alone);
             }
             close += ties > 0 ? 1 : 0;
-            String what = "%s %s, %s beside %s".formatted(dimension, accuracy, robot, others);
+            Supplier<String> what = () -> "%s %s, %s beside %s".formatted(dimension, accuracy, robot, others);
             assertThat(proximity(dimension, accuracy, robot, others, 1e3))
                     .as(what)
                     .isEqualTo(least);

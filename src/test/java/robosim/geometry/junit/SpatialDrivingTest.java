@@ -28,8 +28,8 @@ class SpatialDrivingTest {
     private static Geometry arena() {
         Geometry world = new Geometry(20, 6, 20, Dimension.SPATIAL, Accuracy.EXACT);
         world.addObject(new BoxObject(new Point(0, -2, 0), 12, 1.5, 8).named("platform"));
-        world.addObject(new BoxObject(new Point(-4, -1, 0), 0.6, 0.48, 0.4).moveable("cart"));
-        world.addObject(new BoxObject(new Point(-2, -0.9, 0), 0.6, 0.6, 0.6).moveable("crate"));
+        world.addObject(new BoxObject(new Point(2, -1, 0), 0.6, 0.48, 0.4).moveable("cart"));
+        world.addObject(new BoxObject(new Point(4, -0.9, 0), 0.6, 0.6, 0.6).moveable("crate"));
         world.addObject(new CylinderObject(new Point(-4, -1, 3), 0.3, 0.48).moveable("drum"));
         return world;
     }
@@ -52,7 +52,7 @@ class SpatialDrivingTest {
     void itPushesWhatHasAMassOverTheEdgeAndTheRecordingRepeatsIt() throws IOException {
         RobotWorld world = RobotWorld.of(arena());
         world.object("crate").hasMass(5);
-        world.robot("cart").drives(1, 0).forSeconds(12).isBumpedBy("crate");
+        world.robot("cart").drives(1, 0).forSeconds(6).isBumpedBy("crate");
         // Over the edge at x = 6, and down on the ground at -3.
         assertThat(world.object("crate").object().center().x()).isGreaterThan(6);
         assertThat(world.object("crate").object().center().y())

@@ -15,6 +15,7 @@ import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.Cone;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.DecimalRoot;
 
 /** Verdicts and distances of cones against decimals of 60 digits, in which the cosine is the stored one. */
 class ConeErrorTest {
@@ -107,10 +108,10 @@ class ConeErrorTest {
             SplittableRandom random,
             double scale) {
         BigDecimal c = new BigDecimal(cos);
-        BigDecimal s = BigDecimal.ONE.subtract(c.multiply(c)).sqrt(DIGITS);
+        BigDecimal s = DecimalRoot.of(BigDecimal.ONE.subtract(c.multiply(c)), DIGITS);
         BigDecimal ux = new BigDecimal(d[0]);
         BigDecimal uz = new BigDecimal(d[2]);
-        BigDecimal length = ux.multiply(ux).add(uz.multiply(uz)).sqrt(DIGITS);
+        BigDecimal length = DecimalRoot.of(ux.multiply(ux).add(uz.multiply(uz)), DIGITS);
         BigDecimal[] left = {
             ux.multiply(c).subtract(uz.multiply(s)).divide(length, DIGITS),
             ux.multiply(s).add(uz.multiply(c)).divide(length, DIGITS)
@@ -285,7 +286,7 @@ class ConeErrorTest {
     }
 
     private static BigDecimal root(BigDecimal square) {
-        return square.signum() <= 0 ? BigDecimal.ZERO : square.sqrt(DIGITS);
+        return square.signum() <= 0 ? BigDecimal.ZERO : DecimalRoot.of(square, DIGITS);
     }
 
     /** The bound of an edge's depth is not idle: that of a corner alone comes to more than a tenth of it. */

@@ -3,6 +3,7 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.DecimalRoot;
 
 /** Two cylinders in decimals of 60 digits: slabs that are empty, and points that both hold. Shares no code with the kernels. */
 public final class CylinderTwin {
@@ -78,7 +79,7 @@ public final class CylinderTwin {
     }
 
     public static BigDecimal root(BigDecimal square) {
-        return square.signum() <= 0 ? BigDecimal.ZERO : square.sqrt(DIGITS);
+        return square.signum() <= 0 ? BigDecimal.ZERO : DecimalRoot.of(square, DIGITS);
     }
 
     public static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {

@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.DecimalRoot;
 
 /**
  * The slow twin of the planar sweeps, in decimals without rounding: two convex shapes meet on the way of a translation
@@ -150,12 +151,12 @@ public final class FlatTwin {
         BigDecimal length = dot(edge, edge);
         BigDecimal share = dot(p, edge).negate();
         if (!toLine && (share.signum() <= 0 || length.signum() == 0)) {
-            return dot(p, p).sqrt(DIGITS);
+            return DecimalRoot.of(dot(p, p), DIGITS);
         }
         if (!toLine && share.compareTo(length) >= 0) {
-            return dot(q, q).sqrt(DIGITS);
+            return DecimalRoot.of(dot(q, q), DIGITS);
         }
-        return cross(p, edge).abs().divide(length.sqrt(DIGITS), DIGITS);
+        return cross(p, edge).abs().divide(DecimalRoot.of(length, DIGITS), DIGITS);
     }
 
     private static BigDecimal radius(LeafKind kind, double[] row) {

@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.DecimalRoot;
 
 /**
  * The slow twin of the planar kernels: decimal numbers that hold every double, hulls, and segments that cross; no
@@ -127,7 +128,7 @@ public final class PlanarReference {
         if (contains(s.hull, o)) {
             return 0;
         }
-        BigDecimal length = u.dot(u).sqrt(DIGITS);
+        BigDecimal length = DecimalRoot.of(u.dot(u), DIGITS);
         if (s.radius.signum() > 0) {
             Place m = s.hull.get(0).minus(o);
             BigDecimal power = m.dot(m).subtract(s.radius.multiply(s.radius));
@@ -136,7 +137,7 @@ public final class PlanarReference {
             }
             BigDecimal aside = u.cross(m).divide(length, DIGITS);
             BigDecimal square = s.radius.multiply(s.radius).subtract(aside.multiply(aside));
-            BigDecimal half = square.signum() <= 0 ? BigDecimal.ZERO : square.sqrt(DIGITS);
+            BigDecimal half = square.signum() <= 0 ? BigDecimal.ZERO : DecimalRoot.of(square, DIGITS);
             return power.divide(m.dot(u).divide(length, DIGITS).add(half), DIGITS)
                     .doubleValue();
         }
@@ -174,8 +175,7 @@ public final class PlanarReference {
         if (overlap(a, b)) {
             return 0;
         }
-        return squareDistance(a.hull, b.hull)
-                .sqrt(DIGITS)
+        return DecimalRoot.of(squareDistance(a.hull, b.hull), DIGITS)
                 .subtract(a.radius)
                 .subtract(b.radius)
                 .doubleValue();

@@ -5,6 +5,7 @@ import java.math.BigInteger;
 import java.math.MathContext;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.DecimalRoot;
 
 /**
  * The slow twin of the spatial rays, in decimals of any length: a box is its twelve triangles and its inside, a
@@ -29,7 +30,7 @@ public final class RayOracle {
             case PRISM -> prism(o, d, row);
             case MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
-        return t == null ? null : t.multiply(dot(vector(d), vector(d)).sqrt(DIGITS), DIGITS);
+        return t == null ? null : t.multiply(DecimalRoot.of(dot(vector(d), vector(d)), DIGITS), DIGITS);
     }
 
     /** The first of the cylinder about the segment and of the spheres about its ends. */
@@ -225,7 +226,7 @@ public final class RayOracle {
     }
 
     private static BigDecimal root(BigDecimal square) {
-        return square.signum() == 0 ? BigDecimal.ZERO : square.sqrt(DIGITS);
+        return square.signum() == 0 ? BigDecimal.ZERO : DecimalRoot.of(square, DIGITS);
     }
 
     private static BigDecimal least(BigDecimal a, BigDecimal b) {

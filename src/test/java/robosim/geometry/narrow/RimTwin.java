@@ -3,6 +3,7 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.DecimalRoot;
 
 /** The slow twin of a sphere that moves straight on at a cylinder in any attitude: the distance at 60 digits. */
 public final class RimTwin {
@@ -33,14 +34,14 @@ public final class RimTwin {
                     .add(new BigDecimal(d[k]).multiply(time))
                     .subtract(new BigDecimal(cylinder[k]));
         }
-        BigDecimal length = axisSquare.sqrt(DIGITS);
+        BigDecimal length = DecimalRoot.of(axisSquare, DIGITS);
         BigDecimal along = dot(w, axis);
         BigDecimal aside = dot(w, w).subtract(along.pow(2).divide(axisSquare, DIGITS));
         BigDecimal beyond = along.abs().divide(length, DIGITS).subtract(new BigDecimal(cylinder[4]).multiply(length));
-        BigDecimal outside = aside.max(BigDecimal.ZERO).sqrt(DIGITS).subtract(new BigDecimal(cylinder[3]));
+        BigDecimal outside = DecimalRoot.of(aside.max(BigDecimal.ZERO), DIGITS).subtract(new BigDecimal(cylinder[3]));
         BigDecimal p = beyond.max(BigDecimal.ZERO);
         BigDecimal q = outside.max(BigDecimal.ZERO);
-        return p.pow(2).add(q.pow(2)).sqrt(DIGITS).subtract(new BigDecimal(sphere[3]));
+        return DecimalRoot.of(p.pow(2).add(q.pow(2)), DIGITS).subtract(new BigDecimal(sphere[3]));
     }
 
     /** The time of least gap: it falls before and grows after. */

@@ -17,6 +17,7 @@ import robosim.geometry.narrow.cone.SpatialCone;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.ray.SpatialRayTest;
+import robosim.geometry.reference.DecimalRoot;
 
 /** Verdicts and distances of cones in space against decimals of 60 digits, in which the cosine is the stored one. */
 class SpatialConeErrorTest {
@@ -370,7 +371,7 @@ class SpatialConeErrorTest {
         if (under.signum() < 0 || a.signum() == 0) {
             return least;
         }
-        BigDecimal root = under.sqrt(DIGITS);
+        BigDecimal root = DecimalRoot.of(under, DIGITS);
         for (BigDecimal top : List.of(b.negate().add(root), b.negate().subtract(root))) {
             BigDecimal share = top.divide(a, DIGITS);
             if (share.signum() >= 0 && share.compareTo(BigDecimal.ONE) <= 0) {

@@ -105,7 +105,7 @@ class BatchSessionTest {
         assertThat(answer.normals().size()).isEqualTo(request.normals() ? 3 * pattern.size() : 0);
         int echoes = 0;
         for (int k = 0; k < pattern.size(); k++) {
-            assertThat(answer.distances().get(k)).as(request + " beam " + k).isEqualTo(seen.distance(k));
+            assertThat(answer.distances().get(k)).as("%s beam %d", request, k).isEqualTo(seen.distance(k));
             echoes += answer.distances().get(k) < INFINITY ? 1 : 0;
             if (request.normals()) {
                 assertThat(answer.normals().get(3 * k)).isEqualTo(seen.normalX(k));

@@ -202,7 +202,7 @@ public final class Gaps {
         BigDecimal aside = less(new Nearest(a.outline(), b.outline()).square(), side);
         BigDecimal square = aside.multiply(aside).add(up.square().toDecimal(Reference.DIGITS));
         Rational ball = ballBeside ? (a.disc ? b.radius : a.radius) : Rational.ZERO;
-        return square.sqrt(Reference.DIGITS)
+        return DecimalRoot.of(square, Reference.DIGITS)
                 .subtract(ball.toDecimal(Reference.DIGITS))
                 .max(BigDecimal.ZERO);
     }
@@ -212,7 +212,8 @@ public final class Gaps {
         if (square.compareTo(radius.square()) <= 0) {
             return BigDecimal.ZERO;
         }
-        return square.toDecimal(Reference.DIGITS).sqrt(Reference.DIGITS).subtract(radius.toDecimal(Reference.DIGITS));
+        return DecimalRoot.of(square.toDecimal(Reference.DIGITS), Reference.DIGITS)
+                .subtract(radius.toDecimal(Reference.DIGITS));
     }
 
     private static BigDecimal ballAndCylinder(GeometryObject ball, GeometryObject lying, Dimension dimension) {
@@ -228,15 +229,13 @@ public final class Gaps {
         Rational asideSquare = Rational.dot(apart, apart).minus(along.square().over(length));
         BigDecimal aside = less(asideSquare, Rational.of(cylinder.radius()));
         // The cylinder ends where (x - c).a = h a.a, that is, h |a| along the axis.
-        BigDecimal size = length.toDecimal(Reference.DIGITS).sqrt(Reference.DIGITS);
+        BigDecimal size = DecimalRoot.of(length.toDecimal(Reference.DIGITS), Reference.DIGITS);
         BigDecimal beyond = along.toDecimal(Reference.DIGITS)
                 .abs()
                 .divide(size, Reference.DIGITS)
                 .subtract(new BigDecimal(cylinder.height() / 2).multiply(size))
                 .max(BigDecimal.ZERO);
-        return aside.multiply(aside)
-                .add(beyond.multiply(beyond))
-                .sqrt(Reference.DIGITS)
+        return DecimalRoot.of(aside.multiply(aside).add(beyond.multiply(beyond)), Reference.DIGITS)
                 .subtract(new BigDecimal(sphere.radius()))
                 .max(BigDecimal.ZERO);
     }

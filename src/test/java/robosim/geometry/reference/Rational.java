@@ -6,6 +6,8 @@ import java.math.MathContext;
 
 /** A ratio of two integers: what a double stands for, and all that plus, minus, times and over make of it. */
 final class Rational implements Comparable<Rational> {
+    private static final int LONG = 1024;
+
     static final Rational ZERO = new Rational(BigInteger.ZERO, BigInteger.ONE);
 
     final BigInteger numerator;
@@ -16,19 +18,27 @@ final class Rational implements Comparable<Rational> {
         this.denominator = denominator;
     }
 
-    /** In lowest terms, over a positive denominator. */
+    /** Over a positive denominator: in lowest terms where that is a power of two, or long. */
     static Rational of(BigInteger over, BigInteger under) {
-        // Doubles have powers of two below: their common divisor is plain to see.
-        boolean binary = under.signum() > 0 && under.bitCount() == 1;
-        if (binary) {
-            int twos = over.signum() == 0
-                    ? under.getLowestSetBit()
-                    : Math.min(over.getLowestSetBit(), under.getLowestSetBit());
-            return new Rational(over.shiftRight(twos), under.shiftRight(twos));
+        if (under.signum() == 0) {
+            throw new ArithmeticException("a denominator must not be 0");
         }
-        BigInteger common = over.gcd(under);
-        BigInteger divisor = under.signum() < 0 ? common.negate() : common;
-        return new Rational(over.divide(divisor), under.divide(divisor));
+        if (under.signum() < 0) {
+            return of(over.negate(), under.negate());
+        }
+        if (over.signum() == 0) {
+            return ZERO;
+        }
+        // Doubles have powers of two below: their common divisor is plain to see.
+        int twos = Math.min(over.getLowestSetBit(), under.getLowestSetBit());
+        BigInteger numerator = over.shiftRight(twos);
+        BigInteger denominator = under.shiftRight(twos);
+        // To find the common divisor of others takes longer than some sums and products of longer numbers.
+        if (denominator.bitLength() <= LONG || denominator.bitCount() == 1) {
+            return new Rational(numerator, denominator);
+        }
+        BigInteger common = numerator.gcd(denominator);
+        return new Rational(numerator.divide(common), denominator.divide(common));
     }
 
     /** Exactly what a double stands for. */
@@ -36,12 +46,14 @@ final class Rational implements Comparable<Rational> {
         BigDecimal decimal = new BigDecimal(value);
         int places = Math.max(0, decimal.scale());
         // So many decimal places come of as many binary ones.
-        return of(
-                decimal.multiply(new BigDecimal(BigInteger.TWO.pow(places))).toBigIntegerExact(),
-                BigInteger.TWO.pow(places));
+        BigInteger power = BigInteger.ONE.shiftLeft(places);
+        return of(decimal.multiply(new BigDecimal(power)).toBigIntegerExact(), power);
     }
 
     Rational plus(Rational that) {
+        if (denominator.equals(that.denominator)) {
+            return of(numerator.add(that.numerator), denominator);
+        }
         return of(
                 numerator.multiply(that.denominator).add(that.numerator.multiply(denominator)),
                 denominator.multiply(that.denominator));
@@ -83,11 +95,26 @@ final class Rational implements Comparable<Rational> {
 
     @Override
     public int hashCode() {
-        return numerator.hashCode() ^ denominator.hashCode();
+        BigInteger common = numerator.gcd(denominator);
+        return numerator.divide(common).hashCode() ^ denominator.divide(common).hashCode();
     }
 
     Rational max(Rational that) {
         return compareTo(that) >= 0 ? this : that;
+    }
+
+    /** The least multiple of a positive whole number that makes this whole too. */
+    BigInteger commonDenominator(BigInteger other) {
+        return denominator.equals(other) ? other : other.multiply(denominator.divide(other.gcd(denominator)));
+    }
+
+    /** This times a whole number, which makes it whole. */
+    BigInteger timesWhole(BigInteger scale) {
+        BigInteger[] parts = numerator.multiply(scale).divideAndRemainder(denominator);
+        if (parts[1].signum() != 0) {
+            throw new ArithmeticException(this + " times " + scale + " is not whole");
+        }
+        return parts[0];
     }
 
     BigDecimal toDecimal(MathContext digits) {

@@ -73,7 +73,7 @@ public final class Reference {
         Rational[] start = exact(ray.start());
         Rational[] direction = exact(ray.direction());
         Rational[] way = dimension == Dimension.PLANAR ? flat(direction) : direction;
-        BigDecimal length = Rational.dot(way, way).toDecimal(DIGITS).sqrt(DIGITS);
+        BigDecimal length = DecimalRoot.of(Rational.dot(way, way).toDecimal(DIGITS), DIGITS);
         BigDecimal least = null;
         for (Piece piece : pieces(object)) {
             BigDecimal share = enter(start, direction, piece, dimension);
@@ -274,12 +274,10 @@ public final class Reference {
             p[k] = ends[0][k].add(ends[1][k].subtract(ends[0][k]).multiply(share, DIGITS), DIGITS);
         }
         BigDecimal up = p[1].subtract(height).max(p[1].negate()).max(BigDecimal.ZERO);
-        BigDecimal aside = p[0].multiply(p[0])
-                .add(p[2].multiply(p[2]))
-                .sqrt(DIGITS)
+        BigDecimal aside = DecimalRoot.of(p[0].multiply(p[0]).add(p[2].multiply(p[2])), DIGITS)
                 .subtract(radius)
                 .max(BigDecimal.ZERO);
-        return aside.multiply(aside).add(up.multiply(up)).sqrt(DIGITS);
+        return DecimalRoot.of(aside.multiply(aside).add(up.multiply(up)), DIGITS);
     }
 
     /** Balls and what stands upright: how far apart they are to the side, and what of a ball's radius is left there. */
@@ -494,7 +492,7 @@ public final class Reference {
         if (high != null && high.compareTo(middle) < 0 && value(a, b, c, high).signum() > 0) {
             return null;
         }
-        BigDecimal root = quarter.toDecimal(DIGITS).sqrt(DIGITS);
+        BigDecimal root = DecimalRoot.of(quarter.toDecimal(DIGITS), DIGITS);
         return middle.toDecimal(DIGITS).subtract(root.divide(a.toDecimal(DIGITS), DIGITS), DIGITS);
     }
 

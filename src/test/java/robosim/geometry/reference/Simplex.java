@@ -93,10 +93,10 @@ final class Simplex {
     private static void point(BigInteger[][] equations, int column, Rational[] point, int weightRow, int sign) {
         BigInteger weight = BigInteger.ONE;
         for (Rational coordinate : point) {
-            weight = weight.multiply(coordinate.denominator).divide(weight.gcd(coordinate.denominator));
+            weight = coordinate.commonDenominator(weight);
         }
         for (int axis = 0; axis < point.length; axis++) {
-            BigInteger whole = point[axis].numerator.multiply(weight.divide(point[axis].denominator));
+            BigInteger whole = point[axis].timesWhole(weight);
             equations[axis][column] = sign < 0 ? whole.negate() : whole;
         }
         equations[weightRow][column] = weight;

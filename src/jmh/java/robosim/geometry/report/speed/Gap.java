@@ -10,6 +10,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.reference.DecimalRoot;
 import robosim.geometry.reference.Gaps;
 import robosim.geometry.report.speed.SignedGap.Shape;
 
@@ -34,7 +35,9 @@ final class Gap {
         }
         if (a instanceof SphereObject one && b instanceof SphereObject other) {
             BigDecimal[] way = minus(exact(a.center()), exact(b.center()));
-            return dot(way, way).sqrt(DIGITS).subtract(number(one.radius())).subtract(number(other.radius()));
+            return DecimalRoot.of(dot(way, way), DIGITS)
+                    .subtract(number(one.radius()))
+                    .subtract(number(other.radius()));
         }
         if (a instanceof BoxObject one && b instanceof BoxObject other) {
             return boxes(one, other);
@@ -50,7 +53,7 @@ final class Gap {
         if (aside.signum() <= 0 || above.signum() <= 0) {
             return aside.max(above);
         }
-        return aside.multiply(aside).add(above.multiply(above)).sqrt(DIGITS);
+        return DecimalRoot.of(aside.multiply(aside).add(above.multiply(above)), DIGITS);
     }
 
     private static double height(GeometryObject object) {
@@ -103,7 +106,7 @@ final class Gap {
                 gap = gap.subtract(dot(ownA[k], axis).abs())
                         .subtract(dot(ownB[k], axis).abs());
             }
-            gap = gap.divide(square.sqrt(DIGITS), DIGITS);
+            gap = gap.divide(DecimalRoot.of(square, DIGITS), DIGITS);
             most = most == null || gap.compareTo(most) > 0 ? gap : most;
         }
         if (most == null) {

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.reference.DecimalRoot;
 
 /**
  * The true distance of two convex outlines in the plane, and below 0 how deep they overlap: the least way that takes them
@@ -41,7 +42,7 @@ final class SignedGap {
         if (nearest == null) {
             throw new IllegalArgumentException("a shape must have corners (got: none)");
         }
-        BigDecimal distance = nearest.sqrt(DIGITS);
+        BigDecimal distance = DecimalRoot.of(nearest, DIGITS);
         return isInside ? distance.negate() : distance;
     }
 

@@ -15,6 +15,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.ray.SpatialRayTest;
+import robosim.geometry.reference.DecimalRoot;
 
 /**
  * A capsule in a cone against decimals of 60 digits, in which the cosine is the stored one: the least distance of a ball
@@ -255,12 +256,12 @@ class ConeCapsuleTest {
             arm[k] = new BigDecimal(row[4]).multiply(new BigDecimal(own));
             axis[k] = new BigDecimal(d[k]);
         }
-        BigDecimal length = dot(axis, axis).sqrt(DIGITS);
+        BigDecimal length = DecimalRoot.of(dot(axis, axis), DIGITS);
         for (int k = 0; k < 3; k++) {
             axis[k] = axis[k].divide(length, DIGITS);
         }
         cos = new BigDecimal(cosine);
-        sin = ONE.subtract(cos.multiply(cos)).sqrt(DIGITS);
+        sin = DecimalRoot.of(ONE.subtract(cos.multiply(cos)), DIGITS);
         radius = new BigDecimal(row[3]);
     }
 
@@ -307,9 +308,9 @@ class ConeCapsuleTest {
             x[k] = middle[k].add(arm[k].multiply(t, DIGITS), DIGITS);
         }
         BigDecimal ahead = dot(x, axis).round(DIGITS);
-        BigDecimal length = dot(x, x).sqrt(DIGITS);
+        BigDecimal length = DecimalRoot.of(dot(x, x), DIGITS);
         BigDecimal aside =
-                dot(x, x).subtract(ahead.multiply(ahead)).max(BigDecimal.ZERO).sqrt(DIGITS);
+                DecimalRoot.of(dot(x, x).subtract(ahead.multiply(ahead)).max(BigDecimal.ZERO), DIGITS);
         BigDecimal past = aside.multiply(cos).subtract(ahead.multiply(sin));
         BigDecimal along = ahead.multiply(cos).add(aside.multiply(sin));
         boolean isWithin = past.signum() <= 0;
@@ -324,7 +325,7 @@ class ConeCapsuleTest {
             return NEVER.add(gap);
         }
         BigDecimal chord = radius.multiply(radius).subtract(past.multiply(past)).max(BigDecimal.ZERO);
-        return along.subtract(chord.sqrt(DIGITS));
+        return along.subtract(DecimalRoot.of(chord, DIGITS));
     }
 
     private static BigDecimal dot(BigDecimal[] p, BigDecimal[] q) {

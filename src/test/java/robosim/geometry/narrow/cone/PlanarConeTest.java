@@ -25,6 +25,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.PlanarRayTest;
+import robosim.geometry.reference.DecimalRoot;
 
 class PlanarConeTest {
     private final Scratch scratch = new Scratch();
@@ -329,7 +330,7 @@ class PlanarConeTest {
                     : ahead.divide(square, digits).max(BigDecimal.ZERO).min(BigDecimal.ONE);
             BigDecimal px = ax.add(ex.multiply(share));
             BigDecimal pz = az.add(ez.multiply(share));
-            BigDecimal distance = px.multiply(px).add(pz.multiply(pz)).sqrt(digits);
+            BigDecimal distance = DecimalRoot.of(px.multiply(px).add(pz.multiply(pz)), digits);
             least = least == null ? distance : least.min(distance);
         }
         return Objects.requireNonNull(least);

@@ -17,6 +17,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.ray.SpatialRayTest;
+import robosim.geometry.reference.DecimalRoot;
 
 class SpatialConeTest {
     private static final int SAMPLES = 400;
@@ -137,13 +138,13 @@ class SpatialConeTest {
     private static BigDecimal disc(double x, double z, double r, double cos) {
         MathContext digits = RayOracle.DIGITS;
         BigDecimal c = new BigDecimal(cos);
-        BigDecimal s = BigDecimal.ONE.subtract(c.pow(2)).sqrt(digits);
+        BigDecimal s = DecimalRoot.of(BigDecimal.ONE.subtract(c.pow(2)), digits);
         BigDecimal bx = new BigDecimal(x);
         BigDecimal bz = new BigDecimal(z);
         BigDecimal ahead = bx.multiply(c).add(bz.multiply(s));
         BigDecimal aside = bz.multiply(c).subtract(bx.multiply(s));
         BigDecimal square = new BigDecimal(r).pow(2).subtract(aside.pow(2));
-        return square.signum() < 0 ? null : ahead.subtract(square.sqrt(digits));
+        return square.signum() < 0 ? null : ahead.subtract(DecimalRoot.of(square, digits));
     }
 
     /** Segments in a plane with the axis: ends, foot, and where the two borders cross them, to 120 digits. */
@@ -178,7 +179,7 @@ class SpatialConeTest {
     private static BigDecimal segment(double[] o, double[] p, double[] q, double cos) {
         MathContext digits = RayOracle.DIGITS;
         BigDecimal c = new BigDecimal(cos);
-        BigDecimal s = BigDecimal.ONE.subtract(c.pow(2)).sqrt(digits);
+        BigDecimal s = DecimalRoot.of(BigDecimal.ONE.subtract(c.pow(2)), digits);
         BigDecimal px = new BigDecimal(p[0]).subtract(new BigDecimal(o[0]));
         BigDecimal pz = new BigDecimal(p[2]).subtract(new BigDecimal(o[2]));
         BigDecimal ex = new BigDecimal(q[0]).subtract(new BigDecimal(p[0]));
@@ -199,7 +200,7 @@ class SpatialConeTest {
             }
             BigDecimal x = px.add(share.multiply(ex));
             BigDecimal z = pz.add(share.multiply(ez));
-            BigDecimal length = x.pow(2).add(z.pow(2)).sqrt(digits);
+            BigDecimal length = DecimalRoot.of(x.pow(2).add(z.pow(2)), digits);
             boolean isInside = x.subtract(c.multiply(length)).compareTo(new BigDecimal("-1e-80")) >= 0;
             if (isInside && (least == null || length.compareTo(least) < 0)) {
                 least = length;

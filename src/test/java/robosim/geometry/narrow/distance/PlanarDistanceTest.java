@@ -18,6 +18,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
+import robosim.geometry.reference.DecimalRoot;
 
 class PlanarDistanceTest {
     private final Scratch scratch = new Scratch();
@@ -207,7 +208,7 @@ class PlanarDistanceTest {
         BigDecimal z = dx.multiply(s).add(dz.multiply(c)).abs();
         x = x.subtract(new BigDecimal(box[3]).multiply(square)).max(BigDecimal.ZERO);
         z = z.subtract(new BigDecimal(box[5]).multiply(square)).max(BigDecimal.ZERO);
-        BigDecimal far = x.multiply(x).add(z.multiply(z)).divide(square, digits).sqrt(digits);
+        BigDecimal far = DecimalRoot.of(x.multiply(x).add(z.multiply(z)).divide(square, digits), digits);
         return far.subtract(new BigDecimal(disc[3])).doubleValue();
     }
 }

@@ -103,7 +103,8 @@ class PlainRaysTest {
             return;
         }
         assertThat(plain)
-                .as("%s %s from %s along %s", kind, Arrays.toString(row), Arrays.toString(o), Arrays.toString(d))
+                .as(() -> "%s %s from %s along %s"
+                        .formatted(kind, Arrays.toString(row), Arrays.toString(o), Arrays.toString(d)))
                 .isEqualTo(bounded(kind, row, o, d));
         if (plain < Double.POSITIVE_INFINITY) {
             sure++;

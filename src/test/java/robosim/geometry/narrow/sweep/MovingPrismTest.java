@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.narrow.Scratch;
@@ -39,7 +40,7 @@ class MovingPrismTest {
                 a[number] += random.nextInt(-2, 3) * 0x1p-51;
             }
             double time = MovingPrism.time(planar, a, 0, d[0], d[1], d[2], b, 0);
-            String pair =
+            Supplier<String> pair = () ->
                     (planar ? "planar " : "spatial ") + Arrays.toString(a) + Arrays.toString(b) + Arrays.toString(d);
             BigDecimal[] span = span(planar, a, b, d);
             if (touch(planar, a, b)) {

@@ -13,6 +13,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.DecimalRoot;
 
 /** Tipped cylinders with parallel axes that move against each other, against decimals: two discs and two intervals. */
 class TranslationAdvancementTest {
@@ -93,7 +94,7 @@ class TranslationAdvancementTest {
         if (square.signum() < 0 || p.signum() == 0 || wu.signum() == 0) {
             return null;
         }
-        BigDecimal root = square.sqrt(DIGITS);
+        BigDecimal root = DecimalRoot.of(square, DIGITS);
         BigDecimal one = halves.subtract(cu).divide(wu, DIGITS);
         BigDecimal other = halves.negate().subtract(cu).divide(wu, DIGITS);
         BigDecimal in = q.negate().subtract(root).divide(p, DIGITS).max(one.min(other));
@@ -109,14 +110,12 @@ class TranslationAdvancementTest {
         }
         BigDecimal uu = dot(axis, axis);
         BigDecimal cu = dot(c, axis);
-        double aside = dot(c, c)
-                .subtract(cu.multiply(cu).divide(uu, DIGITS))
-                .max(BigDecimal.ZERO)
-                .sqrt(DIGITS)
+        double aside = DecimalRoot.of(
+                        dot(c, c).subtract(cu.multiply(cu).divide(uu, DIGITS)).max(BigDecimal.ZERO), DIGITS)
                 .subtract(new BigDecimal(a[3]).add(new BigDecimal(b[3])))
                 .doubleValue();
         double along = cu.abs()
-                .divide(uu.sqrt(DIGITS), DIGITS)
+                .divide(DecimalRoot.of(uu, DIGITS), DIGITS)
                 .subtract(new BigDecimal(a[4]).add(new BigDecimal(b[4])))
                 .doubleValue();
         return Math.hypot(Math.max(0, aside), Math.max(0, along));

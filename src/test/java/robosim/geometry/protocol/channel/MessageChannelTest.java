@@ -9,11 +9,13 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.io.SequenceInputStream;
 import java.lang.reflect.InvocationTargetException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -232,15 +234,20 @@ class MessageChannelTest {
                 "{\"type\":\"hello\",\"version\":1,\"secret\":\"" + "x".repeat(MessageLimits.MAX_HELLO_BYTES) + "\"}\n";
         assertThatThrownBy(() -> channel(longHello).read())
                 .hasMessageContaining("line 1, a line must have at most 8192 bytes");
-        InputStream endless = new InputStream() {
-            private final InputStream hello = new ByteArrayInputStream((HELLO + "{").getBytes(StandardCharsets.UTF_8));
+        InputStream spaces = new InputStream() {
+            @Override
+            public int read() {
+                return ' ';
+            }
 
             @Override
-            public int read() throws IOException {
-                int some = hello.read();
-                return some < 0 ? ' ' : some;
+            public int read(byte[] bytes, int from, int length) {
+                Arrays.fill(bytes, from, from + length, (byte) ' ');
+                return length;
             }
         };
+        InputStream endless = new SequenceInputStream(
+                new ByteArrayInputStream((HELLO + "{").getBytes(StandardCharsets.UTF_8)), spaces);
         assertThatThrownBy(() -> channel(endless, Gate.OPEN).read())
                 .hasMessageContaining("line 2, a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes");
     }
