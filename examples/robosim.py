@@ -378,7 +378,8 @@ def drive_settings(kind: str, **limits: float) -> Json:
 
 
 def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
-    """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right."""
+    """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right, for a
+    drive that is omnidirectional, velocity or force."""
     return {"objectName": name, "forward": forward, "right": right, "turn": turn}
 
 
@@ -616,7 +617,7 @@ class Module:
 
     def drive(self, name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Body:
         """Tells a robot what to do from now on; it moves with the next `step`. One without a body gets one, of a robot
-        with two wheels."""
+        with two wheels, which cannot go to the right: a RequestError says so."""
         told = self.step(0, commands=[command(name, forward, turn, right)])
         if told.refused:
             raise RequestError(told.refused[0])

@@ -72,7 +72,7 @@ public final class Robot {
         return new Driving(world, this);
     }
 
-    /** Tells it to drive in any direction from now on, as {@link #drives(double, double)}; for drives that can. */
+    /** Tells it to drive in any direction from now on, as {@link #drives(double, double)}; an error for drives that cannot. */
     public Driving drives(double forward, double right, double turn) {
         world.tell(name, forward, right, turn);
         return new Driving(world, this);

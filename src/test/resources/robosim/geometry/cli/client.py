@@ -204,6 +204,7 @@ def drives(module, folder):
     small = {"objectName": "cart", "drive": {"kind": "omnidirectional", "maxSpeed": 1}}
     same(module.ask({"type": "step", "seconds": 0, "bodies": [small]}, "bodies")[0]["refused"], [])
     refused(lambda: module.drive("nobody", 1), 'no object "nobody"')
+    refused(lambda: module.drive("cart", right=0.3), "right must be 0 for a drive of kind DIFFERENTIAL")
     for wrong, words in ((lambda: robosim.body("cart", weight=3), "a body has no weight; it may have: mass,"),
                          (lambda: module.step(1, [{"objectName": "cart", "Mass": 3}]), "a body has no Mass"),
                          (lambda: module.step(1, [], [{"objectName": "cart", "speed": 3}]), "a command has no speed"),
