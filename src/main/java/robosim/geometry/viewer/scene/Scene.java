@@ -70,6 +70,11 @@ public record Scene(
         return new Scene(title, subtitle, unit, newView, things, trails, pings, refusals, blocked, marks, farthest);
     }
 
+    /** This scene with other objects. */
+    public Scene showing(List<Thing> newThings) {
+        return new Scene(title, subtitle, unit, view, newThings, trails, pings, refusals, blocked, marks, farthest);
+    }
+
     /** This scene with what happened in it. */
     public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
         return new Scene(
