@@ -34,8 +34,8 @@ from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Se
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
     "pinhole", "directions", "sense", "picture", "poses", "edges", "pose", "place", "add", "remove", "go", "go_to_contact",
-    "go_and_slide", "world", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
-    "SlideContact", "Obstacle", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
+    "go_and_slide", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
+    "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
 
@@ -94,6 +94,26 @@ class Obstacle(NamedTuple):
     name: str  # empty for an object without one
     kind: str  # "box", "cylinder", "sphere", "capsule", "mesh", "group" or "grid"
     center: List[float]
+
+
+class Listed(NamedTuple):
+    """An object of the world, where it is now."""
+
+    index: int  # in the init's list, from 0; objects that were added later are counted on from its end
+    name: str  # empty for an object without one
+    kind: str  # "box", "cylinder", "sphere", "capsule", "mesh", "group" or "grid"
+    center: List[float]
+    heading: float  # radians about the vertical
+    moveable: bool
+    low: List[float]  # the lower corner of the box along the world's axes that holds it
+    high: List[float]
+
+
+class Page(NamedTuple):
+    """Objects of the world, and the index from which to go on."""
+
+    objects: List[Listed]
+    next: Optional[int]  # None at the end
 
 
 class Change(NamedTuple):
@@ -378,7 +398,8 @@ def drive_settings(kind: str, **limits: float) -> Json:
 
 
 def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
-    """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right."""
+    """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right, for a
+    drive that is omnidirectional, velocity or force."""
     return {"objectName": name, "forward": forward, "right": right, "turn": turn}
 
 
@@ -494,7 +515,12 @@ def world() -> Json:
     return {"kind": "world"}
 
 
-Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, RequestError]
+def listed(first: int = 0, count: int = 65536) -> Json:
+    """So many objects of the world from an index on; its answer has where to go on, None at the end."""
+    return {"kind": "list", "first": first, "count": count}
+
+
+Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, RequestError]
 
 
 class Module:
@@ -616,7 +642,7 @@ class Module:
 
     def drive(self, name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Body:
         """Tells a robot what to do from now on; it moves with the next `step`. One without a body gets one, of a robot
-        with two wheels."""
+        with two wheels, which cannot go to the right: a RequestError says so."""
         told = self.step(0, commands=[command(name, forward, turn, right)])
         if told.refused:
             raise RequestError(told.refused[0])
@@ -732,6 +758,16 @@ class Module:
         """What became of the last init."""
         return self._one(world())
 
+    def objects(self) -> List[Listed]:
+        """What is in the world, in the order in which it was added."""
+        found: List[Listed] = []
+        first: Optional[int] = 0
+        while first is not None:
+            page = self._one(listed(first))
+            found += page.objects
+            first = page.next
+        return found
+
 
 def _obstacle(told: Json) -> Obstacle:
     return Obstacle(told["index"], told.get("name", ""), told["kind"], told["center"])
@@ -765,6 +801,9 @@ def _read(kind: str, answer: Json) -> Answer:
             left = [LeftOut(o["index"], o.get("name", ""), o["reason"]) for o in answer["leftOut"]]
             return World(answer["added"], left, answer["width"], answer["height"], answer["length"],
                          answer["dimension"], answer["accuracy"])
+        if kind == "list":
+            return Page([Listed(o["index"], o.get("name", ""), o["kind"], o["center"], o["heading"], o["moveable"],
+                                o["low"], o["high"]) for o in answer["listed"]], answer.get("next"))
         return Change(answer["done"], answer.get("obstacle"), _obstacles(answer))
     except (KeyError, TypeError, ValueError, IndexError) as e:
         raise ProtocolFault(f"an answer to {kind} must have its fields (got: {str(answer)[:100]}): {e!r}") from None

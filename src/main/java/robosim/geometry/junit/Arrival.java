@@ -27,7 +27,7 @@ public final class Arrival {
         world.seek(goal);
         long start = world.clock().steps();
         Goal.Pursuit pursuit = goal.pursue();
-        Shortfall nearest = pursuit.missing(robot);
+        Goal.Shortfall nearest = pursuit.missing(robot);
         GeometryObject best = robot.object();
         long bestStep = 0;
         for (int k = 1; k <= steps && !nearest.isNone(); k++) {
@@ -37,7 +37,7 @@ public final class Arrival {
                                 + " give it one by robot(...).follows(...) (got: none)");
             }
             world.clock().advance();
-            Shortfall missing = pursuit.missing(robot);
+            Goal.Shortfall missing = pursuit.missing(robot);
             if (missing.isLessThan(nearest)) {
                 nearest = missing;
                 best = robot.object();

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.session.Motion;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
@@ -43,8 +44,13 @@ final class Bodies {
 
         /** What the one met; empty for what has no name. */
         String other(String name) {
-            String other = contact.objectName().equals(name) ? contact.other() : contact.objectName();
+            String other = otherOrNull(name);
             return other == null ? "" : other;
+        }
+
+        @Nullable
+        String otherOrNull(String name) {
+            return contact.objectName().equals(name) ? contact.other() : contact.objectName();
         }
     }
 

@@ -19,6 +19,7 @@ import robosim.geometry.world.World;
 final class Evidence {
     private static final String REPLAY = "replay" + ScenarioReader.ENDING;
     private static final String PICTURE = "last-moments.svg";
+    private static final String BITMAP = "last-moments.png";
     private static final String PAGE = "last-moments.html";
     private static final String WORDS = "failure.txt";
 
@@ -32,11 +33,13 @@ final class Evidence {
     void clear() throws IOException {
         Files.deleteIfExists(folder.resolve(REPLAY));
         Files.deleteIfExists(folder.resolve(PICTURE));
+        Files.deleteIfExists(folder.resolve(BITMAP));
         Files.deleteIfExists(folder.resolve(PAGE));
         Files.deleteIfExists(folder.resolve(WORDS));
         int connection = 1;
         while (Files.deleteIfExists(talk(connection))) {
             Files.deleteIfExists(picture(connection));
+            Files.deleteIfExists(bitmap(connection));
             Files.deleteIfExists(page(connection));
             connection++;
         }
@@ -57,6 +60,10 @@ final class Evidence {
         return folder.resolve("connection-" + connection + ".svg");
     }
 
+    private Path bitmap(int connection) {
+        return folder.resolve("connection-" + connection + ".png");
+    }
+
     private Path page(int connection) {
         return folder.resolve("connection-" + connection + ".html");
     }
@@ -69,10 +76,10 @@ final class Evidence {
         String lines = "\n  seed:   " + seed + " (as @Seed(" + seed + "L) or -Drobosim.seed=" + seed + ")";
         if (world != null) {
             lines += "\n  replay: " + unlessItFails("written", () -> replay(world.scenario(title)));
-            lines += "\n  image:  "
-                    + unlessItFails(
-                            "drawn",
-                            () -> picture(world.scenario(title), world.goals(), world.file(), folder.resolve(PICTURE)));
+            lines += images(
+                    () -> Pictures.lastMoments(world.scenario(title), world.goals(), world.file()),
+                    folder.resolve(PICTURE),
+                    folder.resolve(BITMAP));
             lines += "\n  page:   "
                     + unlessItFails(
                             "written",
@@ -102,9 +109,12 @@ final class Evidence {
             Files.write(file, recording);
             return file.toString();
         });
-        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), List.of(), null, picture(connection)));
+        String images = images(
+                () -> Pictures.lastMoments(Scenario.read(file), List.of(), null),
+                picture(connection),
+                bitmap(connection));
         String page = unlessItFails("written", () -> page(Scenario.read(file), List.of(), null, page(connection)));
-        return written + "\n  image:  " + image + "\n  page:   " + page;
+        return written + images + "\n  page:   " + page;
     }
 
     private String replay(Scenario scenario) throws IOException {
@@ -114,11 +124,29 @@ final class Evidence {
         return file.toString();
     }
 
-    /** Draws the robots at the end, with their last paths, what they sensed, what blocked them and their goals. */
-    private String picture(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
-            throws IOException {
+    /** What is drawn, made when it is first needed: it takes to play the whole conversation. */
+    @FunctionalInterface
+    private interface Drawing {
+        Pictures.Moments moments() throws IOException;
+    }
+
+    /**
+     * Draws the robots at the end, with their last paths, what they sensed, what blocked them and their goals: for browsers, and
+     * in pixels for what shows no SVG. Returns the lines that name both.
+     */
+    private String images(Drawing drawing, Path picture, Path bitmap) {
+        Pictures.Moments[] made = new Pictures.Moments[1];
+        String image = unlessItFails("drawn", () -> {
+            made[0] = drawing.moments();
+            return written(made[0], picture);
+        });
+        return "\n  image:  " + image
+                + (made[0] == null ? "" : "\n  png:    " + unlessItFails("drawn", () -> written(made[0], bitmap)));
+    }
+
+    private String written(Pictures.Moments moments, Path file) throws IOException {
         Files.createDirectories(folder);
-        Pictures.lastMoments(scenario, goals, world, file);
+        moments.write(file);
         return file.toString();
     }
 
@@ -138,13 +166,14 @@ final class Evidence {
     }
 
     /**
-     * Writes a piece of evidence, or returns why it could not be written. A missing optional module or a world too deep
-     * to be written throws an {@code Error}, which must not replace the failure to be reported.
+     * Writes a piece of evidence, or returns why it could not be written. A missing optional module, a world too deep to be
+     * written, or a system without fonts or with a display that does not answer throws an {@code Error}, which must not replace
+     * the failure to be reported.
      */
     private static String unlessItFails(String done, Leaving leaving) {
         try {
             return leaving.leave();
-        } catch (IOException | RuntimeException | LinkageError | StackOverflowError e) {
+        } catch (IOException | RuntimeException | Error e) {
             return "none, for " + why(done, e);
         }
     }

@@ -1,6 +1,8 @@
 package robosim.geometry.junit;
 
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.MoveResult;
@@ -70,7 +72,7 @@ public final class Robot {
         return new Driving(world, this);
     }
 
-    /** Tells it to drive in any direction from now on, as {@link #drives(double, double)}; for drives that can. */
+    /** Tells it to drive in any direction from now on, as {@link #drives(double, double)}; an error for drives that cannot. */
     public Driving drives(double forward, double right, double turn) {
         world.tell(name, forward, right, turn);
         return new Driving(world, this);
@@ -331,6 +333,30 @@ public final class Robot {
     public Robot neverTouches(String other) {
         Checks.present("other", other);
         world.watch(name, other);
+        return this;
+    }
+
+    /**
+     * Fails if the robot touches any object now, or if it and an object or the world's border have run into each other so
+     * far, and from now on whenever that happens in this test: {@link #neverTouches} of everything, whether it has a name
+     * or not. The ground, which is the lower border of the world, does not count where the robot stands on it; a floor that
+     * is an object does, in a world where heights count: see {@link #neverTouchesAnythingBut}.
+     */
+    public Robot neverTouchesAnything() {
+        return neverTouchesAnythingBut();
+    }
+
+    /**
+     * As {@link #neverTouchesAnything}, but for some objects: the floor that it stands on, or what it is to push.
+     *
+     * @param others names
+     */
+    public Robot neverTouchesAnythingBut(String... others) {
+        Set<String> names = new LinkedHashSet<>();
+        for (String other : Checks.present("others", others)) {
+            names.add(Checks.present("other", other));
+        }
+        world.watch(name, names);
         return this;
     }
 

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.opentest4j.AssertionFailedError;
@@ -51,8 +52,7 @@ public final class RobotWorld {
     private final VirtualClock clock;
     private final Transcript transcript;
     private final Map<String, Robot> robots = new LinkedHashMap<>();
-    private final List<Refusal> refusals = new ArrayList<>();
-    private final List<Watch> watches = new ArrayList<>();
+    private final Watches watches;
 
     private @Nullable Goal sought;
 
@@ -64,21 +64,12 @@ public final class RobotWorld {
 
     private final List<BodyRequest> inFile;
 
-    /** A move that was blocked. */
-    private record Refusal(String mover, @Nullable String obstacle, String words) {
-        boolean isBetween(String robot, String other) {
-            return (mover.equals(robot) && other.equals(obstacle)) || (mover.equals(other) && robot.equals(obstacle));
-        }
-    }
-
-    /** A robot and an object that must not touch. */
-    private record Watch(String robot, String other) {}
-
     RobotWorld(Geometry geometry, robosim.geometry.world.@Nullable World file, VirtualClock clock) {
         this.geometry = geometry;
         this.file = file;
         this.inFile = file == null ? List.of() : WorldBodies.of(file);
         this.clock = clock;
+        this.watches = new Watches(geometry, clock);
         this.transcript = new Transcript(geometry);
         transcript.catchUp();
     }
@@ -138,7 +129,7 @@ public final class RobotWorld {
     private void step() {
         Bodies all = bodies();
         run(all, all.next(clock.step().toNanos() / 1e9));
-        watches.forEach(this::check);
+        watches.check(meetings());
     }
 
     /** What an object was given as its body. */
@@ -284,12 +275,6 @@ public final class RobotWorld {
         return ContactQuery.distance(known(name), known(other), geometry.dimension(), Budget.UNLIMITED);
     }
 
-    private boolean touch(String name, String other) {
-        return ContactQuery.ask(known(name), known(other), geometry.dimension(), Budget.UNLIMITED)
-                        .answer()
-                != Verdict.Answer.NO;
-    }
-
     MoveResult move(String name, Move move) {
         catchUp();
         MoveRequest request = new MoveRequest(
@@ -301,11 +286,13 @@ public final class RobotWorld {
         transcript.moved(request, refusal, clock.steps());
         if (refusal != null) {
             GeometryObject obstacle = result.obstacle();
-            String words = "robot " + Text.quoted(name) + " was to " + Words.move(move) + moment() + " and was "
-                    + refusal + "; it stands " + Words.place(known(name));
-            refusals.add(new Refusal(name, obstacle == null ? null : obstacle.name(), words));
+            watches.refused(
+                    name,
+                    obstacle == null ? null : obstacle.name(),
+                    "robot " + Text.quoted(name) + " was to " + Words.move(move),
+                    refusal + "; it stands " + Words.place(known(name)));
         }
-        watches.forEach(this::check);
+        watches.check(meetings());
         return result;
     }
 
@@ -343,38 +330,18 @@ public final class RobotWorld {
         if (robot.equals(other)) {
             throw new IllegalArgumentException("other must not be the robot itself (got: " + Text.quoted(other) + ")");
         }
-        Watch watch = new Watch(robot, other);
-        check(watch);
-        watches.add(watch);
+        watches.add(robot, other, meetings());
     }
 
-    private void check(Watch watch) {
-        String pair = "robot " + Text.quoted(watch.robot) + " must never touch " + Text.quoted(watch.other);
-        for (Refusal refusal : refusals) {
-            if (refusal.isBetween(watch.robot, watch.other)) {
-                throw new AssertionFailedError(pair + ", but " + refusal.words);
-            }
-        }
-        for (Bodies.Meeting meeting : meetings()) {
-            if (meeting.isBetween(watch.robot, watch.other)) {
-                throw new AssertionFailedError(pair + ", but they met in step " + meeting.step() + " at "
-                        + Words.point(meeting.contact().point(), 0));
-            }
-        }
-        if (geometry.hasObject(watch.other) && geometry.hasObject(watch.robot) && touch(watch.robot, watch.other)) {
-            throw new AssertionFailedError(pair + ", but they touch" + moment() + ": "
-                    + Words.object(known(watch.robot)) + " and " + Words.object(known(watch.other)));
-        }
+    /** Watches that a robot touches nothing but some objects, from now on and in what happened so far. */
+    void watch(String robot, Set<String> except) {
+        except.forEach(this::known);
+        watches.add(robot, except, meetings());
     }
 
     /** The robot's last refusal, for a message; empty where there is none. */
     String lastRefusal(String name) {
-        for (int k = refusals.size() - 1; k >= 0; k--) {
-            if (refusals.get(k).mover.equals(name)) {
-                return "; the last that stopped it: " + refusals.get(k).words;
-            }
-        }
-        return "";
+        return watches.lastRefusal(name);
     }
 
     /** Sets the goal that a robot is to reach; null for none. */

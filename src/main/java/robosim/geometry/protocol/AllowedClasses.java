@@ -22,6 +22,7 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Integers;
+import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -96,6 +97,7 @@ final class AllowedClasses {
             FreeAnswer.class,
             NoAnswer.class,
             WorldRequest.Describe.class,
+            WorldRequest.ListObjects.class,
             WorldRequest.Locate.class,
             WorldRequest.Place.class,
             WorldRequest.Add.class,
@@ -106,6 +108,7 @@ final class AllowedClasses {
             WorldRequest.Identify.class,
             WorldAnswer.LeftOut.class,
             WorldAnswer.Described.class,
+            WorldAnswer.Listed.class,
             WorldAnswer.Located.class,
             WorldAnswer.Changed.class,
             WorldAnswer.Went.class,
@@ -113,6 +116,7 @@ final class AllowedClasses {
             WorldAnswer.Slid.class,
             WorldAnswer.Contact.class,
             Obstacle.class,
+            ListedObject.class,
             GeometryObject.Kind.class,
             int[].class,
             byte[].class);

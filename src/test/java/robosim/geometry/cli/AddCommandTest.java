@@ -156,7 +156,7 @@ class AddCommandTest extends CommandRun {
     @CsvSource(
             delimiter = '|',
             value = {
-                "disc:0.3@5.6,2|a robot must stand where nothing is",
+                "disc:0.3@5.6,2|a robot must stand where nothing is, since what touches cannot move; grid \"map\" is at this place, free nearby is",
                 "disc:0.3@500,2|a robot must stand within the world of ",
                 "disc:0.3|a robot must be [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING][#RRGGBB] or ",
                 "disc:1x2x3@1,2|a robot must be ",
@@ -169,6 +169,42 @@ class AddCommandTest extends CommandRun {
         assertThat(run("add", map(), xml, robot)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains(message);
         assertThat(xml).doesNotExist();
+    }
+
+    /** What the message proposes can be typed, is free and near. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "scout=disc:0.3x0.5@0.25,-1,30#ff8000|scout=disc:0.3x0.5@0.9,-1,30#ff8000",
+                "box:0.4x0.2@0,0|box:0.4x0.2@-0.8,0",
+                "disc:0.3@9.6,2|disc:0.3@9.6,1.6",
+            })
+    void proposesAFreePlace(String robot, String proposed) throws IOException {
+        Path in = Files.writeString(
+                folder.resolve("in.xml"),
+                "<world xmlns=\"urn:robosim:world:1\" width=\"20\" height=\"4\" length=\"20\">"
+                        + "<box name=\"crate\" center=\"0 0 0\" width=\"1\" height=\"4\" length=\"9\"/>"
+                        + "<box center=\"9.5 0 4\" width=\"1\" height=\"4\" length=\"4\"/></world>");
+        Path xml = folder.resolve("out.xml");
+        assertThat(run("add", in, xml, robot)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString())
+                .contains(
+                        robot.contains("9.6")
+                                ? "; box without a name is at this place, "
+                                : "; box \"crate\" is at this")
+                .contains("free nearby is " + proposed + " (got: " + robot + ")");
+        assertThat(run("add", in, xml, proposed)).as(err.toString()).isEqualTo(ExitCodes.FINE);
+    }
+
+    @Test
+    void saysWhereNoPlaceIsFree() throws IOException {
+        Path in = Files.writeString(
+                folder.resolve("in.xml"),
+                "<world xmlns=\"urn:robosim:world:1\" width=\"20\" height=\"4\" length=\"20\">"
+                        + "<box name=\"rock\" center=\"0 0 0\" width=\"19.8\" height=\"4\" length=\"19.8\"/></world>");
+        assertThat(run("add", in, folder.resolve("out.xml"), "disc:0.3@0,0")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("box \"rock\" is at this place, and none nearby has room for it");
     }
 
     @Test

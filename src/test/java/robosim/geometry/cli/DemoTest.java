@@ -117,7 +117,8 @@ class DemoTest {
         int code = demo(folder, "--drive");
         assertThat(err.toString()).isEmpty();
         assertThat(out.toString())
-                .contains("nothing is wrong", "200 steps of 2 robots", "driven ", "a step of 2 robots");
+                .contains("nothing is wrong", "200 steps of 2 robots", "a step of 2 robots")
+                .containsPattern("driven +[0-9.]+ m in 20.0 s, ");
         assertThat(code).isZero();
         Properties audit = properties(folder.resolve("audit.properties"));
         assertThat(audit)
@@ -131,7 +132,10 @@ class DemoTest {
         assertThat(Double.parseDouble(
                         properties(folder.resolve("environment.properties")).getProperty("drive.way")))
                 .isGreaterThan(5);
-        assertThat(folder.resolve("world.svg")).content().contains("drum", "20 s driven");
+        assertThat(folder.resolve("world.svg"))
+                .content()
+                .contains("drum", "20 s driven", ">bump, ")
+                .doesNotContain("refused move");
         assertThat(Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), "replay", folder.toString()))
                 .isZero();
         assertThat(out.toString()).contains("all the same");

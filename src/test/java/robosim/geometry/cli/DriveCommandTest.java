@@ -87,6 +87,29 @@ class DriveCommandTest {
                 .hasSize(8);
     }
 
+    /** Where heights do not count, a floor is in the way of what stands on it. */
+    @Test
+    void aFloorUnderARobotInPlanIsNamed(@TempDir Path folder) throws IOException {
+        Path world = Files.writeString(
+                folder.resolve("floor.xml"),
+                "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20' dimension='SPATIAL'>"
+                        + "<box name='floor' center='0 -1 0' width='10' height='1' length='10'/>"
+                        + "<cylinder name='scout' moveable='true' center='0 0.01 0' radius='0.3' height='1'/></world>");
+        assertThat(run("drive", world.toString(), "--seconds", "1"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).doesNotContain("in plan");
+        assertThat(run("drive", world.toString(), "--seconds", "1", "--planar")).isEqualTo(1);
+        assertThat(out.toString())
+                .contains("stopped, since their motion could not be decided: scout\n")
+                .contains(
+                        "\"scout\" overlaps box \"floor\" in plan, where heights do not count: take it out of the world,"
+                                + " put the robot elsewhere, or drive without --planar\n");
+        Files.writeString(world, Files.readString(world).replace("SPATIAL", "PLANAR"));
+        assertThat(run("drive", world.toString(), "--seconds", "1")).isEqualTo(1);
+        assertThat(out.toString()).contains("or make the world one with dimension=\"SPATIAL\"\n");
+    }
+
     @Test
     void whatCannotBeIsRefused() {
         assertThat(run("drive", WORLD, "--robot", "wall east")).isEqualTo(2);

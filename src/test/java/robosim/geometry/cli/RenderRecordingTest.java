@@ -78,9 +78,32 @@ class RenderRecordingTest extends CommandRun {
             assertThat(run("render", world, "--slice", height, "-o", png)).isEqualTo(ExitCodes.UNUSABLE);
             assertThat(err.toString()).contains("--slice must be a height within the world, from -2.0 to 2.0");
         }
-        assertThat(run("render", "worlds/scenarios/wandering.scenario.jsonl", "--slice", "0", "-o", png))
-                .isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("--slice is for a world");
+    }
+
+    /** A step of a recording is cut as its world is. */
+    @Test
+    void aRecordingAtAHeight() throws IOException {
+        Path world = Files.writeString(
+                folder.resolve("w.xml"),
+                "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20' dimension='PLANAR'>"
+                        + "<box name='low' center='4 -1.5 0' width='1' height='1' length='2'/>"
+                        + "<sphere name='lamp' center='0 1 4' radius='0.5'/>"
+                        + "<box name='cart' moveable='true' center='-4 0 0' width='1' height='4' length='1'/></world>");
+        Path recorded = folder.resolve("drive.scenario.jsonl");
+        assertThat(run("drive", world, "--seconds", "1", "--speed", "2", "--record", recorded))
+                .as("%s", err)
+                .isZero();
+        Path low = folder.resolve("low.svg");
+        assertThat(run("render", recorded, "--slice", "-1.25", "--steps", "20-20", "-o", low))
+                .as("%s", err)
+                .isZero();
+        assertThat(low).content().contains(", at Y -1.25", ">low<", ">cart<").doesNotContain(">lamp<");
+        Path high = folder.resolve("high.svg");
+        assertThat(run("render", recorded, "--slice", "1", "--steps", "20-20", "-o", high))
+                .isZero();
+        assertThat(high).content().contains(", at Y 1", ">lamp<", ">cart<").doesNotContain(">low<");
+        assertThat(run("render", recorded, "--slice", "2.5", "-o", high)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("--slice must be a height within the world, from -2.0 to 2.0");
     }
 
     /** The image of a map is input too. */

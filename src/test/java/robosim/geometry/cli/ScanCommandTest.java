@@ -96,7 +96,7 @@ class ScanCommandTest {
         String[] scan = {"scan", robots.toString(), "--depth", "8x6,60", "--on", "eye", "--at", "0.2,0.3,0", "-o", ""};
         scan[scan.length - 1] = npy.toString();
         assertThat(run(scan)).isZero();
-        assertThat(out.toString()).contains("6 x 8 ranges");
+        assertThat(out.toString()).contains("6 x 8 depths");
         ByteBuffer numbers = ByteBuffer.wrap(Files.readAllBytes(npy)).order(ByteOrder.LITTLE_ENDIAN);
         double[] depths = new double[48];
         numbers.position(numbers.capacity() - 8 * depths.length)
@@ -146,7 +146,7 @@ class ScanCommandTest {
                         "-o",
                         folder.resolve("e.npy").toString()))
                 .isZero();
-        assertThat(out.toString()).contains("30 x 40 ranges");
+        assertThat(out.toString()).contains("30 x 40 depths");
         String[][] wrong = {
             {"nose", "--sensor must name a sensor of WORLD, one of rover::base::laser, rover::base::imu"},
             {"photo", "one of rover::head::photo, post::l::photo (got: photo)"},

@@ -312,6 +312,8 @@ class NullsTest {
         call("move", () -> robot.tries(null));
         call("obstacle", () -> robot.isBlockedBy(null, 1));
         call("other", () -> robot.neverTouches(null));
+        call("other", () -> robot.neverTouchesAnythingBut((String) null));
+        call("others", () -> robot.neverTouchesAnythingBut((String[]) null));
         call("other", () -> robot.rangeTo(null));
         call("behaviour", () -> robot.follows(null));
         call("goal", () -> robot.reaches(null));

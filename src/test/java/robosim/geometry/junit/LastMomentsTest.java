@@ -1,12 +1,17 @@
 package robosim.geometry.junit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -114,6 +119,28 @@ class LastMomentsTest {
         assertThat(groups(parse(file), "ping", "")).hasSize(1);
     }
 
+    /** For what shows no SVG: the same picture in pixels. */
+    @Test
+    void aPictureInPixelsIsBesideIt(@TempDir Path folder) throws Exception {
+        for (Path file : List.of(
+                run(Doomed.Failing.class, "blocked", folder).resolve("last-moments.svg"),
+                run(Doomed.Talking.class, "talks", folder).resolve("connection-1.svg"))) {
+            Element svg = parse(file).getDocumentElement();
+            Path png = file.resolveSibling(file.getFileName().toString().replace(".svg", ".png"));
+            BufferedImage image = ImageIO.read(png.toFile());
+            assertThat(image.getWidth())
+                    .isCloseTo(
+                            (int) Double.parseDouble(svg.getAttribute("viewBox").split(" ")[2]), within(1));
+            Set<Integer> colours = new HashSet<>();
+            for (int y = 0; y < image.getHeight(); y++) {
+                for (int x = 0; x < image.getWidth(); x++) {
+                    colours.add(image.getRGB(x, y));
+                }
+            }
+            assertThat(colours).as("it shows something").hasSizeGreaterThan(20);
+        }
+    }
+
     /** Its goals and its title are in the page's data, which PageDataTest reads. */
     @Test
     void aPageIsBesideIt(@TempDir Path folder) throws Exception {
@@ -129,8 +156,13 @@ class LastMomentsTest {
 
     @Test
     void whatPassesLeavesNone(@TempDir Path folder) throws Exception {
-        for (String name :
-                List.of("last-moments.svg", "last-moments.html", "connection-1.scenario.jsonl", "connection-1.html")) {
+        for (String name : List.of(
+                "last-moments.svg",
+                "last-moments.png",
+                "last-moments.html",
+                "connection-1.scenario.jsonl",
+                "connection-1.png",
+                "connection-1.html")) {
             Path stale =
                     folder.resolve(Doomed.class.getName() + ".Failing.passes").resolve(name);
             Files.createDirectories(stale.getParent());

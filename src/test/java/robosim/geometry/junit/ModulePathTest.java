@@ -172,7 +172,8 @@ class ModulePathTest {
                 .contains("fails: FAILED", "blocked after 3 of 4 by box \"wall\"");
         assertThat(evidence.resolve("my.robots.tests.Tests.fails"))
                 .isDirectoryContaining(file -> file.endsWith("replay.scenario.jsonl"))
-                .isDirectoryContaining(file -> file.endsWith("last-moments.svg"));
+                .isDirectoryContaining(file -> file.endsWith("last-moments.svg"))
+                .isDirectoryContaining(file -> file.endsWith("last-moments.png"));
     }
 
     /** Optional modules are not looked for: without its name Jackson is not there, and the failure says so. */

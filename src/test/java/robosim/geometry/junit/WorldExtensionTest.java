@@ -90,7 +90,8 @@ class WorldExtensionTest {
                 .startsWith("robot \"r1\" was to drive 3.5, but is blocked after ")
                 .contains("by box \"wall\" at (4, 0, 0)")
                 .endsWith("\n  seed:   7 (as @Seed(7L) or -Drobosim.seed=7)\n  replay: " + file + "\n  image:  "
-                        + file.resolveSibling("last-moments.svg") + "\n  page:   "
+                        + file.resolveSibling("last-moments.svg") + "\n  png:    "
+                        + file.resolveSibling("last-moments.png") + "\n  page:   "
                         + file.resolveSibling("last-moments.html"));
         assertThat(folder(folder, "blocked").resolve("failure.txt")).content().contains("is blocked after");
         Scenario scenario = Scenario.read(file);
@@ -185,6 +186,7 @@ class WorldExtensionTest {
         assertThat(Launched.message(results.get("talks")))
                 .startsWith("{\"type\":\"distances\",\"distances\":[3.5]")
                 .endsWith("\n  talk:   " + talk + "\n  image:  " + talk.resolveSibling("connection-1.svg")
+                        + "\n  png:    " + talk.resolveSibling("connection-1.png")
                         + "\n  page:   " + talk.resolveSibling("connection-1.html"));
         Scenario scenario = Scenario.read(talk);
         assertThat(scenario.steps()).hasSize(2);

@@ -99,6 +99,7 @@ final class Hostile {
             batches.addAll(BatchSamples.pictures());
             batches.addAll(BatchSamples.world());
             batches.addAll(BatchSamples.obstacles());
+            batches.addAll(BatchSamples.listed());
             batches.add(
                     new InitBundle.Answered((InitBundle) BatchSamples.world().get(3)));
             for (Bundle bundle : batches) {
@@ -137,6 +138,8 @@ final class Hostile {
         lines.add(JsonLines.write(BatchSamples.world().get(3)).replaceFirst("\\{", "{\"answer\":true,"));
         lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.obstacles().get(1))));
+        lines.add(JsonLines.write(BatchSamples.listed().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.listed().get(1))));
         lines.add(JsonLines.write(new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "why")))));
         lines.add(lines.get(1) + "\n" + lines.get(4) + "\n" + lines.get(1));
         return lines.stream()

@@ -153,6 +153,37 @@ class StepSessionTest {
         assertThat(answer.bodies().get(1).center().x()).isEqualTo(-1);
     }
 
+    /** Wheels that do not swivel cannot go to the right: nobody is told that they do. */
+    @Test
+    void aCommandThatItsDriveCannotFollowIsRefused() {
+        Session session = session();
+        for (DriveSettings.Kind kind : DriveSettings.Kind.values()) {
+            Reply reply = reply(
+                    session,
+                    new StepBundle(
+                            0,
+                            List.of(BodyRequest.of("ball").withDrive(DriveSettings.of(kind))),
+                            List.of(new DriveCommand("ball", 0, 0.3, 0))));
+            if (kind == DriveSettings.Kind.DIFFERENTIAL || kind == DriveSettings.Kind.ACKERMANN) {
+                assertThat(reply.problems()).singleElement().satisfies(problem -> {
+                    assertThat(problem.index()).isEqualTo(1);
+                    assertThat(problem.reason())
+                            .isEqualTo("right must be 0 for a drive of kind " + kind
+                                    + "; give \"ball\" a body with a drive"
+                                    + " of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: 0.3)");
+                });
+            } else {
+                assertThat(reply.problems()).isEmpty();
+            }
+        }
+        Reply unseen = reply(session, new StepBundle(0, List.of(), List.of(new DriveCommand("cart", 1, -0.1, 0))));
+        assertThat(unseen.problems()).hasSize(1);
+        assertThat(((StepBundle.Answer) unseen.bundle()).bodies())
+                .as("what is refused makes no body")
+                .extracting(BodyAnswer::objectName)
+                .doesNotContain("cart");
+    }
+
     @Test
     void aMoveBetweenStepsCounts() {
         Session session = session();

@@ -32,6 +32,7 @@ class BatchMessageTest {
     private static final String PICTURES = "pictures.ser";
     private static final String WORLD = "world-requests.ser";
     private static final String OBSTACLES = "obstacles.ser";
+    private static final String LISTED = "listed.ser";
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
@@ -40,6 +41,7 @@ class BatchMessageTest {
         bundles.addAll(BatchSamples.pictures());
         bundles.addAll(BatchSamples.world());
         bundles.addAll(BatchSamples.obstacles());
+        bundles.addAll(BatchSamples.listed());
         byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
         assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
     }
@@ -54,6 +56,7 @@ class BatchMessageTest {
         last.add(BatchSamples.world().get(2));
         last.add(InitBundle.Answered.QUESTION);
         assertThat(MessageTest.readAll(StoredBytesTest.stored(OBSTACLES))).isEqualTo(last);
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(LISTED))).isEqualTo(BatchSamples.listed());
     }
 
     /** Whoever knows no requests about the world, or none of the later ones, understands all others. */
@@ -102,6 +105,10 @@ class BatchMessageTest {
         assertThat(new BatchRequestBundle(times(1000, slide)).workBytes()).isEqualTo(1000L * 65 * 256);
         assertThat(new BatchRequestBundle(times(1000, new WorldRequest.Locate("r"))).workBytes())
                 .isEqualTo(1000);
+        WorldRequest list = new WorldRequest.ListObjects(0, 1 << 16);
+        assertThat(new BatchRequestBundle(times(4, list)).workBytes()).isEqualTo(256L << 18);
+        assertThatThrownBy(() -> new BatchRequestBundle(times(5, list)))
+                .hasMessageContaining("at most 262144 poses, edges and requests of other kinds together (got: 327680)");
     }
 
     private static List<BatchRequest> times(int count, BatchRequest request) {
@@ -196,6 +203,9 @@ class BatchMessageTest {
             List<Bundle> last = new ArrayList<>(BatchSamples.obstacles());
             last.add(new InitBundle.Answered((InitBundle) BatchSamples.world().get(2)));
             Files.write(Path.of(args[0], OBSTACLES), MessageTest.write(last.toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], LISTED),
+                    MessageTest.write(BatchSamples.listed().toArray(Bundle[]::new)));
         }
     }
 }

@@ -14,6 +14,7 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Integers;
+import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -208,6 +209,23 @@ public final class BatchSamples {
                                         new WorldAnswer.Contact(nameless, contact, normal),
                                         new WorldAnswer.Contact(null, contact, normal),
                                         new WorldAnswer.Contact(named, new Point(), new Point(0, 0, 1)))))));
+    }
+
+    /** What came after those: what is in the world. */
+    public static List<Bundle> listed() {
+        Point low = new Point(-1, -2, -3);
+        Point high = new Point(1, 2, 0x1p100);
+        ListedObject first =
+                new ListedObject(0, "", GeometryObject.Kind.MESH, new Point(), -Math.PI / 2, false, low, high);
+        ListedObject last =
+                new ListedObject((1L << 53) - 2, "wall \u00e9", GeometryObject.Kind.BOX, low, Math.PI, true, low, low);
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new WorldRequest.ListObjects(0, 1), new WorldRequest.ListObjects((1L << 53) - 1, 1 << 16))),
+                new BatchAnswerBundle(List.of(
+                        new WorldAnswer.Listed(List.of(), -1),
+                        new WorldAnswer.Listed(List.of(first, last), -1),
+                        new WorldAnswer.Listed(List.of(first, last), (1L << 53) - 1))));
     }
 
     /** The bundles. */

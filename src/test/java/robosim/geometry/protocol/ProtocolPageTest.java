@@ -74,7 +74,7 @@ class ProtocolPageTest {
             }
             assertThat(in.readLine()).as("after the error").isNull();
         }
-        assertThat(asked).isEqualTo(11);
-        assertThat(answered).isEqualTo(10);
+        assertThat(asked).isEqualTo(12);
+        assertThat(answered).isEqualTo(11);
     }
 }

@@ -94,7 +94,11 @@ class StepMessageTest {
         refuses(() -> new Velocity(0, 0, 0, Double.NaN), "ry must be");
         refuses(
                 () -> new DriveSettings(Kind.FORCE, 1, NONE, NONE, NONE, NONE),
-                "base must be left out for a drive of kind FORCE");
+                "base must be left out for a drive of kind FORCE, which has none of these numbers (got: 1.0)");
+        refuses(
+                () -> new DriveSettings(Kind.OMNIDIRECTIONAL, 0.4, NONE, NONE, NONE, NONE),
+                "base must be left out for a drive of kind OMNIDIRECTIONAL, which has maxSpeed, maxAcceleration, maxTurn"
+                        + " and maxTurnAcceleration (got: 0.4)");
         refuses(() -> new DriveSettings(Kind.VELOCITY, 0, 1, NONE, NONE, NONE), "maxSpeed must be left out");
         refuses(() -> new DriveSettings(Kind.VELOCITY, 0, NONE, 1, NONE, NONE), "maxAcceleration must be left out");
         refuses(() -> new DriveSettings(Kind.DIFFERENTIAL, 0, NONE, NONE, 1, NONE), "maxTurn must be left out");

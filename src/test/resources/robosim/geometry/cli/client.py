@@ -110,6 +110,14 @@ def blocked(module):
     same(module.add(sphere([0, 0, 5], 0.6, name="new"), overlapping=True, identify=True), (True, None, ()))
     same(module.place("robot", [0, 0, 4.5], identify=True).obstacles, (ball, new))
     same(module.place("robot", [0, 0, 4.5], identify=False).obstacles, ())
+    there = module.objects()
+    same([o for o in there if o.kind == "grid"], [])
+    same(sorted(o.index for o in there), [o.index for o in there])
+    at = [o for o in there if o.name == "new"][0]
+    same((at.index, at.kind, at.center, at.heading, at.moveable), (new.index, "sphere", [0, 0, 5], 0, False))
+    near(at.high[0] - at.low[0], 1.2)
+    some, rest = module.batch([robosim.listed(count=2), robosim.listed(first=there[2].index)])
+    same((some.objects, some.next, rest.objects, rest.next), (there[:2], there[2].index, there[2:], None))
     same(module.place("robot", [9.9, 0, 0], identify=True), (False, None, ()))
     same(module.move("robot", x=5, identify=True).obstacles, (wall,))
     same(module.move("robot", x=5).obstacles, ())
@@ -204,6 +212,8 @@ def drives(module, folder):
     small = {"objectName": "cart", "drive": {"kind": "omnidirectional", "maxSpeed": 1}}
     same(module.ask({"type": "step", "seconds": 0, "bodies": [small]}, "bodies")[0]["refused"], [])
     refused(lambda: module.drive("nobody", 1), 'no object "nobody"')
+    refused(lambda: module.drive("drum", right=0.3), "right must be 0 for a drive of kind DIFFERENTIAL; give \"drum\" a body"
+            " with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: 0.3)")
     for wrong, words in ((lambda: robosim.body("cart", weight=3), "a body has no weight; it may have: mass,"),
                          (lambda: module.step(1, [{"objectName": "cart", "Mass": 3}]), "a body has no Mass"),
                          (lambda: module.step(1, [], [{"objectName": "cart", "speed": 3}]), "a command has no speed"),

@@ -78,7 +78,7 @@ public final class Summary {
                 NumberText.count(count("steps"), "step"), NumberText.count(count("robots"), "robot")));
         if (isDriven()) {
             text.append(format(
-                    "driven        %.1f in %.1f s, %s, %,d stopped%n",
+                    "driven        %.1f m in %.1f s, %s, %,d stopped%n",
                     micros("drive.way"),
                     micros("drive.seconds"),
                     NumberText.count(count("drive.bumps"), "bump"),

@@ -150,7 +150,7 @@ public final class DrivingCommand implements Callable<Integer> {
                 run = drive(read, commands, writer);
             }
         }
-        print(run, read.dimension() == Dimension.SPATIAL);
+        print(run, read);
         return run.stopped().isEmpty() ? 0 : ExitCodes.FINDINGS;
     }
 
@@ -273,7 +273,8 @@ public final class DrivingCommand implements Callable<Integer> {
         return List.copyOf(all.values());
     }
 
-    private void print(DriveRun run, boolean isSpatial) {
+    private void print(DriveRun run, World read) {
+        boolean isSpatial = read.dimension() == Dimension.SPATIAL;
         PrintWriter out = spec.commandLine().getOut();
         run.tracks().forEach((name, track) -> out.println(Text.quoted(name) + " " + words(track, isSpatial)));
         out.printf(
@@ -284,6 +285,11 @@ public final class DrivingCommand implements Callable<Integer> {
                 NumberText.count(run.contacts(), "contact"));
         if (!run.stopped().isEmpty()) {
             out.println("stopped, since their motion could not be decided: " + String.join(", ", run.stopped()));
+            PlanOverlaps.of(
+                            read,
+                            run.stopped(),
+                            planar ? "drive without --planar" : "make the world one with dimension=\"SPATIAL\"")
+                    .forEach(out::println);
         }
         out.flush();
     }

@@ -17,6 +17,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
@@ -49,6 +50,23 @@ final class PlanSlice {
             }
         }
         return world.withObjects(objects);
+    }
+
+    /**
+     * The sections of a scene's objects at a height; what happened there, and what blocked recent moves, stays.
+     *
+     * @param tall the height of the world
+     */
+    static Scene of(Scene scene, double tall, double height) {
+        PlanSlice slice = new PlanSlice(height, tall / (1 << 20));
+        List<Scene.Thing> things = new ArrayList<>();
+        for (Scene.Thing each : scene.things()) {
+            GeometryObject section = slice.section(each.object());
+            if (section != null) {
+                things.add(new Scene.Thing(section, each.colour()));
+            }
+        }
+        return scene.showing(things);
     }
 
     /** With the name of the object, moveable if that is, and of its material; null where the plane does not meet it. */

@@ -134,10 +134,6 @@ public final class RenderCommand implements Callable<Integer> {
         }
         boolean isPlan = plan || dark || slice != null || name.endsWith(".svg");
         if (RecordingOptions.isRecording(world.file())) {
-            if (slice != null) {
-                throw new ParameterException(
-                        spec.commandLine(), "--slice is for a world, and WORLD is a recording (got: " + slice + ")");
-            }
             film(isPlan);
             return ExitCodes.FINE;
         }
@@ -145,14 +141,11 @@ public final class RenderCommand implements Callable<Integer> {
         World read = world.read();
         world.keep("FILE", output);
         if (slice != null) {
-            read = sliced(read, slice);
+            checkSlice(read.height(), slice);
+            read = PlanSlice.of(read, slice);
         }
         if (isPlan) {
-            String title = Pictures.title(world.file());
-            Painter.write(
-                    Pictures.of(read, slice == null ? title : title + ", at Y " + NumberText.digits(slice, DIGITS)),
-                    theme(),
-                    output);
+            Painter.write(Pictures.of(read, title()), theme(), output);
             tell(output);
         } else {
             photograph(read);
@@ -160,14 +153,23 @@ public final class RenderCommand implements Callable<Integer> {
         return ExitCodes.FINE;
     }
 
-    private World sliced(World read, double height) {
-        if (!(Math.abs(height) <= read.height() / 2)) { // written so that NaN fails it
+    private String title() {
+        String title = Pictures.title(world.file());
+        return slice == null ? title : title + ", at Y " + NumberText.digits(slice, DIGITS);
+    }
+
+    /**
+     * Refuses a height that is not within a world.
+     *
+     * @param tall the height of the world
+     */
+    private void checkSlice(double tall, double height) {
+        if (!(Math.abs(height) <= tall / 2)) { // written so that NaN fails it
             throw new ParameterException(
                     spec.commandLine(),
-                    "--slice must be a height within the world, from " + -read.height() / 2 + " to " + read.height() / 2
-                            + " (got: " + height + ")");
+                    "--slice must be a height within the world, from " + -tall / 2 + " to " + tall / 2 + " (got: "
+                            + height + ")");
         }
-        return PlanSlice.of(read, height);
     }
 
     /** A picture of each step of a recording; an orbit goes once around while it is played. */
@@ -175,6 +177,11 @@ public final class RenderCommand implements Callable<Integer> {
         World lender = colours == null ? null : world.other("--world", colours);
         StateHistory film = recording.read(world.file(), lender);
         int[] frames = recording.frames(film, world.file());
+        if (slice != null) {
+            for (int frame : frames) {
+                checkSlice(setting(film, frame).height(), slice);
+            }
+        }
         Camera camera = isPlan ? null : new Camera(moment(film, frames[0]));
         double metres =
                 lender == null || lender.unit() == null ? 1 : lender.unit().metres();
@@ -184,10 +191,10 @@ public final class RenderCommand implements Callable<Integer> {
                 Path file = frames.length == 1 ? output : numbered(k, frames.length);
                 if (camera == null) {
                     Scene scene = film.scene(frames[k]);
-                    Painter.write(
-                            scene.titled(Pictures.title(world.file())).described(scene.subtitle(), unit),
-                            theme(),
-                            file);
+                    if (slice != null) {
+                        scene = PlanSlice.of(scene, setting(film, frames[k]).height(), slice);
+                    }
+                    Painter.write(scene.titled(title()).described(scene.subtitle(), unit), theme(), file);
                 } else {
                     camera.look(moment(film, frames[k]));
                     camera.write(k * camera.pictures.size() / frames.length, metres, file, percent -> {});
@@ -200,11 +207,15 @@ public final class RenderCommand implements Callable<Integer> {
     }
 
     private static World moment(StateHistory film, int frame) {
+        return Pictures.world(setting(film, frame), film.movers(frame));
+    }
+
+    private static Frame.Setting setting(StateHistory film, int frame) {
         Frame.Setting setting = film.setting(frame);
         if (setting == null) {
             throw new IllegalStateException("every frame must have a world");
         }
-        return Pictures.world(setting, film.movers(frame));
+        return setting;
     }
 
     private void tell(Object files) {

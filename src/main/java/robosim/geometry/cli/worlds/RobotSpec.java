@@ -38,6 +38,9 @@ final class RobotSpec {
     /** The gap between a robot and the floor, as a part of its height: what touches cannot move. */
     private static final double GAP = 1.0 / 64;
 
+    /** The gap around a robot at a place that is proposed, as a part of its smaller side. */
+    private static final double MARGIN = 1.0 / 16;
+
     /** The most of the world's height that a robot has whose height is not given. */
     private static final double TALLEST = 0.5;
 
@@ -69,7 +72,11 @@ final class RobotSpec {
         GeometryObject shape =
                 isDisc ? new CylinderObject(at, first, tall) : new BoxObject(at, first, tall, number(length, 0));
         GeometryObject robot = shape.turned(0, number(match.group(8), 0)).moveable(name(world, match.group(1)));
-        checkPlace(world, robot);
+        double margin = side * MARGIN;
+        GeometryObject roomy = isDisc
+                ? new CylinderObject(at, first + margin, tall)
+                : new BoxObject(at, first + 2 * margin, tall, number(length, 0) + 2 * margin);
+        checkPlace(world, robot, roomy.turned(0, robot.heading()), match, side);
         List<SonarRing> rings = sonars == 0
                 ? List.of()
                 : List.of(new SonarRing(sonars, 0, 360.0 / sonars, 0, Double.POSITIVE_INFINITY, 0));
@@ -118,6 +125,10 @@ final class RobotSpec {
         }
     }
 
+    private static String words(GeometryObject object) {
+        return object.kind().word() + (object.name() == null ? " without a name" : " " + Text.quoted(object.name()));
+    }
+
     private static double number(@Nullable String text, double otherwise) {
         return text == null ? otherwise : Double.parseDouble(text);
     }
@@ -139,7 +150,15 @@ final class RobotSpec {
         return name;
     }
 
-    private static void checkPlace(World world, GeometryObject robot) {
+    /**
+     * Refuses a place that is taken, with a free one nearby as it is written on the command line.
+     *
+     * @param roomy the robot with a margin, for which there must be room at the place that is proposed
+     * @param words what was written
+     * @param size  of the robot, on the floor
+     */
+    private static void checkPlace(
+            World world, GeometryObject robot, GeometryObject roomy, Matcher words, double size) {
         Geometry geometry = world.toGeometry(refused -> {});
         if (!geometry.addObjectUnchecked(robot)) {
             throw new IllegalArgumentException("a robot must stand within the world of " + world.width() + " x "
@@ -147,8 +166,15 @@ final class RobotSpec {
         }
         geometry.removeObject(Objects.requireNonNull(robot.name()));
         if (geometry.testObject(robot)) {
-            throw new IllegalArgumentException("a robot must stand where nothing is, since what touches cannot move;"
-                    + " something is at this place, see check or render (got: " + robot + ")");
+            String place = new FreePlace(geometry, roomy).find(words.group(6), words.group(7), size);
+            String whole = words.group();
+            String remedy = place == null
+                    ? "and none nearby has room for it, see check or render"
+                    : "free nearby is " + whole.substring(0, words.start(6)) + place + whole.substring(words.end(7));
+            String taken =
+                    geometry.search().firstTouching(robot).map(RobotSpec::words).orElse("something");
+            throw new IllegalArgumentException("a robot must stand where nothing is, since what touches cannot move; "
+                    + taken + " is at this place, " + remedy + " (got: " + whole + ")");
         }
     }
 }

@@ -252,6 +252,7 @@ public final class ScanCommand implements Callable<Integer> {
                 frame,
                 lidar.pattern(),
                 frame.ranges(),
+                "ranges",
                 name,
                 new PointCloud(
                         PointCloud.Field.INTENSITY,
@@ -264,7 +265,7 @@ public final class ScanCommand implements Callable<Integer> {
             throws IOException {
         DepthFrame frame = new DepthFrame();
         read(camera.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
-        return write(frame, camera.pattern(), frame.depths(), name, new PointCloud());
+        return write(frame, camera.pattern(), frame.depths(), "depths", name, new PointCloud());
     }
 
     private Intrinsics pixels(String text) {
@@ -288,12 +289,17 @@ public final class ScanCommand implements Callable<Integer> {
         progress.at(3, () -> "writing");
     }
 
-    /** Writes ranges or points; answers what they are. */
-    private String write(RayFrame frame, RayPattern pattern, double[] ranges, String name, PointCloud cloud)
+    /**
+     * Writes distances or points; answers what they are.
+     *
+     * @param word what the distances are called
+     */
+    private String write(
+            RayFrame frame, RayPattern pattern, double[] distances, String word, String name, PointCloud cloud)
             throws IOException {
         if (name.endsWith(".npy")) {
-            NpyWriter.write(ranges, output, frame.rows(), frame.columns());
-            return frame.rows() + " x " + frame.columns() + " ranges" + columns(pattern);
+            NpyWriter.write(distances, output, frame.rows(), frame.columns());
+            return frame.rows() + " x " + frame.columns() + " " + word + columns(pattern);
         } else {
             if (inWorld) {
                 frame.addInWorldTo(cloud);

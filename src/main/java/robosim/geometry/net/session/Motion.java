@@ -163,6 +163,14 @@ public final class Motion {
 
     private void command(DriveCommand command) {
         String name = command.objectName();
+        DriveSettings.Kind kind =
+                drives.getOrDefault(name, DriveSettings.DEFAULT).kind();
+        if (command.right() != 0 && !kind.canGoSideways()) {
+            throw new IllegalArgumentException("right must be 0 for a drive of kind " + kind
+                    + "; give " + Text.quoted(name)
+                    + " a body with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: "
+                    + command.right() + ")");
+        }
         if (!bodies.contains(name)) {
             if (!world.getObject(name).isMoveable()) {
                 throw new IllegalArgumentException(

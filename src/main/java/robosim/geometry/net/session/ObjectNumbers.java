@@ -30,6 +30,12 @@ final class ObjectNumbers {
     /** Objects without names are static, and the world answers with the very values that it was given. */
     private final IdentityHashMap<GeometryObject, Long> nameless = new IdentityHashMap<>();
 
+    /** The numbers of the second of such values and of those after it. */
+    private final IdentityHashMap<GeometryObject, List<Long>> again = new IdentityHashMap<>();
+
+    /** An object of the world and its number. */
+    record Numbered(long number, GeometryObject object) {}
+
     /** A world of these objects begins. */
     void begin(List<GeometryObject> objects) {
         given = objects;
@@ -38,6 +44,7 @@ final class ObjectNumbers {
         isBuilt = false;
         named.clear();
         nameless.clear();
+        again.clear();
         next = objects.size();
     }
 
@@ -74,6 +81,42 @@ final class ObjectNumbers {
         return number;
     }
 
+    /**
+     * The objects with the least numbers from one on.
+     *
+     * @param present all objects of the world in the order in which they were added, which is that of their numbers
+     */
+    List<Numbered> page(List<GeometryObject> present, long first, int most) {
+        build();
+        List<Numbered> page = new ArrayList<>();
+        IdentityHashMap<GeometryObject, Integer> seen = new IdentityHashMap<>();
+        for (int k = again.isEmpty() ? position(present, first) : 0; k < present.size() && page.size() < most; k++) {
+            GeometryObject object = present.get(k);
+            List<Long> later = again.get(object);
+            int times = later == null ? 0 : seen.merge(object, 1, Integer::sum) - 1;
+            long number = later == null || times == 0 ? of(object) : later.get(times - 1);
+            if (number >= first) {
+                page.add(new Numbered(number, object));
+            }
+        }
+        return page;
+    }
+
+    /** Where the first object is whose number is at least {@code first}. */
+    private int position(List<GeometryObject> present, long first) {
+        int low = 0;
+        int high = present.size();
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (of(present.get(middle)) < first) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
     private void build() {
         if (isBuilt) {
             return;
@@ -94,8 +137,10 @@ final class ObjectNumbers {
     private void put(GeometryObject object, long number) {
         String name = object.name();
         if (name == null) {
-            nameless.putIfAbsent(
-                    object, number); // one value that is sent twice is two objects at one place: the first is met
+            // One value that is sent twice is two objects at one place: the first is met.
+            if (nameless.putIfAbsent(object, number) != null) {
+                again.computeIfAbsent(object, twice -> new ArrayList<>()).add(number);
+            }
         } else {
             named.put(name, number);
         }

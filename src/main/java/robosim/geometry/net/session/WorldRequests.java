@@ -11,10 +11,13 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.ObjectSearch;
 import robosim.geometry.SlideResult;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.WorldAnswer;
@@ -91,6 +94,9 @@ public final class WorldRequests {
         if (request instanceof WorldRequest.Describe) {
             return describe(world);
         }
+        if (request instanceof WorldRequest.ListObjects list) {
+            return list(world, list);
+        }
         if (request instanceof WorldRequest.Locate locate) {
             return locate(world, locate.objectName());
         }
@@ -128,6 +134,30 @@ public final class WorldRequests {
                 world.length(),
                 world.dimension(),
                 world.accuracy());
+    }
+
+    private WorldAnswer list(Geometry world, WorldRequest.ListObjects list) {
+        List<ListedObject> listed = new ArrayList<>();
+        int characters = 0;
+        for (ObjectNumbers.Numbered each : numbers.page(world.objects(), list.first(), list.count() + 1)) {
+            GeometryObject object = each.object();
+            String name = Objects.requireNonNull(name(object));
+            characters += name.length();
+            if (listed.size() == list.count() || (characters > WorldAnswer.MOST_CHARACTERS && !listed.isEmpty())) {
+                return new WorldAnswer.Listed(listed, each.number());
+            }
+            Bounds box = object.bounds();
+            listed.add(new ListedObject(
+                    each.number(),
+                    name,
+                    object.kind(),
+                    object.center(),
+                    Degrees.toRadians(object.heading()),
+                    object.isMoveable(),
+                    new Point(box.minX(), box.minY(), box.minZ()),
+                    new Point(box.maxX(), box.maxY(), box.maxZ())));
+        }
+        return new WorldAnswer.Listed(listed, -1);
     }
 
     private static WorldAnswer locate(Geometry world, String name) {

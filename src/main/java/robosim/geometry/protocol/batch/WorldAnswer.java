@@ -76,6 +76,44 @@ public sealed interface WorldAnswer extends BatchAnswer {
     }
 
     /**
+     * Objects of the world, in the order of their indices.
+     *
+     * @param objects as many as were asked for; fewer at the end, and where their names are long
+     * @param next    the index from which to go on; -1 at the end
+     */
+    record Listed(List<ListedObject> objects, long next) implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, objects in another order, and a next that is none of theirs. */
+        public Listed {
+            objects = Checks.copy("objects", objects, ListedObject.class);
+            long last = -1;
+            for (ListedObject object : objects) {
+                if (object.index() <= last) {
+                    throw new IllegalArgumentException("objects must be in the order of their indices (got: "
+                            + object.index() + " after " + last + ")");
+                }
+                last = object.index();
+            }
+            if (next != -1) {
+                ListedObject.checkIndex("next", next);
+            }
+            if (next != -1 && (next <= last || objects.isEmpty())) {
+                throw new IllegalArgumentException(
+                        "next must be -1, or above the last index of some objects (got: " + next + ")");
+            }
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.ListObjects asked
+                    && objects.size() <= asked.count()
+                    && (objects.isEmpty() || objects.get(0).index() >= asked.first());
+        }
+    }
+
+    /**
      * Where an object is.
      *
      * @param rotation nine numbers, row by row, whose columns are the object's axes in the world

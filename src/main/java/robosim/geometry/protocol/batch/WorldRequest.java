@@ -53,6 +53,47 @@ public sealed interface WorldRequest extends BatchRequest {
     }
 
     /**
+     * What is in the world, in the order of the indices. Answered by a {@link WorldAnswer.Listed}, which says where to go on: a
+     * large world is read page by page.
+     *
+     * @param first the least index that is asked for; at first 0, then {@link WorldAnswer.Listed#next}
+     * @param count how many objects at most, from 1 to {@link #MOST_LISTED}
+     */
+    record ListObjects(long first, int count) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** The most objects of one answer. */
+        public static final int MOST_LISTED = 1 << 16;
+
+        /** How many there are in JSON unless a request says so: an answer of some 200 kB. */
+        public static final int USUAL_LISTED = 1000;
+
+        /** Refuses numbers that are out of range. */
+        public ListObjects {
+            ListedObject.checkIndex("first", first);
+            if (count < 1 || count > MOST_LISTED) {
+                throw new IllegalArgumentException("count must be from 1 to " + MOST_LISTED + " (got: " + count + ")");
+            }
+        }
+
+        @Override
+        public String objectName() {
+            return "";
+        }
+
+        @Override
+        public int size() {
+            return count;
+        }
+
+        @Override
+        public long answerBytes() {
+            return ListedObject.BYTES * count;
+        }
+    }
+
+    /**
      * Where an object is now; it need not be moveable.
      *
      * @param objectName the name of an object

@@ -15,6 +15,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.Integers;
+import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
@@ -30,8 +31,9 @@ final class JsonAnswers {
             "",
             "distances normals count free error names objects labels added leftOut width height length dimension"
                     + " accuracy center rotation heading done obstacle made fraction turnFraction contact normal rgb"
-                    + " obstacles displacement left contacts");
+                    + " obstacles displacement left contacts listed next");
     private static final Fields OBSTACLE_FIELDS = Fields.of("index kind center", "name");
+    private static final Fields LISTED_FIELDS = Fields.of("index kind center heading moveable low high", "name");
     private static final Fields CONTACT = Fields.of("point normal", "obstacle");
     private static final Fields LEFT_OUT = Fields.of("index reason", "name");
     private static final int DISTANCES = 1;
@@ -53,6 +55,8 @@ final class JsonAnswers {
     private static final int OBSTACLES = 1 << 26;
     private static final int SLID =
             7 << 27 | 1 << 12 | 1 << 22; // displacement, left, contacts; length and turnFraction
+    private static final int LISTED = 1 << 30;
+    private static final int NEXT = 1 << 31;
     private static final int PICTURE = 3 << 10 | 1 << RGB; // width, height and rgb
 
     private final JsonInput in;
@@ -116,6 +120,7 @@ final class JsonAnswers {
             case MADE + OBSTACLES, WENT + OBSTACLES, WENT + OBSTACLE + OBSTACLES ->
                 in.make(() -> world.identified(world.went()));
             case SLID -> in.make(world::slid);
+            case LISTED, LISTED + NEXT -> in.make(world::listed);
             case ERROR -> new NoAnswer();
             default ->
                 throw in.refused(
@@ -141,6 +146,8 @@ final class JsonAnswers {
         private Point displacement = new Point();
         private Point left = new Point();
         private final List<WorldAnswer.Contact> contacts = new ArrayList<>();
+        private final List<ListedObject> listed = new ArrayList<>();
+        private long next = -1;
 
         void read(int field) throws IOException {
             switch (field) {
@@ -158,6 +165,8 @@ final class JsonAnswers {
                 case 27 -> displacement = point();
                 case 28 -> left = point();
                 case 29 -> contacts();
+                case 30 -> list();
+                case 31 -> next = in.whole(0, JsonMessages.MAX_ID);
                 default -> numbers[field] = in.number();
             }
         }
@@ -189,6 +198,40 @@ final class JsonAnswers {
                 }
             }
             return new Obstacle(index, name, kind, at);
+        }
+
+        private void list() throws IOException {
+            in.list();
+            while (in.more(listed.size(), WorldRequest.ListObjects.MOST_LISTED)) {
+                listed.add(listedObject());
+            }
+        }
+
+        private ListedObject listedObject() throws IOException {
+            long index = 0;
+            String name = "";
+            GeometryObject.Kind kind = GeometryObject.Kind.BOX;
+            double heading = 0;
+            boolean isMoveable = false;
+            Point[] points = {new Point(), new Point(), new Point()};
+            var members = in.object(LISTED_FIELDS);
+            for (int field = members.next(); field >= 0; field = members.next()) {
+                switch (field) {
+                    case 0 -> index = in.whole(0, JsonMessages.MAX_ID);
+                    case 1 -> kind = kind();
+                    case 2 -> points[0] = point();
+                    case 3 -> heading = in.number();
+                    case 4 -> isMoveable = in.flag();
+                    case 5, 6 -> points[field - 4] = point();
+                    default -> name = in.text();
+                }
+            }
+            long at = index;
+            String named = name;
+            GeometryObject.Kind shape = kind;
+            double turned = heading;
+            boolean moves = isMoveable;
+            return in.make(() -> new ListedObject(at, named, shape, points[0], turned, moves, points[1], points[2]));
         }
 
         private GeometryObject.Kind kind() throws IOException {
@@ -271,6 +314,10 @@ final class JsonAnswers {
 
         WorldAnswer identified(WorldAnswer answer) {
             return new WorldAnswer.Identified(answer, obstacles);
+        }
+
+        WorldAnswer listed() {
+            return new WorldAnswer.Listed(listed, next);
         }
 
         WorldAnswer slid() {

@@ -31,7 +31,7 @@ final class JsonBatches {
     private static final Fields REQUEST = Fields.of(
             "kind",
             "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors light"
-                    + " center heading object overlapping x y z rx ry clearance bends identify");
+                    + " center heading object overlapping x y z rx ry clearance bends identify first count");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
             new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion"},
@@ -45,7 +45,8 @@ final class JsonBatches {
             new String[] {"remove", "objectName", ""},
             new String[] {"move", "objectName", "x y z rx ry identify"},
             new String[] {"moveToContact", "objectName", "x y z rx ry clearance"},
-            new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends"});
+            new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends"},
+            new String[] {"list", "", "first count"});
     private static final Fields MOTION = Fields.of("duration", "x y z ry");
     private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
     private static final Fields SOURCE = Fields.of("kind strength", "color direction place angle");
@@ -114,6 +115,8 @@ final class JsonBatches {
         private final double[] move = new double[6]; // and the clearance
         private int bends = WorldRequest.GoAndSlide.USUAL_BENDS;
         private boolean identify;
+        private long first;
+        private int count = WorldRequest.ListObjects.USUAL_LISTED;
         private int samples = 1;
         private int mirrors = PictureRequest.USUAL_MIRRORS;
         private @Nullable SceneLight light;
@@ -144,8 +147,9 @@ final class JsonBatches {
                 case 8 -> new WorldRequest.Remove(name);
                 case 9 -> new WorldRequest.Go(name, move[0], move[1], move[2], move[3], move[4]);
                 case 10 -> new WorldRequest.GoToContact(name, move[0], move[1], move[2], move[3], move[4], move[5]);
-                default ->
+                case 11 ->
                     new WorldRequest.GoAndSlide(name, move[0], move[1], move[2], move[3], move[4], move[5], bends);
+                default -> new WorldRequest.ListObjects(first, count);
             };
         }
     }
@@ -224,6 +228,8 @@ final class JsonBatches {
                 case OVERLAPPING -> draft.overlapping = in.flag();
                 case BENDS -> draft.bends = (int) in.whole(0, WorldRequest.GoAndSlide.MOST_BENDS);
                 case BENDS + 1 -> draft.identify = in.flag();
+                case BENDS + 2 -> draft.first = in.whole(0, JsonMessages.MAX_ID);
+                case BENDS + 3 -> draft.count = (int) in.whole(1, WorldRequest.ListObjects.MOST_LISTED);
                 default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }
         }

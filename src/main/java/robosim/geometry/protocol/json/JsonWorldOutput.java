@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
+import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
@@ -24,6 +25,10 @@ final class JsonWorldOutput {
             out.writeBooleanField("identify", true);
         } else if (request instanceof WorldRequest.Describe) {
             out.writeStringField("kind", "world");
+        } else if (request instanceof WorldRequest.ListObjects list) {
+            out.writeStringField("kind", "list");
+            out.writeNumberField("first", list.first());
+            out.writeNumberField("count", list.count());
         } else if (request instanceof WorldRequest.Add add) {
             out.writeStringField("kind", "add");
             out.writeFieldName("object");
@@ -77,6 +82,8 @@ final class JsonWorldOutput {
             out.writeEndArray();
         } else if (answer instanceof WorldAnswer.Slid slid) {
             slid(slid);
+        } else if (answer instanceof WorldAnswer.Listed list) {
+            listed(list);
         } else if (answer instanceof WorldAnswer.Located pose) {
             point("center", pose.center());
             out.writeFieldName("rotation");
@@ -121,6 +128,28 @@ final class JsonWorldOutput {
             out.writeEndObject();
         }
         out.writeEndArray();
+    }
+
+    private void listed(WorldAnswer.Listed list) throws IOException {
+        out.writeArrayFieldStart("listed");
+        for (ListedObject object : list.objects()) {
+            out.writeStartObject();
+            out.writeNumberField("index", object.index());
+            if (!object.name().isEmpty()) {
+                out.writeStringField("name", object.name());
+            }
+            out.writeStringField("kind", object.kind().word());
+            point("center", object.center());
+            out.writeNumberField("heading", object.heading());
+            out.writeBooleanField("moveable", object.moveable());
+            point("low", object.low());
+            point("high", object.high());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        if (list.next() >= 0) {
+            out.writeNumberField("next", list.next());
+        }
     }
 
     private void obstacle(Obstacle obstacle) throws IOException {

@@ -10,7 +10,8 @@ import robosim.geometry.exact.Checks;
  *
  * @param objectName a moveable object
  * @param forward    m/s; of a force, newtons
- * @param right      m/s to the right, for drives that can; of a force, newtons
+ * @param right      m/s to the right, 0 for a drive that {@linkplain DriveSettings.Kind#canGoSideways cannot}, for which any
+ *                   other number is refused; of a force, newtons
  * @param turn       <b>radians</b> a second, counter-clockwise seen from above; of a car, radians of the front wheels to the
  *                   left; of a force, newton metres
  */

@@ -36,7 +36,22 @@ public record DriveSettings(
         /** Has the velocity that it is given at once. */
         VELOCITY,
         /** Newtons forward and to the right, and newton metres. */
-        FORCE
+        FORCE;
+
+        /** Whether a command to the right means anything to it: wheels that do not swivel only roll. */
+        public boolean canGoSideways() {
+            return this == OMNIDIRECTIONAL || this == VELOCITY || this == FORCE;
+        }
+
+        /** The numbers that it has, in words. */
+        private String numbers() {
+            return switch (this) {
+                case DIFFERENTIAL -> "base, maxSpeed and maxAcceleration";
+                case OMNIDIRECTIONAL -> "maxSpeed, maxAcceleration, maxTurn and maxTurnAcceleration";
+                case ACKERMANN -> "base, maxSpeed, maxAcceleration and maxTurn";
+                case VELOCITY, FORCE -> "none of these numbers";
+            };
+        }
     }
 
     /** Refuses null, numbers that are out of range, and numbers that its kind has not. */
@@ -66,8 +81,8 @@ public record DriveSettings(
 
     private static void refuse(boolean wrong, Kind kind, String argument, double value) {
         if (wrong) {
-            throw new IllegalArgumentException(
-                    argument + " must be left out for a drive of kind " + kind + " (got: " + value + ")");
+            throw new IllegalArgumentException(argument + " must be left out for a drive of kind " + kind
+                    + ", which has " + kind.numbers() + " (got: " + value + ")");
         }
     }
 

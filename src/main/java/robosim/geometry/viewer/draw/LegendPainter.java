@@ -102,9 +102,17 @@ final class LegendPainter {
         }
         if (!scene.refusals().isEmpty()) {
             TracePainter.cross(canvas, x + 4, y - 5, 0);
-            label(x + 22, y, "refused move, " + scene.refusals().size() + " shown");
+            label(x + 22, y, stopped() + ", " + scene.refusals().size() + " shown");
         }
         canvas.close();
+    }
+
+    /** What the crosses of the scene mean. */
+    private String stopped() {
+        long bumps = scene.refusals().stream()
+                .filter(each -> each.kind() == Scene.Refusal.Kind.BUMP)
+                .count();
+        return bumps == 0 ? "refused move" : bumps == scene.refusals().size() ? "bump" : "refused move or bump";
     }
 
     private double label(double x, double y, String text) {

@@ -60,10 +60,10 @@ public record Frame(
     }
 
     /**
-     * A move that was refused.
+     * A move that was refused, or a driven robot that ran into something.
      *
      * @param mover   the object, where it stayed
-     * @param heading direction of the refused move, degrees about the vertical from the world's X
+     * @param heading direction of what is in the way, degrees about the vertical from the world's X
      * @param result  what blocked it; null if unknown
      * @param aim     where the move would have led; null if unknown
      */
@@ -71,10 +71,11 @@ public record Frame(
             GeometryObject mover,
             double heading,
             @Nullable MoveResult result,
-            @Nullable Pose aim) {
+            @Nullable Pose aim,
+            Scene.Refusal.Kind kind) {
         /** A refused move of which only the direction is known. */
         public Bump(GeometryObject mover, double heading, @Nullable MoveResult result) {
-            this(mover, heading, result, null);
+            this(mover, heading, result, null, Scene.Refusal.Kind.MOVE);
         }
 
         /** What was in the way, in words. */

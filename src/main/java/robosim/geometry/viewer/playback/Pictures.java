@@ -163,16 +163,31 @@ public final class Pictures {
         return (view.maxX() - view.minX()) * (view.maxZ() - view.minZ());
     }
 
+    /** The end of a conversation as a picture that is drawn to one file or several. */
+    public static final class Moments {
+        private final Scene scene;
+
+        private Moments(Scene scene) {
+            this.scene = scene;
+        }
+
+        /**
+         * Draws it to a file whose name ends in {@code .svg} or {@code .png}.
+         *
+         * @throws IOException if the file cannot be written
+         */
+        public void write(Path file) throws IOException {
+            Painter.write(scene, Theme.LIGHT, file);
+        }
+    }
+
     /**
-     * Draws the end of a conversation, as in {@link #lastMoments(Scenario)}, to a file whose name ends in {@code .svg}
-     * or {@code .png}; of a large world only the part where it happened.
+     * The end of a conversation, as in {@link #lastMoments(Scenario)}; of a large world only the part where it happened.
      *
      * @param goals goals of robots, which the picture includes
      * @param world lends colours and a unit; null for none
-     * @throws IOException if the file cannot be written
      */
-    public static void lastMoments(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
-            throws IOException {
+    public static Moments lastMoments(Scenario scenario, List<GeometryObject> goals, @Nullable World world) {
         Scene scene = lastMoments(scenario, world == null ? Colours.NONE : Colours.of(world));
         if (world != null) {
             scene = scene.described(scene.subtitle(), unit(world));
@@ -184,6 +199,6 @@ public final class Pictures {
         List<Scene.Mark> marks = goals.stream()
                 .map(goal -> new Scene.Mark(goal, Scene.Mark.Why.GOAL))
                 .toList();
-        Painter.write(scene.viewed(view).marked(marks, scene.farthest()), Theme.LIGHT, file);
+        return new Moments(scene.viewed(view).marked(marks, scene.farthest()));
     }
 }

@@ -155,7 +155,8 @@ public final class Replayer {
                 placed.put(request.objectName(), present(request.objectName()).pose());
             } else {
                 MoveResult result = tried != null && !tried.allowed() ? tried : null;
-                bumps.add(new Frame.Bump(mover, direction(mover.pose(), request), result, went));
+                bumps.add(
+                        new Frame.Bump(mover, direction(mover.pose(), request), result, went, Scene.Refusal.Kind.MOVE));
             }
         }
         return frame(step, null, placed, bumps, Map.of(), moved(asked.size(), bumps));
@@ -222,7 +223,8 @@ public final class Replayer {
             Point normal = contact.normal();
             boolean isAside = Math.abs(normal.y()) <= 0.5; // what is below it is no bump
             if (mover != null && isAside && contact.phase() == ContactAnswer.Phase.BEGIN) {
-                bumps.add(new Frame.Bump(mover, degrees(-normal.x(), -normal.z()), met(contact)));
+                bumps.add(new Frame.Bump(
+                        mover, degrees(-normal.x(), -normal.z()), met(contact), null, Scene.Refusal.Kind.BUMP));
             }
         }
         return frame(step, null, placed, bumps, Map.of(), stepped(asked, answer));

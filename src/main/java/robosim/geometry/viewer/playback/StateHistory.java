@@ -224,7 +224,7 @@ public final class StateHistory {
             }
             Frame.Bump bump = numbered.bump;
             if (numbered.number >= earliest(number, look.refusals())) {
-                refusals.add(new Scene.Refusal(bump.mover().center(), bump.heading()));
+                refusals.add(new Scene.Refusal(bump.mover().center(), bump.heading(), bump.kind()));
             }
             int age = number - numbered.number;
             if (age < FRESH && bump.result() != null) {

@@ -70,6 +70,11 @@ public record Scene(
         return new Scene(title, subtitle, unit, newView, things, trails, pings, refusals, blocked, marks, farthest);
     }
 
+    /** This scene with other objects. */
+    public Scene showing(List<Thing> newThings) {
+        return new Scene(title, subtitle, unit, view, newThings, trails, pings, refusals, blocked, marks, farthest);
+    }
+
     /** This scene with what happened in it. */
     public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
         return new Scene(
@@ -188,12 +193,25 @@ public record Scene(
     public record Ping(Point start, double heading, double width, double range, double distance) {}
 
     /**
-     * A move that was not made.
+     * A move that was not made, or a driven robot that ran into something.
      *
      * @param place   where the object stayed
-     * @param heading direction of the refused move, degrees about the vertical from the world's X
+     * @param heading direction of what is in the way, degrees about the vertical from the world's X
      */
-    public record Refusal(Point place, double heading) {}
+    public record Refusal(Point place, double heading, Kind kind) {
+        /** What happened. */
+        public enum Kind {
+            /** A move was asked for and not made. */
+            MOVE,
+            /** A body ran into something while it was driven. */
+            BUMP
+        }
+
+        /** A refused move. */
+        public Refusal(Point place, double heading) {
+            this(place, heading, Kind.MOVE);
+        }
+    }
 
     /**
      * What blocked a recent move.

@@ -238,6 +238,35 @@ class BatchValuesTest {
     }
 
     @Test
+    void aListIsInOrder() {
+        Point point = new Point();
+        Point above = new Point(0, 1, 0);
+        GeometryObject.Kind box = GeometryObject.Kind.BOX;
+        refuses("first must be from 0 to 2^53 - 1", v -> new WorldRequest.ListObjects((long) v, 1), -1, 0x1p53);
+        refuses("count must be from 1 to 65536", v -> new WorldRequest.ListObjects(0, (int) v), 0, -1, 65537);
+        refuses("index ", v -> new ListedObject((long) v, "", box, point, 0, true, point, point), -1, 0x1p53);
+        refuses("heading ", v -> new ListedObject(0, "", box, point, v, true, point, point), Double.NaN, 4, -4);
+        refuses("low must not be above high", () -> new ListedObject(0, "", box, point, 0, true, above, point));
+        refuses("name", () -> new ListedObject(0, null, box, point, 0, true, point, point));
+        refuses("kind", () -> new ListedObject(0, "", null, point, 0, true, point, point));
+        refuses("center", () -> new ListedObject(0, "", box, null, 0, true, point, point));
+        refuses("low", () -> new ListedObject(0, "", box, point, 0, true, null, point));
+        refuses("high", () -> new ListedObject(0, "", box, point, 0, true, point, null));
+        ListedObject one = new ListedObject(3, "", box, point, 0, true, point, above);
+        refuses("objects must be in the order", () -> new WorldAnswer.Listed(List.of(one, one), -1));
+        refuses("objects[0] ", () -> new WorldAnswer.Listed(Arrays.asList((ListedObject) null), -1));
+        refuses("next must be ", v -> new WorldAnswer.Listed(List.of(one), (long) v), -2, 0, 3, 0x1p53);
+        refuses("next must be ", () -> new WorldAnswer.Listed(List.of(), 4));
+        WorldAnswer.Listed listed = new WorldAnswer.Listed(List.of(one), 4);
+        assertThat(listed.fits(new WorldRequest.ListObjects(3, 1))).isTrue();
+        assertThat(listed.fits(new WorldRequest.ListObjects(4, 1))).isFalse();
+        assertThat(listed.fits(new WorldRequest.Describe())).isFalse();
+        ListedObject other = new ListedObject(5, "", box, point, 0, true, point, above);
+        assertThat(new WorldAnswer.Listed(List.of(one, other), -1).fits(new WorldRequest.ListObjects(0, 1)))
+                .isFalse();
+    }
+
+    @Test
     void arraysAreOfTheirOwnAndComparedByTheirBits() {
         double[] given = {1, 2};
         Numbers numbers = new Numbers(given);

@@ -112,6 +112,21 @@ class JsonBatchesTest {
     }
 
     @Test
+    void aListOfTheWorldIsReadAndWritten() throws ProtocolException {
+        Bundle asked = BatchSamples.listed().get(0);
+        assertThat(JsonLines.readRequest(JsonLines.write(asked))).isEqualTo(asked);
+        Reply told = new Reply(BatchSamples.listed().get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(told))).isEqualTo(told);
+        assertThat(JsonLines.write(told))
+                .contains("{\"listed\":[]},{\"listed\":[{\"index\":0,\"kind\":\"mesh\",\"center\":[0.0,0.0,0.0],")
+                .contains("\"name\":\"wall \u00e9\",\"kind\":\"box\"")
+                .contains(
+                        "\"moveable\":true,\"low\":[-1.0,-2.0,-3.0],\"high\":[-1.0,-2.0,-3.0]}],\"next\":9007199254740991}");
+        assertThat(JsonLines.readRequest(batch("{\"kind\":\"list\"}")))
+                .isEqualTo(new BatchRequestBundle(List.of(new WorldRequest.ListObjects(0, 1000))));
+    }
+
+    @Test
     void numbersAreLittleEndianDoubles() throws ProtocolException {
         Reply reply =
                 new Reply(new BatchAnswerBundle(List.of(new SenseAnswer(Numbers.of(1.5, INFINITY), Numbers.NONE))));
@@ -183,7 +198,7 @@ class JsonBatchesTest {
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
-                        "must be sense, poses, edges, picture, world, pose, place, add, remove, move, moveToContact or moveAndSlide (got: \"x\")"),
+                        "must be sense, poses, edges, picture, world, pose, place, add, remove, move, moveToContact, moveAndSlide or list (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),

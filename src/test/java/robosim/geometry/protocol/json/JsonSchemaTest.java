@@ -77,6 +77,9 @@ class JsonSchemaTest {
             "free must have",
             "heading and rotation must not both",
             "obstacle must be left out",
+            "low must not be above high",
+            "objects must be in the order of their indices",
+            "next must be -1, or above the last index",
             "obstacles must be at most",
             "contact and normal must be given",
             "rgb must have",
@@ -125,6 +128,7 @@ class JsonSchemaTest {
             }
         }
         lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
+        lines.add(JsonLines.write(BatchSamples.listed().get(0)));
         lines.add(JsonLines.write(
                 new InitBundle.Answered((InitBundle) BatchSamples.world().get(3))));
         lines.add("{\"type\":\"init\",\"answer\":true,\"objects\":[{\"kind\":\"box\",\"center\":[0,0,0],\"width\":1,"
@@ -145,6 +149,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(BatchSamples.pictures().get(1))),
                 JsonLines.write(new Reply(BatchSamples.world().get(1))),
                 JsonLines.write(new Reply(BatchSamples.obstacles().get(1))),
+                JsonLines.write(new Reply(BatchSamples.listed().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),

@@ -128,6 +128,20 @@ class PainterTest {
                 .contains("Everything", "a line below", "wall & <door>", "drum", "2 m", "refused move, 1 shown");
     }
 
+    /** The crosses of a drive are where it bumped: nobody asked for a move. */
+    @Test
+    void theLegendTellsBumpsFromRefusedMoves() {
+        Scene.Refusal move = new Scene.Refusal(new Point(-2, 0, -3), 90);
+        Scene.Refusal bump = new Scene.Refusal(new Point(-2, 0, -3), 90, Scene.Refusal.Kind.BUMP);
+        assertThat(legend(move)).contains(">refused move, 1 shown<");
+        assertThat(legend(bump, bump)).contains(">bump, 2 shown<");
+        assertThat(legend(move, bump)).contains(">refused move or bump, 2 shown<");
+    }
+
+    private static String legend(Scene.Refusal... crosses) {
+        return Painter.svg(scene().with(List.of(), List.of(), List.of(crosses)));
+    }
+
     /** Cells side by side are one area without edges, and what a robot met on a map is not the whole of it. */
     @Test
     void aGridIsDrawnAsItsCells() throws Exception {

@@ -37,7 +37,7 @@ class PicturesTest {
         Scenario scenario =
                 Talk.begun().drives(2, true).looks(3.5).drives(9, false).scenario();
         Path file = folder.resolve("last.svg");
-        Pictures.lastMoments(scenario, List.of(), null, file);
+        Pictures.lastMoments(scenario, List.of(), null).write(file);
         String svg = Files.readString(file);
         DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
@@ -62,15 +62,15 @@ class PicturesTest {
                 .drives(2, true)
                 .drives(9, false);
         Path file = folder.resolve("last.svg");
-        Pictures.lastMoments(talk.scenario(), List.of(), null, file);
+        Pictures.lastMoments(talk.scenario(), List.of(), null).write(file);
         assertThat(radius(file)).isGreaterThan(20);
         // A goal far away is in the picture too.
         GeometryObject goal = new BoxObject(new Point(90, 0, 90), 1, 1, 1);
-        Pictures.lastMoments(talk.scenario(), List.of(goal), null, file);
+        Pictures.lastMoments(talk.scenario(), List.of(goal), null).write(file);
         assertThat(radius(file)).isBetween(2.0, 10.0);
         // Nothing moved: all of it.
         Talk still = new Talk().step(new InitBundle(objects, hall), null);
-        Pictures.lastMoments(still.scenario(), List.of(), null, file);
+        Pictures.lastMoments(still.scenario(), List.of(), null).write(file);
         assertThat(radius(file)).isBetween(2.0, 4.0);
     }
 
@@ -96,9 +96,9 @@ class PicturesTest {
         }
         World world = new World(99, 9, 99, Unit.CENTIMETRE, Dimension.SPATIAL, Accuracy.EXACT, coloured);
         Path file = folder.resolve("last.svg");
-        Pictures.lastMoments(scenario, List.of(), world, file);
+        Pictures.lastMoments(scenario, List.of(), world).write(file);
         assertThat(Files.readString(file)).contains("#12ab56", " cm<");
-        Pictures.lastMoments(scenario, List.of(), null, file);
+        Pictures.lastMoments(scenario, List.of(), null).write(file);
         assertThat(Files.readString(file)).doesNotContain("#12ab56", " cm<");
     }
 

@@ -1,0 +1,287 @@
+package robosim.geometry.junit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.opentest4j.AssertionFailedError;
+import robosim.geometry.Geometry;
+import robosim.geometry.NearObject;
+import robosim.geometry.collision.Budget;
+import robosim.geometry.collision.Contact;
+import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.collision.Verdict;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.protocol.Text;
+
+/** What robots must never touch, the moves that were refused so far, and what bodies met. */
+final class Watches {
+    private final Geometry geometry;
+    private final VirtualClock clock;
+    private final List<Refusal> refusals = new ArrayList<>();
+    private final List<Watch> watches = new ArrayList<>();
+
+    /**
+     * A move that was blocked.
+     *
+     * @param obstacle the name of what blocked it; null for what has none and for the border of the world
+     * @param asked    what was to be done
+     * @param blocked  what came of it
+     */
+    private record Refusal(String mover, @Nullable String obstacle, long step, String asked, String blocked) {
+        boolean isOf(String robot) {
+            return mover.equals(robot) || robot.equals(obstacle);
+        }
+
+        @Nullable
+        String other(String robot) {
+            return mover.equals(robot) ? obstacle : mover;
+        }
+
+        String words(String moment) {
+            return asked + moment + " and was " + blocked;
+        }
+    }
+
+    Watches(Geometry geometry, VirtualClock clock) {
+        this.geometry = geometry;
+        this.clock = clock;
+    }
+
+    /** A robot and what it must not touch. Moves and meetings are looked at once. */
+    private abstract class Watch {
+        final String robot;
+        private int refusalsSeen;
+        private int meetingsSeen;
+
+        Watch(String robot) {
+            this.robot = robot;
+        }
+
+        /** Whether it is about an object; null for one without a name and for the border of the world. */
+        abstract boolean isAbout(@Nullable String other);
+
+        boolean isAbout(Bodies.Meeting meeting) {
+            return isAbout(meeting.otherOrNull(robot));
+        }
+
+        abstract String sentence();
+
+        abstract String words(Refusal refusal);
+
+        abstract String words(Bodies.Meeting meeting);
+
+        /** Fails if the robot touches such an object where it is now. */
+        abstract void checkPresent();
+
+        void check(List<Bodies.Meeting> meetings) {
+            for (; refusalsSeen < refusals.size(); refusalsSeen++) {
+                Refusal refusal = refusals.get(refusalsSeen);
+                if (refusal.isOf(robot) && isAbout(refusal.other(robot))) {
+                    throw failure(words(refusal));
+                }
+            }
+            for (; meetingsSeen < meetings.size(); meetingsSeen++) {
+                Bodies.Meeting meeting = meetings.get(meetingsSeen);
+                if (meeting.isOf(robot) && isAbout(meeting)) {
+                    throw failure(words(meeting));
+                }
+            }
+            if (geometry.hasObject(robot)) {
+                checkPresent();
+            }
+        }
+
+        AssertionFailedError failure(String words) {
+            return new AssertionFailedError("robot " + Text.quoted(robot) + sentence() + ", but " + words);
+        }
+    }
+
+    /** Of one object. */
+    private final class WatchOfOne extends Watch {
+        private final String other;
+
+        WatchOfOne(String robot, String other) {
+            super(robot);
+            this.other = other;
+        }
+
+        @Override
+        boolean isAbout(@Nullable String met) {
+            return other.equals(met);
+        }
+
+        @Override
+        String sentence() {
+            return " must never touch " + Text.quoted(other);
+        }
+
+        @Override
+        String words(Refusal refusal) {
+            return refusal.words(step(refusal.step));
+        }
+
+        @Override
+        String words(Bodies.Meeting meeting) {
+            return "they met in step " + meeting.step() + " at "
+                    + Words.point(meeting.contact().point(), 0);
+        }
+
+        @Override
+        void checkPresent() {
+            if (geometry.hasObject(other) && touch(geometry.getObject(robot), geometry.getObject(other))) {
+                throw failure("they touch" + step(clock.steps()) + ": " + Words.object(geometry.getObject(robot))
+                        + " and " + Words.object(geometry.getObject(other)));
+            }
+        }
+    }
+
+    /** Of everything but some objects and the ground, which is the lower border of the world. */
+    private final class WatchOfAll extends Watch {
+        private final Set<String> except;
+
+        WatchOfAll(String robot, Set<String> except) {
+            super(robot);
+            this.except = except;
+        }
+
+        @Override
+        boolean isAbout(@Nullable String met) {
+            return met == null || !except.contains(met);
+        }
+
+        @Override
+        String sentence() {
+            return " must never touch anything"
+                    + (except.isEmpty()
+                            ? ""
+                            : except.stream().map(Text::quoted).collect(Collectors.joining(", ", " but ", "")));
+        }
+
+        @Override
+        String words(Refusal refusal) {
+            return refusal.words(time(refusal.step));
+        }
+
+        @Override
+        boolean isAbout(Bodies.Meeting meeting) {
+            return super.isAbout(meeting) && !isGround(meeting);
+        }
+
+        @Override
+        String words(Bodies.Meeting meeting) {
+            String other = meeting.otherOrNull(robot);
+            String met = other == null
+                    ? Words.object(nameless(meeting.contact().point()))
+                    : geometry.hasObject(other) ? Words.kindAndName(geometry.getObject(other)) : Text.quoted(other);
+            return "it met " + met + time(meeting.step()) + " at "
+                    + Words.point(meeting.contact().point(), 0);
+        }
+
+        @Override
+        void checkPresent() {
+            GeometryObject present = geometry.getObject(robot);
+            for (GeometryObject other : geometry.search().touching(present)) {
+                if (!robot.equals(other.name()) && isAbout(other.name()) && touch(present, other)) {
+                    Contact contact = ContactQuery.contacts(present, other, geometry.dimension(), 1).stream()
+                            .findFirst()
+                            .orElse(null);
+                    throw failure("it touches " + Words.object(other) + time(clock.steps())
+                            + (contact == null
+                                    ? ""
+                                    : ", at "
+                                            + Words.point(
+                                                    contact.point(),
+                                                    present.bounds().size()))
+                            + "; it stands " + Words.place(present));
+                }
+            }
+        }
+    }
+
+    /** Whether a robot stood on the lower border of the world. */
+    private boolean isGround(Bodies.Meeting meeting) {
+        Point point = meeting.contact().point();
+        return meeting.contact().other() == null
+                && meeting.contact().normal().y() > 0
+                && below(point) == toBorder(point)
+                && nameless(point) == null;
+    }
+
+    private double below(Point point) {
+        return point.y() + 0.5 * geometry.height();
+    }
+
+    private double toBorder(Point point) {
+        double aside =
+                Math.min(0.5 * geometry.width() - Math.abs(point.x()), 0.5 * geometry.length() - Math.abs(point.z()));
+        return geometry.dimension() == Dimension.PLANAR
+                ? aside
+                : Math.min(aside, 0.5 * geometry.height() - Math.abs(point.y()));
+    }
+
+    /** The object without a name that is met at a point; null if the border of the world is nearer. */
+    private @Nullable GeometryObject nameless(Point point) {
+        double border = Math.max(0, toBorder(point));
+        for (NearObject near : geometry.search().nearest(point, Integer.MAX_VALUE, border)) {
+            if (near.object().name() == null && near.distance() < border) {
+                return near.object();
+            }
+        }
+        return null;
+    }
+
+    private boolean touch(GeometryObject robot, GeometryObject other) {
+        return ContactQuery.ask(robot, other, geometry.dimension(), Budget.UNLIMITED)
+                        .answer()
+                != Verdict.Answer.NO;
+    }
+
+    /** A step of the clock, for a message; empty before the first. */
+    private static String step(long step) {
+        return step == 0 ? "" : " in step " + step;
+    }
+
+    private String time(long step) {
+        double seconds = clock.step().multipliedBy(step).toNanos() / 1e9;
+        return step == 0 ? "" : step(step) + " (after " + NumberText.digits(seconds, 9) + " s)";
+    }
+
+    /** A move was refused. */
+    void refused(String mover, @Nullable String obstacle, String asked, String blocked) {
+        refusals.add(new Refusal(mover, obstacle, clock.steps(), asked, blocked));
+    }
+
+    /** The robot's last refusal, for a message; empty where there is none. */
+    String lastRefusal(String name) {
+        for (int k = refusals.size() - 1; k >= 0; k--) {
+            if (refusals.get(k).mover.equals(name)) {
+                return "; the last that stopped it: " + refusals.get(k).words(step(refusals.get(k).step));
+            }
+        }
+        return "";
+    }
+
+    /** Watches two objects, from now on and in what happened so far. */
+    void add(String robot, String other, List<Bodies.Meeting> meetings) {
+        add(new WatchOfOne(robot, other), meetings);
+    }
+
+    /** Watches a robot and everything but some objects, from now on and in what happened so far. */
+    void add(String robot, Set<String> except, List<Bodies.Meeting> meetings) {
+        add(new WatchOfAll(robot, except), meetings);
+    }
+
+    private void add(Watch watch, List<Bodies.Meeting> meetings) {
+        watch.check(meetings);
+        watches.add(watch);
+    }
+
+    void check(List<Bodies.Meeting> meetings) {
+        watches.forEach(watch -> watch.check(meetings));
+    }
+}
