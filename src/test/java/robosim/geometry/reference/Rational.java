@@ -6,6 +6,7 @@ import java.math.MathContext;
 
 /** A ratio of two integers: what a double stands for, and all that plus, minus, times and over make of it. */
 final class Rational implements Comparable<Rational> {
+    /** Bits of a denominator from which it is worth the time to look for common divisors. */
     private static final int LONG = 1024;
 
     static final Rational ZERO = new Rational(BigInteger.ZERO, BigInteger.ONE);
