@@ -177,7 +177,7 @@ final class Watches {
             String other = meeting.otherOrNull(robot);
             String met = other == null
                     ? Words.object(nameless(meeting.contact().point()))
-                    : geometry.hasObject(other) ? Words.kindAndName(geometry.getObject(other)) : Text.quoted(other);
+                    : geometry.hasObject(other) ? Text.kindAndName(geometry.getObject(other)) : Text.quoted(other);
             return "it met " + met + time(meeting.step()) + " at "
                     + Words.point(meeting.contact().point(), 0);
         }

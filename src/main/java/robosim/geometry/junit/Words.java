@@ -95,15 +95,9 @@ final class Words {
         if (object == null) {
             return "the border of the world";
         }
-        String words = kindAndName(object);
+        String words = Text.kindAndName(object);
         // The centre of a map says nothing about its walls.
         return object.kind() == GeometryObject.Kind.GRID ? words : words + " at " + center(object);
-    }
-
-    /** As in {@code box "wall 3"}. */
-    static String kindAndName(GeometryObject object) {
-        String name = object.name();
-        return object.kind().word() + (name == null ? " without a name" : " " + Text.quoted(name));
     }
 
     static String steps(long count) {

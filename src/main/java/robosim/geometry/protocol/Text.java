@@ -38,6 +38,12 @@ public final class Text {
                 + NumberText.places(center.y(), 3) + ", " + NumberText.places(center.z(), 3) + ")";
     }
 
+    /** As in {@code box "wall 3"} or {@code mesh without a name}, on one line. */
+    public static String kindAndName(GeometryObject object) {
+        String name = Checks.present("object", object).name();
+        return object.kind().word() + (name == null ? " without a name" : " " + quoted(name));
+    }
+
     /** Text escaped for XML; characters that XML does not allow become U+FFFD. */
     public static String xml(String text) {
         StringBuilder escaped = new StringBuilder(Checks.present("text", text).length());

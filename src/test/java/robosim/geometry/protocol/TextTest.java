@@ -3,6 +3,8 @@ package robosim.geometry.protocol;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
 
 class TextTest {
     /** Of control characters the tab alone stays, line breaks do not; surrogates stay in pairs only. */
@@ -14,6 +16,13 @@ class TextTest {
         for (String bad : new String[] {"\u0000", "\u001f", "\n", "\ud800", "\udfff", "\ufffe", "\uffff"}) {
             assertThat(Text.xml("a" + bad + "b")).isEqualTo("a\ufffdb");
         }
+    }
+
+    @Test
+    void anObjectIsToldByItsKindAndItsName() {
+        SphereObject ball = new SphereObject(new Point(), 1);
+        assertThat(Text.kindAndName(ball)).isEqualTo("sphere without a name");
+        assertThat(Text.kindAndName(ball.named("a \"b\"\n"))).isEqualTo("sphere \"a \\\"b\\\"\\u000a\"");
     }
 
     @Test

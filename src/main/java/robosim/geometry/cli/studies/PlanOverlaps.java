@@ -5,7 +5,6 @@ import java.util.Collection;
 import java.util.List;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.world.World;
 
@@ -35,7 +34,7 @@ final class PlanOverlaps {
                     ? List.of()
                     : geometry.search().touching(geometry.getObject(name)).stream()
                             .filter(other -> !name.equals(other.name()))
-                            .map(PlanOverlaps::words)
+                            .map(Text::kindAndName)
                             .toList();
             if (!others.isEmpty()) {
                 int more = others.size() - NAMED;
@@ -47,9 +46,5 @@ final class PlanOverlaps {
             }
         }
         return lines;
-    }
-
-    private static String words(GeometryObject object) {
-        return object.kind().word() + (object.name() == null ? " without a name" : " " + Text.quoted(object.name()));
     }
 }

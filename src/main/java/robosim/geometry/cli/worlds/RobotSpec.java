@@ -125,10 +125,6 @@ final class RobotSpec {
         }
     }
 
-    private static String words(GeometryObject object) {
-        return object.kind().word() + (object.name() == null ? " without a name" : " " + Text.quoted(object.name()));
-    }
-
     private static double number(@Nullable String text, double otherwise) {
         return text == null ? otherwise : Double.parseDouble(text);
     }
@@ -171,8 +167,10 @@ final class RobotSpec {
             String remedy = place == null
                     ? "and none nearby has room for it, see check or render"
                     : "free nearby is " + whole.substring(0, words.start(6)) + place + whole.substring(words.end(7));
-            String taken =
-                    geometry.search().firstTouching(robot).map(RobotSpec::words).orElse("something");
+            String taken = geometry.search()
+                    .firstTouching(robot)
+                    .map(Text::kindAndName)
+                    .orElse("something");
             throw new IllegalArgumentException("a robot must stand where nothing is, since what touches cannot move; "
                     + taken + " is at this place, " + remedy + " (got: " + whole + ")");
         }
