@@ -7,6 +7,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
@@ -102,5 +104,45 @@ class SpatialCollisionTest {
             assertThat(one.z() + 3 * other.z()).as("case %d", k).isCloseTo(0, within(1e-9));
         }
         assertThat(met).isGreaterThan(40);
+    }
+
+    private GeometryObject any(int kind, Point at, String name) {
+        double size = random.nextDouble(0.1, 0.6);
+        double height = random.nextDouble(0.2, 1.2);
+        GeometryObject shape = switch (kind) {
+            case 0 -> new SphereObject(at, size);
+            case 1 -> new BoxObject(at, 2 * size, height, 1);
+            case 2 -> new CylinderObject(at, size, height);
+            default -> new CapsuleObject(at, size, height);
+        };
+        return shape.moveable(name);
+    }
+
+    /** What meets off its centre without restitution goes on touching, and slides over a face that turns. */
+    @Test
+    void momentumIsKeptWhileOneSlidesOverAnother() {
+        for (int k = 0; k < 48; k++) {
+            double friction = k % 3 == 0 ? 0.5 : 0;
+            double massA = StrictMath.pow(10, random.nextDouble(-1, 1));
+            double massB = StrictMath.pow(10, random.nextDouble(-1, 1));
+            Dynamics dynamics = two(
+                    any(k % 4, new Point(-1.5, 0, 0), "a"),
+                    massA,
+                    any(k / 4 % 4, new Point(1, random.nextDouble(0.3), random.nextDouble(0.5)), "b"),
+                    massB,
+                    new Surface(0, friction, friction));
+            dynamics.setSpatialVelocity("a", new SpatialVelocity(3, 0, 0, 0, random.nextDouble(-90, 90), 0));
+            double seconds = k % 2 == 0 ? 0.01 : 1;
+            for (double time = 0; time < 2; time += seconds) {
+                String what = "case " + k + ", " + time + " s";
+                assertThat(dynamics.step(seconds).stopped()).as(what).isEmpty();
+                SpatialVelocity one = dynamics.spatialVelocity("a");
+                SpatialVelocity other = dynamics.spatialVelocity("b");
+                double rounding = 1e-9 * (massA + massB);
+                assertThat(massA * one.x() + massB * other.x()).as(what).isCloseTo(3 * massA, within(rounding));
+                assertThat(massA * one.y() + massB * other.y()).as(what).isCloseTo(0, within(rounding));
+                assertThat(massA * one.z() + massB * other.z()).as(what).isCloseTo(0, within(rounding));
+            }
+        }
     }
 }

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.BodyContact;
@@ -16,6 +19,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
 
@@ -88,5 +92,43 @@ class BumperStepTest {
         dynamics.drive("cart", DRIVE.driving(-0.5, 0));
         dynamics.step(1);
         assertThat(strip.isPressed(world, dynamics.step(0.05))).isFalse();
+    }
+
+    /** A floor and a wall of one object, or the border of the world, which is both. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void theSideIsThatOfTheGreatestImpulseOfTheStep(boolean isBorder) {
+        Geometry world = new Geometry(5.5, 4, 40, Dimension.SPATIAL, Accuracy.EXACT);
+        double ground = isBorder ? -2 : -1;
+        if (!isBorder) {
+            world.addObject(new ObjectGroup(List.of(
+                            new BoxObject(new Point(0, -1.5, 0), 5, 1, 10),
+                            new BoxObject(new Point(2, 0, 0), 0.5, 2, 10)))
+                    .named("room"));
+        }
+        double wall = isBorder ? 2.75 : 1.75;
+        world.addObject(new BoxObject(new Point(0, ground + 0.5 + 1e-8, 0), 1, 1, 1).moveable("crate"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("crate", Body.ofMass(world.getObject("crate"), 50));
+        dynamics.step(0.2);
+        dynamics.setVelocity("crate", new Twist(100, 0, 0, 0));
+        StepResult step = dynamics.step(0.05);
+        assertThat(step.contacts()).hasSize(1);
+        BodyContact contact = step.contacts().get(0);
+        // It has stood on the floor before, and been carried by it in this step too.
+        assertThat(contact.phase()).isEqualTo(BodyContact.Phase.LAST);
+        // To within what the floor gives in a slice.
+        assertThat(contact.impulse()).isCloseTo(5000 + 50 * Body.GRAVITY * 0.05, within(50 * Body.GRAVITY * 1e-3));
+        assertThat(contact.normal()).isEqualTo(new Point(-1, 0, 0));
+        assertThat(contact.point().x()).isCloseTo(wall, within(1e-7));
+        assertThat(Math.abs(contact.point().y() - ground - 0.5)).isLessThan(0.5 + 1e-6);
+        assertThat(Math.abs(contact.point().z())).isLessThan(0.5 + 1e-6);
+        Bumper everywhere = Bumper.on("crate");
+        Bumper front = everywhere.shaped(new BoxObject(new Point(0.5, 0.02, 0), 0.1, 1.02, 1.02));
+        assertThat(everywhere.bearing(world, contact)).isCloseTo(0, within(1e-3));
+        assertThat(everywhere.isPressed(world, step)).isTrue();
+        Bumper back = everywhere.shaped(new BoxObject(new Point(-0.5, 0.02, 0), 0.1, 0.9, 0.9));
+        assertThat(front.isPressed(world, step)).isTrue();
+        assertThat(back.isPressed(world, step)).isFalse();
     }
 }

@@ -10,6 +10,9 @@ public final class ContactLog {
 
     private final Contacts all = new Contacts();
 
+    /** The greatest of the impulses of each entry. */
+    private double[] most = new double[FIRST];
+
     /** The two of each entry as one number. */
     private long[] keys = new long[FIRST];
 
@@ -46,6 +49,7 @@ public final class ContactLog {
     private void grow() {
         keys = Arrays.copyOf(keys, 2 * keys.length);
         names = Arrays.copyOf(names, 2 * names.length);
+        most = Arrays.copyOf(most, keys.length);
         table = new int[2 * table.length];
         for (int entry = 0; entry < all.count; entry++) {
             table[slot(keys[entry])] = entry + 1;
@@ -58,7 +62,8 @@ public final class ContactLog {
     }
 
     /**
-     * Adds a contact; of two bodies, the first is told to touch the other one.
+     * Adds a contact; of two bodies, the first is told to touch the other one. Of several with the same two, impulses add up,
+     * and where and along what they touch is that of the greatest.
      *
      * @param id      the id of the body
      * @param objects who they are, which is kept: they may be removed before anybody asks
@@ -69,8 +74,18 @@ public final class ContactLog {
         int object = isSecond ? id : of.object[k];
         long key = key(body, object);
         int slot = slot(key);
+        double impulse = of.impulse[k];
+        double sign = isSecond ? -1 : 1;
         if (table[slot] != 0) {
-            all.impulse[table[slot] - 1] += of.impulse[k];
+            int known = table[slot] - 1;
+            all.impulse[known] += impulse;
+            if (impulse > most[known]) {
+                most[known] = impulse;
+                for (int axis = 0; axis < 3; axis++) {
+                    all.point[3 * known + axis] = of.point[3 * k + axis];
+                    all.normal[3 * known + axis] = sign * of.normal[3 * k + axis] + 0.0;
+                }
+            }
             return;
         }
         int entry = all.count;
@@ -80,10 +95,10 @@ public final class ContactLog {
         }
         table[slot] = entry + 1;
         keys[entry] = key;
+        most[entry] = impulse;
         names[2 * entry] = objects.value(body).name();
         names[2 * entry + 1] = object < 0 ? null : objects.value(object).name();
         int c = 3 * k;
-        double sign = isSecond ? -1 : 1;
         all.add(
                 body,
                 -1,
@@ -95,7 +110,7 @@ public final class ContactLog {
                 sign * of.normal[c + 1] + 0.0,
                 sign * of.normal[c + 2] + 0.0,
                 of.apart[k]);
-        all.impulse[entry] = of.impulse[k];
+        all.impulse[entry] = impulse;
     }
 
     /** The name of the body. */

@@ -1,5 +1,6 @@
 package robosim.geometry.dynamics.space;
 
+import java.util.Arrays;
 import java.util.List;
 import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -61,12 +62,20 @@ final class Integrator {
         this.tell = tell;
     }
 
-    /** Lets gravity act on a body: the velocity at the end of a time. */
+    /** Lets gravity act on a body from the beginning of a part: the velocity at the end of a time. */
     void fall(RigidBody body, double seconds) {
+        Arrays.fill(body.given, 0);
+        fallOn(body, seconds);
+    }
+
+    /** The same after a collision; what moving bodies gave it for the part it still gets, as they have the opposite. */
+    private void fallOn(RigidBody body, double seconds) {
         if (body.isAsleep) {
             return;
         }
-        System.arraycopy(body.v, 0, body.u, 0, 6);
+        for (int k = 0; k < 6; k++) {
+            body.u[k] = body.v[k] + body.given[k];
+        }
         for (int axis = 0; axis < 3; axis++) {
             body.u[axis] += gravity[axis] * seconds;
         }
@@ -80,6 +89,7 @@ final class Integrator {
             if (share < 1 && !body.isAsleep) {
                 for (int k = 0; k < 6; k++) {
                     body.u[k] = body.v[k] + (body.u[k] - body.v[k]) * share;
+                    body.given[k] *= share;
                 }
                 body.work -= body.lastWork * (1 - share);
                 body.lastWork *= share;
@@ -122,6 +132,7 @@ final class Integrator {
             double time = time(body, share, rest);
             for (int k = 0; k < 6; k++) {
                 body.v[k] += (body.u[k] - body.v[k]) * (time / rest);
+                body.given[k] *= 1 - time / rest;
             }
             body.lastWork *= 1 - time / rest;
             rest -= time;
@@ -141,7 +152,8 @@ final class Integrator {
             }
         }
         if (body.waits < MOST_WAITS && isBesideMoving()) {
-            body.waits++;
+            // Who slides over a face that has turned meanwhile lacks a little of its way, and does not wait.
+            body.waits = rest < seconds / 2 ? 0 : body.waits + 1;
             System.arraycopy(body.u, 0, body.v, 0, 6);
             return;
         }
@@ -289,7 +301,7 @@ final class Integrator {
         for (int k = 0; k < contacts.count; k++) {
             pass(contacts.other[k]);
         }
-        fall(body, rest);
+        fallOn(body, rest);
         impulses.solve(contacts, b, true, rest, TurningSweep.GAP, surfaces);
         tell.run();
     }

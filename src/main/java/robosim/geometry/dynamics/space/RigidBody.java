@@ -50,6 +50,9 @@ final class RigidBody {
 
     final double[] u = new double[6];
 
+    /** Of the change from one to the other, what moving bodies give it, and take the opposite of, in the rest of a slice. */
+    final double[] given = new double[6];
+
     /** The inverse of the inertia about the world's axes. */
     final double[] inverse = new double[9];
 
@@ -194,5 +197,6 @@ final class RigidBody {
         isAsleep = true;
         Arrays.fill(v, 0);
         Arrays.fill(u, 0);
+        Arrays.fill(given, 0);
     }
 }

@@ -260,16 +260,20 @@ final class SequentialImpulses {
 
     private void give(Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {
         if (impulse != 0) {
-            give(c.body[k], c, k, along, at, impulse, atEnd);
-            if (isMoved(c.other[k])) {
-                give(c.other[k], c, k, along, at, -impulse, atEnd);
+            boolean isShared = isMoved(c.other[k]);
+            give(c.body[k], c, k, along, at, impulse, velocity(c.body[k], atEnd));
+            if (isShared) {
+                give(c.other[k], c, k, along, at, -impulse, velocity(c.other[k], atEnd));
+            }
+            if (isShared && atEnd) {
+                give(c.body[k], c, k, along, at, impulse, bodies.get(c.body[k]).given);
+                give(c.other[k], c, k, along, at, -impulse, bodies.get(c.other[k]).given);
             }
         }
     }
 
-    private void give(int b, Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {
+    private void give(int b, Contacts c, int k, double[] along, int at, double impulse, double[] v) {
         RigidBody body = bodies.get(b);
-        double[] v = velocity(b, atEnd);
         reach(b, c, k);
         double x = impulse * along[at];
         double y = impulse * along[at + 1];
