@@ -14,7 +14,7 @@ import robosim.geometry.model.Twist;
  * @param maxSpeed        m/s; infinite for no limit
  * @param maxAcceleration m/s<sup>2</sup>; infinite for no limit
  * @param speed           the command: m/s, negative for backwards
- * @param steering        the command: degrees, positive to the left
+ * @param steering        the command: degrees, positive to the left, between -90 and 90
  */
 public record AckermannDrive(
         double wheelbase, double maxSteering, double maxSpeed, double maxAcceleration, double speed, double steering)
@@ -31,6 +31,11 @@ public record AckermannDrive(
         maxAcceleration = Quantity.limit("maxAcceleration", maxAcceleration);
         speed = Quantity.finite("speed", speed);
         steering = Checks.angle("steering", steering);
+        if (!(Math.abs(steering) < 90)) {
+            throw new IllegalArgumentException(
+                    "steering must be between -90 and 90 degrees, the angle of the front wheels (got: " + steering
+                            + ")");
+        }
     }
 
     /** A car that is told to stand, its wheels straight. */

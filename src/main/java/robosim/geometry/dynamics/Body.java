@@ -22,7 +22,7 @@ import robosim.geometry.model.Twist;
  * @param mass        kg; above 0
  * @param inertia     moment of inertia about the vertical through the centre, kg m<sup>2</sup>; above 0
  * @param surface     how it bounces and rubs
- * @param damping     by how much the speed falls, as a share of it each second: 0 for not at all, and above 1 is allowed
+ * @param damping     the rate at which the speed falls, as a share of what it is, each second: 0 for not at all, and above 1 is allowed
  * @param turnDamping the same of the speed of turning
  * @param maxSpeed    m/s; infinite for no limit
  * @param maxTurn     degrees a second; infinite for no limit
@@ -60,6 +60,9 @@ public record Body(
         floorFriction = Quantity.atLeastZero("floorFriction", floorFriction);
         inertiaX = Quantity.atLeastZero("inertiaX", inertiaX);
         inertiaZ = Quantity.atLeastZero("inertiaZ", inertiaZ);
+        if (inertiaX > 0 && inertiaZ > 0) {
+            Inertia.check(inertiaX, inertia, inertiaZ);
+        }
     }
 
     /** A body of which one moment of inertia is given. */
@@ -102,7 +105,13 @@ public record Body(
      */
     public static Body ofMass(GeometryObject shape, double mass) {
         Quantity.positive("mass", mass);
-        return of(mass, mass * gyrationSquare(shape));
+        double square = gyrationSquare(shape);
+        if (square == 0) {
+            throw new IllegalArgumentException(
+                    "shape must not be a point or a vertical line, which resists no turn; give it a"
+                            + " volume, or use Body.of(mass, inertia) (got: " + shape + ")");
+        }
+        return of(mass, mass * square);
     }
 
     /**
@@ -113,7 +122,12 @@ public record Body(
      */
     public static Body ofDensity(GeometryObject shape, double density) {
         Quantity.positive("density", density);
-        return ofMass(shape, density * volume(shape));
+        double volume = volume(shape);
+        if (volume == 0) {
+            throw new IllegalArgumentException(
+                    "shape must have a volume; give it one, or a mass by Body.ofMass (got: " + shape + ")");
+        }
+        return ofMass(shape, density * volume);
     }
 
     private static double volume(GeometryObject shape) {
@@ -206,6 +220,9 @@ public record Body(
     /**
      * This body with other moments of inertia, kg m<sup>2</sup>: about the own axes of the object, which have to be its
      * principal axes. A PLANAR world uses {@code aboutY} alone.
+     *
+     * @throws IllegalArgumentException if one of them is more than the sum of the other two, which it is in no body; a millionth
+     *     more is taken for rounding
      */
     public Body withInertia(double aboutX, double aboutY, double aboutZ) {
         return new Body(

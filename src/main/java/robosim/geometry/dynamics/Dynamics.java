@@ -164,16 +164,26 @@ public final class Dynamics {
      * give there: the body's own friction is that of its surface, or {@link Body#floorFriction} if that is more.
      */
     public void drive(String name, Drive drive) {
-        state(name).drive = Checks.present("drive", drive);
+        BodyState state = state(name);
+        Checks.present("drive", drive);
+        if (drive instanceof VelocityDrive of) {
+            Quantity.level("drive", of.velocity(), "where it acts along the ground");
+        }
+        state.drive = drive;
     }
 
-    /** Sets the velocity of a body, along its own axes; a body with a drive gets that of the drive in the next step. */
+    /**
+     * Sets the velocity of a body, along its own axes; a body with a drive gets that of the drive in the next step.
+     *
+     * @throws IllegalArgumentException if it has a part upwards and the world is PLANAR
+     */
     public void setVelocity(String name, Twist velocity) {
         BodyState state = state(name);
         Checks.present("velocity", velocity);
         if (falling != null) {
             Falling.setTwist(state, world.getObject(name).pose(), velocity);
         } else {
+            Quantity.level("velocity", velocity, "in a PLANAR world");
             state.setVelocity(world.getObject(name).heading(), velocity);
         }
     }

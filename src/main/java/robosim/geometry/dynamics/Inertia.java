@@ -11,7 +11,21 @@ final class Inertia {
     /** The least moment of a body is at least this share of its greatest: a needle turns about itself too. */
     private static final double LEAST = 1e-6;
 
+    /** By this share one moment may exceed the sum of the other two: those of a thin plate, given in seven digits. */
+    private static final double ROUNDING = 1e-6;
+
     private Inertia() {}
+
+    /** Refuses principal moments that no body has: each is at most the sum of the other two. */
+    static void check(double x, double y, double z) {
+        double most = Math.max(x, Math.max(y, z));
+        // The sum of all is at least twice the greatest.
+        if (x + y + z < most * (2 - ROUNDING)) {
+            throw new IllegalArgumentException(
+                    "moments of inertia must each be at most the sum of the other two, as those of"
+                            + " every body are (got: " + x + ", " + y + ", " + z + " about X, Y, Z)");
+        }
+    }
 
     /** Whether it is one of the shapes that fall and tip. */
     static boolean isSolid(GeometryObject object) {
@@ -26,10 +40,8 @@ final class Inertia {
         double[] unit = gyrationSquares(object);
         double scale = unit[1] > 0 ? body.inertia() / unit[1] : 0;
         double[] all = {unit[0] * scale, body.inertia(), unit[2] * scale};
-        if (body.inertiaX() > 0) {
-            all[0] = body.inertiaX();
-            all[2] = body.inertiaZ();
-        }
+        all[0] = body.inertiaX() > 0 ? body.inertiaX() : all[0];
+        all[2] = body.inertiaZ() > 0 ? body.inertiaZ() : all[2];
         double most = Math.max(all[0], Math.max(all[1], all[2]));
         for (int axis = 0; axis < 3; axis++) {
             all[axis] = Math.max(all[axis], LEAST * most);

@@ -42,6 +42,14 @@ final class Quantity {
         return value + 0.0;
     }
 
+    /** Refuses a part upwards where nothing would come of it. */
+    static void level(String argument, Twist velocity, String where) {
+        if (velocity.y() != 0) {
+            throw new IllegalArgumentException(
+                    argument + " must have no part upwards " + where + "; set y to 0 (got: " + velocity + ")");
+        }
+    }
+
     static double clamp(double value, double most) {
         return Math.max(-most, Math.min(most, value));
     }

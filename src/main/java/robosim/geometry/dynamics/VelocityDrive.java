@@ -6,7 +6,8 @@ import robosim.geometry.model.Twist;
 /**
  * A body that has the velocity it is given at once, whatever it had before.
  *
- * @param velocity along the own axes
+ * @param velocity along the own axes. A part upwards is for {@link #next} alone, where the caller moves the robot;
+ *                 {@link Dynamics#drive} refuses one, since drives act along the ground
  */
 public record VelocityDrive(Twist velocity) implements Drive {
     /** Refuses null. */

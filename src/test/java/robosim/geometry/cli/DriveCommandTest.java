@@ -7,8 +7,11 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
@@ -115,10 +118,71 @@ class DriveCommandTest {
         assertThat(run("drive", WORLD, "--robot", "wall east")).isEqualTo(2);
         assertThat(err.toString()).contains("--robot must name a moveable object of the world, one of [\"cart\"");
         assertThat(run("drive", WORLD, "--tell", "cart=fast")).isEqualTo(2);
-        assertThat(err.toString()).contains("--tell must be NAME=SPEED,TURN, as in cart=0.5,10 (got: cart=fast)");
+        assertThat(err.toString()).contains("--tell must be NAME=SPEED[,TURN], as in cart=0.5,10 (got: cart=fast)");
         assertThat(run("drive", WORLD, "--mass", "cart=-3")).isEqualTo(2);
         assertThat(err.toString()).contains("--mass: mass must be");
         assertThat(run("drive", WORLD, "--seconds", "0")).isEqualTo(2);
         assertThat(err.toString()).contains("--seconds and --step must be above 0");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '"', textBlock = """
+                    --speed NaN                  | --speed must be from -10^9 to 10^9 (got: NaN)
+                    --turn Infinity              | --turn must be from -10^9 to 10^9 (got: Infinity)
+                    --tell cart=NaN              | --tell must be from -10^9 to 10^9 (got: NaN)
+                    --tell cart=1,2e9            | --tell must be from -10^9 to 10^9 (got: 2.0E9)
+                    --tell cart=1,               | --tell must be NAME=SPEED[,TURN], as in cart=0.5,10 (got: cart=1,)
+                    --tell cart=1,2,3            | --tell must be NAME=SPEED[,TURN], as in cart=0.5,10 (got: cart=1,2,3)
+                    --tell cart                  | --tell must be NAME=SPEED[,TURN], as in cart=0.5,10 (got: cart)
+                    --tell pad=1                 | --tell must name a moveable object of the world, one of
+                    --tell cart=1,0 --robot cart | has a command already (got: --tell=cart=1,0)
+                    --tell cart=1 --tell cart=2  | has a command already (got: --tell=cart=2)
+                    --robot cart --robot cart    | has a command already (got: --robot=cart)
+                    --mass cart                  | --mass must be NAME=KG, as in crate=8 (got: cart)
+                    --mass cart=heavy            | --mass must be NAME=KG, as in crate=8 (got: cart=heavy)
+                    --mass pad=1                 | --mass must name a moveable object of the world, one of
+                    """)
+    void theMessageNamesTheOption(String options, String reason) {
+        assertThat(run(("drive " + WORLD + " " + options).split(" "))).isEqualTo(2);
+        assertThat(err.toString()).contains(reason).doesNotContain("option option");
+        assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void theTurnMayBeLeftOut() {
+        assertThat(run("drive", WORLD, "--tell", "cart=1", "--seconds", "1")).isZero();
+        String straight = out.toString();
+        out.getBuffer().setLength(0);
+        assertThat(run("drive", WORLD, "--tell", "cart=1,0", "--seconds", "1")).isZero();
+        assertThat(straight).isEqualTo(out.toString()).contains("\"cart\" at (", "1 m/s, after ");
+    }
+
+    /** One after the other as they stand in the help, since a later one reads what an earlier one writes; in a folder of its own. */
+    @Test
+    void theExamplesOfTheHelpDoWhatTheySay(@TempDir Path folder) {
+        String recording = folder.resolve("out.scenario.jsonl").toString();
+        int driven = 0;
+        int repeated = 0;
+        for (String line : Commands.line(false)
+                .getSubcommands()
+                .get("drive")
+                .getCommandSpec()
+                .usageMessage()
+                .footer()) {
+            String[] words =
+                    line.strip().replace("out.scenario.jsonl", recording).split(" +");
+            String[] arguments = Arrays.copyOfRange(words, 1, words.length);
+            if (arguments[0].equals("view")) {
+                // Opens a window; the page for a browser reads the same recording.
+                arguments = new String[] {
+                    "export", recording, folder.resolve("out.html").toString()
+                };
+            }
+            assertThat(run(arguments)).as("%s: %s", line, err).isZero();
+            driven += arguments[0].equals("drive") ? 1 : 0;
+            repeated += arguments[0].equals("replay") ? 1 : 0;
+        }
+        assertThat(driven).isEqualTo(2);
+        assertThat(repeated).isEqualTo(1);
     }
 }

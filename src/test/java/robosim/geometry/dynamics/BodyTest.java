@@ -56,9 +56,51 @@ class BodyTest {
         assertThatThrownBy(() -> Body.ofMass(new BoxObject(new Point(), 1, 1, 1).turned(10, 0), 1))
                 .hasMessageStartingWith("shape ");
         assertThatThrownBy(() -> Body.ofMass(new SphereObject(new Point(), 0), 1))
-                .hasMessageStartingWith("inertia ");
+                .hasMessageStartingWith("shape must not be a point or a vertical line")
+                .hasMessageContaining("Body.of(mass, inertia) (got: ");
         assertThatThrownBy(() -> Body.ofMass(new CapsuleObject(new Point(), 0, 1), 1))
-                .hasMessageStartingWith("inertia ");
+                .hasMessageStartingWith("shape must not be a point or a vertical line");
+        assertThatThrownBy(() -> Body.ofDensity(new SphereObject(new Point(), 0), 1))
+                .hasMessageStartingWith("shape must have a volume; ");
+        assertThatThrownBy(() -> Body.ofDensity(new BoxObject(new Point(), 1, 0, 1), 1))
+                .hasMessageStartingWith("shape must have a volume; ");
+        assertThat(Body.ofMass(new BoxObject(new Point(), 1, 0, 1), 6).inertia())
+                .as("a plate")
+                .isEqualTo(1);
+    }
+
+    /** Of masses at random points about any axes, and of plates and rods, where one moment is the sum of the others. */
+    @Test
+    void momentsAreThoseThatABodyCanHave() {
+        SplittableRandom random = new SplittableRandom(8);
+        for (int k = 0; k < 10_000; k++) {
+            double x = random.nextDouble();
+            double y = random.nextDouble();
+            double z = k % 3 == 0 ? 0 : random.nextDouble();
+            Body body = Body.of(1, 1).withInertia(y + z, x + z, x + y);
+            assertThat(body.inertiaZ()).isEqualTo(x + y);
+            // Plates in seven digits, as in files.
+            Body.of(1, 1).withInertia((float) y, (float) x, (float) (x + y));
+            double more = (x + y) * (1 + random.nextDouble(1e-5, 3));
+            for (int turn = 0; turn < 3; turn++) {
+                double[] m = {x, y, more, x, y};
+                int from = turn;
+                assertThatThrownBy(() -> Body.of(1, 1).withInertia(m[from], m[from + 1], m[from + 2]))
+                        .hasMessageStartingWith("moments of inertia must each be at most the sum of the other two")
+                        .hasMessageContaining("(got: " + m[from] + ", " + m[from + 1]);
+            }
+        }
+    }
+
+    @Test
+    void eachMomentIsGivenByItself() {
+        BoxObject box = new BoxObject(new Point(), 1, 2, 3);
+        double[] solid = Inertia.moments(box, Body.ofMass(box, 12));
+        assertThat(solid).containsExactly(new double[] {13, 10, 5}, within(1e-12));
+        Body given = new Body(12, 10, Surface.SMOOTH, 0, 0, 9, 9, 0, 0, 6);
+        assertThat(Inertia.moments(box, given)).containsExactly(new double[] {13, 10, 6}, within(1e-12));
+        given = new Body(12, 10, Surface.SMOOTH, 0, 0, 9, 9, 0, 14, 0);
+        assertThat(Inertia.moments(box, given)).containsExactly(new double[] {14, 10, 5}, within(1e-12));
     }
 
     @Test

@@ -101,9 +101,10 @@ class ContactPhasesTest {
     }
 
     /** Its id may be that of the one before. */
-    @Test
-    void beginsWithAnotherOfTheSameNameInItsPlace() {
-        pushing(Dimension.PLANAR);
+    @ParameterizedTest
+    @EnumSource
+    void beginsWithAnotherOfTheSameNameInItsPlace(Dimension dimension) {
+        pushing(dimension);
         GeometryObject crate = world.getObject("crate");
         world.removeObject("crate");
         world.addObject(crate);

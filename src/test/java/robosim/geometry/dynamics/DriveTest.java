@@ -177,6 +177,12 @@ class DriveTest {
         assertThatThrownBy(() -> new DifferentialDrive(1, 1, 1).driving(1, NONE))
                 .hasMessageStartingWith("turn ");
         assertThatThrownBy(() -> new AckermannDrive(1, 90, 1, 1)).hasMessageStartingWith("maxSteering ");
+        for (double steering : new double[] {90, -90, 200, Double.NaN}) {
+            assertThatThrownBy(() -> new AckermannDrive(1, 30, 1, 1).driving(1, steering))
+                    .hasMessageStartingWith("steering ")
+                    .hasMessageContaining("(got: " + steering);
+        }
+        assertThat(new AckermannDrive(1, 30, 1, 1).driving(1, -89.9).steering()).isEqualTo(-89.9);
         assertThatThrownBy(() -> new AckermannDrive(-1, 30, 1, 1)).hasMessageStartingWith("wheelbase ");
         assertThatThrownBy(() -> new OmnidirectionalDrive(1, 1, Double.NaN, 1)).hasMessageStartingWith("maxTurn ");
         assertThatThrownBy(() -> new ForceDrive(NONE, 0, 0)).hasMessageStartingWith("x ");

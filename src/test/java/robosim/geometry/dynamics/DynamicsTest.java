@@ -548,6 +548,18 @@ class DynamicsTest {
                 .hasMessageStartingWith("world ");
         assertThatThrownBy(() -> dynamics.add("wall", Body.of(1, 1))).hasMessageStartingWith("name ");
         assertThatThrownBy(() -> dynamics.velocity("a")).hasMessageStartingWith("name ");
+        dynamics.add("a", Body.of(1, 1));
+        Twist up = new Twist(1, 0.5, 0, 0);
+        assertThatThrownBy(() -> dynamics.setVelocity("a", up))
+                .hasMessageStartingWith(
+                        "velocity must have no part upwards in a PLANAR world; set y to 0 (got: Twist[");
+        assertThatThrownBy(() -> dynamics.drive("a", new VelocityDrive(up)))
+                .hasMessageStartingWith("drive must have no part upwards where it acts along the ground; set y to 0");
+        // Nothing has come of what was refused, and a drive that is asked by itself answers all of it.
+        dynamics.step(1);
+        assertThat(dynamics.velocity("a")).isEqualTo(new Twist(0, 0, 0, 0));
+        assertThat(new VelocityDrive(up).next(new Twist(0, 0, 0, 0), Body.of(1, 1), 1))
+                .isEqualTo(up);
         assertThatThrownBy(() -> dynamics.step(0)).hasMessageStartingWith("seconds ");
         assertThatThrownBy(() -> dynamics.step(Double.NaN)).hasMessageStartingWith("seconds ");
     }

@@ -65,6 +65,16 @@ class StepSessionTest {
     }
 
     @Test
+    void aVelocityUpwardsIsRefusedWhereThereIsNoUp() {
+        BodyRequest crate = BodyRequest.of("crate").withVelocity(new Velocity(1, 0.5, 0, 0));
+        Reply reply = reply(session(), new StepBundle(1, List.of(crate), List.of()));
+        StepBundle.Answer answer = (StepBundle.Answer) reply.bundle();
+        assertThat(answer.bodies()).as("nothing is left of it").isEmpty();
+        assertThat(reply.problems().get(0).reason())
+                .contains("velocity must have no part upwards in a PLANAR world; set y to 0");
+    }
+
+    @Test
     void aSessionStepsAsDynamicsDo() {
         Session session = session();
         StepBundle.Answer first = step(

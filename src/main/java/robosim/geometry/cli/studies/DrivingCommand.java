@@ -6,10 +6,12 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -55,13 +57,16 @@ import robosim.geometry.world.WorldObject;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry drive worlds/pushing.xml --robot cart --speed 0.5 --turn 10 --seconds 10",
-            "  robosim-geometry drive worlds/rooms.xml --tell pad=0.5,10 --push --record out.scenario.jsonl",
+            "  robosim-geometry drive worlds/pushing.xml --tell cart=0.8,5 --tell mule=0.5 --record out.scenario.jsonl",
             "  robosim-geometry replay out.scenario.jsonl",
             "  robosim-geometry view out.scenario.jsonl"
         })
 public final class DrivingCommand implements Callable<Integer> {
     private static final int DIGITS = 6;
     private static final int MOST_STEPS = 10_000_000;
+    private static final double MOST = 1e9;
+    private static final String TOLD = "NAME=SPEED[,TURN], as in cart=0.5,10";
+    private static final String WEIGHED = "NAME=KG, as in crate=8";
 
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -92,9 +97,9 @@ public final class DrivingCommand implements Callable<Integer> {
 
     @Option(
             names = "--tell",
-            paramLabel = "NAME=SPEED,TURN",
-            description = "a robot with a speed and a turn of its own; may be repeated")
-    private Map<String, String> told = new LinkedHashMap<>();
+            paramLabel = "NAME=SPEED[,TURN]",
+            description = "a robot with a speed and a turn of its own, which is 0 if it is left out; may be repeated")
+    private List<String> told = new ArrayList<>();
 
     @Option(names = "--seconds", paramLabel = "S", description = "how long (default: ${DEFAULT-VALUE})")
     private double seconds = 10;
@@ -106,7 +111,7 @@ public final class DrivingCommand implements Callable<Integer> {
             names = "--mass",
             paramLabel = "NAME=KG",
             description = "gives a moveable object a mass, so that robots push it; may be repeated")
-    private Map<String, Double> masses = new LinkedHashMap<>();
+    private List<String> masses = new ArrayList<>();
 
     @Option(
             names = "--push",
@@ -192,22 +197,26 @@ public final class DrivingCommand implements Callable<Integer> {
         if (names.isEmpty() && told.isEmpty()) {
             names.add(first(read));
         }
+        Set<String> named = new HashSet<>();
         for (String name : names) {
-            commands.add(command(read, "--robot", name, speed, turn));
+            known(read, "--robot", name);
+            once(named, name, "--robot=" + name);
+            commands.add(
+                    new DriveCommand(name, quantity("--speed", speed), Degrees.toRadians(quantity("--turn", turn))));
         }
-        told.forEach((name, text) -> {
-            String[] numbers = text.split(",", -1);
-            try {
-                commands.add(command(
-                        read,
-                        "--tell",
-                        name,
-                        Double.parseDouble(numbers[0]),
-                        numbers.length == 1 ? 0 : Double.parseDouble(numbers[1])));
-            } catch (NumberFormatException e) {
-                throw refused("--tell must be NAME=SPEED,TURN, as in cart=0.5,10 (got: " + name + "=" + text + ")");
+        for (String text : told) {
+            String[] pair = pair("--tell", TOLD, text);
+            known(read, "--tell", pair[0]);
+            once(named, pair[0], "--tell=" + text);
+            String[] numbers = pair[1].split(",", -1);
+            if (numbers.length > 2) {
+                throw refused("--tell must be " + TOLD + " (got: " + text + ")");
             }
-        });
+            double forward = number("--tell", TOLD, text, numbers[0]);
+            double degrees = numbers.length == 1 ? 0 : number("--tell", TOLD, text, numbers[1]);
+            commands.add(new DriveCommand(
+                    pair[0], quantity("--tell", forward), Degrees.toRadians(quantity("--tell", degrees))));
+        }
         return commands;
     }
 
@@ -225,13 +234,37 @@ public final class DrivingCommand implements Callable<Integer> {
         return first;
     }
 
-    private DriveCommand command(World read, String option, String name, double forward, double degrees) {
-        known(read, option, name);
-        try {
-            return new DriveCommand(name, forward, Degrees.toRadians(degrees));
-        } catch (IllegalArgumentException e) {
-            throw refused(option + ": " + e.getMessage());
+    /** Refuses a robot that is given two commands, of which only one could hold. */
+    private void once(Set<String> named, String name, String given) {
+        if (!named.add(name)) {
+            throw refused("--robot and --tell must name each robot once; " + Text.quoted(name)
+                    + " has a command already (got: " + given + ")");
         }
+    }
+
+    /** A name and what is given to it, which has no equals sign. */
+    private String[] pair(String option, String form, String text) {
+        int equals = text.lastIndexOf('=');
+        if (equals < 1) {
+            throw refused(option + " must be " + form + " (got: " + text + ")");
+        }
+        return new String[] {text.substring(0, equals), text.substring(equals + 1)};
+    }
+
+    private double number(String option, String form, String text, String number) {
+        try {
+            return Double.parseDouble(number);
+        } catch (NumberFormatException e) {
+            throw refused(option + " must be " + form + " (got: " + text + ")");
+        }
+    }
+
+    /** What a {@link DriveCommand} takes; the message names the option. */
+    private double quantity(String option, double value) {
+        if (!(Math.abs(value) <= MOST)) { // written so that NaN fails it
+            throw refused(option + " must be from -10^9 to 10^9 (got: " + value + ")");
+        }
+        return value;
     }
 
     private void known(World read, String option, String name) {
@@ -258,18 +291,20 @@ public final class DrivingCommand implements Callable<Integer> {
             }
         }
         List<BodyRequest> inFile = WorldBodies.of(read);
-        masses.forEach((name, kilograms) -> {
+        for (String text : masses) {
+            String[] pair = pair("--mass", WEIGHED, text);
+            String name = pair[0];
             known(read, "--mass", name);
             BodyRequest known = inFile.stream()
                     .filter(body -> body.objectName().equals(name))
                     .findFirst()
                     .orElse(BodyRequest.of(name));
             try {
-                all.put(name, known.withMass(kilograms));
+                all.put(name, known.withMass(number("--mass", WEIGHED, text, pair[1])));
             } catch (IllegalArgumentException e) {
                 throw refused("--mass: " + e.getMessage());
             }
-        });
+        }
         return List.copyOf(all.values());
     }
 

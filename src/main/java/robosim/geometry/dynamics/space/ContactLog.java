@@ -1,8 +1,10 @@
 package robosim.geometry.dynamics.space;
 
 import java.util.Arrays;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.model.GeometryObject;
 
 /** Who touched whom in a step: one entry for each body and what it touched, in the order in which they were first told. */
 public final class ContactLog {
@@ -16,15 +18,15 @@ public final class ContactLog {
     /** The two of each entry as one number. */
     private long[] keys = new long[FIRST];
 
-    /** The names of the two of each entry. */
-    private @Nullable String[] names = new String[2 * FIRST];
+    /** The two of each entry as they were added to the world; null for its border. */
+    private @Nullable GeometryObject[] values = new GeometryObject[2 * FIRST];
 
     /** Entries by the hash of their keys, each plus one; 0 for none. Twice as long as the keys. */
     private int[] table = new int[2 * FIRST];
 
     void clear() {
         Arrays.fill(table, 0);
-        Arrays.fill(names, 0, 2 * all.count, null);
+        Arrays.fill(values, 0, 2 * all.count, null);
         all.clear();
     }
 
@@ -48,7 +50,7 @@ public final class ContactLog {
 
     private void grow() {
         keys = Arrays.copyOf(keys, 2 * keys.length);
-        names = Arrays.copyOf(names, 2 * names.length);
+        values = Arrays.copyOf(values, 2 * values.length);
         most = Arrays.copyOf(most, keys.length);
         table = new int[2 * table.length];
         for (int entry = 0; entry < all.count; entry++) {
@@ -58,7 +60,12 @@ public final class ContactLog {
 
     /** The entry of the same two in another step, or -1. */
     public int find(ContactLog of, int entry) {
-        return table[slot(of.keys[entry])] - 1;
+        int here = table[slot(of.keys[entry])] - 1;
+        // An id is given again once its object is removed.
+        boolean isSame = here >= 0
+                && values[2 * here] == of.values[2 * entry]
+                && values[2 * here + 1] == of.values[2 * entry + 1];
+        return isSame ? here : -1;
     }
 
     /**
@@ -96,8 +103,8 @@ public final class ContactLog {
         table[slot] = entry + 1;
         keys[entry] = key;
         most[entry] = impulse;
-        names[2 * entry] = objects.value(body).name();
-        names[2 * entry + 1] = object < 0 ? null : objects.value(object).name();
+        values[2 * entry] = objects.value(body);
+        values[2 * entry + 1] = object < 0 ? null : objects.value(object);
         int c = 3 * k;
         all.add(
                 body,
@@ -115,12 +122,13 @@ public final class ContactLog {
 
     /** The name of the body. */
     public String body(int entry) {
-        return String.valueOf(names[2 * entry]);
+        return Objects.requireNonNull(Objects.requireNonNull(values[2 * entry]).name());
     }
 
     /** The name of the other object; null for one without a name and for the border of the world. */
     public @Nullable String other(int entry) {
-        return names[2 * entry + 1];
+        GeometryObject other = values[2 * entry + 1];
+        return other == null ? null : other.name();
     }
 
     /** A coordinate of the point of contact. */

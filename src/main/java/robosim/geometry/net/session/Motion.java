@@ -135,6 +135,12 @@ public final class Motion {
             throw new IllegalArgumentException("a static object must have a surface alone (got: " + asked + ")");
         }
         checkCount(asked.objectName());
+        Velocity velocity = asked.velocity();
+        if (velocity != null && velocity.y() != 0 && world.dimension() == Dimension.PLANAR) {
+            // Before anything is changed, so that what is refused leaves nothing behind.
+            throw new IllegalArgumentException(
+                    "velocity must have no part upwards in a PLANAR world; set y to 0 (got: " + velocity + ")");
+        }
         Body body = BodyDefaults.of(object, asked.mass(), asked.inertia())
                 .withSurface(surface)
                 .withDamping(asked.damping(), asked.turnDamping())
@@ -147,7 +153,6 @@ public final class Motion {
             drives.put(asked.objectName(), drive);
             command(new DriveCommand(asked.objectName(), 0, 0, 0));
         }
-        Velocity velocity = asked.velocity();
         if (velocity != null) {
             dynamics.setVelocity(
                     asked.objectName(),
