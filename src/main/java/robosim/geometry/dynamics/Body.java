@@ -61,7 +61,7 @@ public record Body(
         inertiaX = Quantity.atLeastZero("inertiaX", inertiaX);
         inertiaZ = Quantity.atLeastZero("inertiaZ", inertiaZ);
         if (inertiaX > 0 && inertiaZ > 0) {
-            Inertia.check(inertiaX, inertia, inertiaZ);
+            Quantity.moments(inertiaX, inertia, inertiaZ);
         }
     }
 

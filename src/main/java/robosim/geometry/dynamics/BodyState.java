@@ -31,6 +31,11 @@ final class BodyState {
     /** The heading along which that is, of a force. */
     private double aimHeading;
 
+    // What damping leaves of the velocity at the end of that, where there is no drive.
+    private double keptX;
+    private double keptZ;
+    private double keptTurn;
+
     // For how long the drive may still push at its greatest acceleration, and whether something was in its way before.
     private double left;
     private boolean isHindered;
@@ -60,7 +65,7 @@ final class BodyState {
 
     /**
      * Works out the velocity that it keeps for a time but for collisions, and whether that is any: what the drive makes of it
-     * halfway, along the chord of its arc, or what damping and the limits leave of it.
+     * on the way, along the chord of its arc, or what damping and the limits leave of it.
      */
     boolean begin(double heading, double seconds) {
         Drive driven = drive;
@@ -69,29 +74,46 @@ final class BodyState {
         } else if (driven != null) {
             Twist now = velocity(heading);
             aim = driven.next(now, body, seconds);
-            left = seconds - spent(driven, now, aim, seconds);
-            // What is pressed against something is not to lose the speed that it would have gained in the first half.
-            Twist halfway = isHindered ? aim : driven.next(now, body, 0.5 * seconds);
-            turns = Degrees.toRadians(halfway.ry());
-            double half = 0.5 * turns * seconds;
-            double chord = chord(half);
-            go(heading + 0.5 * halfway.ry() * seconds, halfway.x() * chord, halfway.z() * chord);
+            double spent = spent(driven, now, aim, seconds);
+            left = seconds - spent;
+            // What is pressed against something is not to lose the speed that it would have gained on the way.
+            double gaining = isHindered ? 0 : Math.min(seconds, spent);
+            // The mean: of a speed that is gained evenly that at half of its time, then what the drive aims at.
+            Twist gained = gaining > 0 ? driven.next(now, body, 0.5 * gaining) : aim;
+            double share = gaining / seconds;
+            double turn = mean(gained.ry(), aim.ry(), share);
+            turns = Degrees.toRadians(turn);
+            double chord = chord(0.5 * turns * seconds);
+            go(
+                    heading + 0.5 * turn * seconds,
+                    mean(gained.x(), aim.x(), share) * chord,
+                    mean(gained.z(), aim.z(), share) * chord);
         } else {
-            // One step of the implicit Euler method, as of ForceDrive.
-            double slower = 1 + body.damping() * seconds;
-            goesX = vx / slower;
-            goesZ = vz / slower;
-            turns = w / (1 + body.turnDamping() * seconds);
-            double speed = Math.sqrt(goesX * goesX + goesZ * goesZ);
-            if (speed > body.maxSpeed()) {
-                goesX *= body.maxSpeed() / speed;
-                goesZ *= body.maxSpeed() / speed;
-            }
-            if (body.maxTurn() < Double.POSITIVE_INFINITY) {
-                turns = Quantity.clamp(turns, Degrees.toRadians(body.maxTurn()));
-            }
+            beginFree(seconds);
         }
         return goesX != 0 || goesZ != 0 || turns != 0;
+    }
+
+    /** It goes on at the mean of the speed that damping leaves, and has at the end what is left then. */
+    private void beginFree(double seconds) {
+        double speed = Math.sqrt(vx * vx + vz * vz);
+        double share = speed > body.maxSpeed() ? body.maxSpeed() / speed : 1;
+        double most = body.maxTurn();
+        double turn = most < Double.POSITIVE_INFINITY ? Quantity.clamp(w, Degrees.toRadians(most)) : w;
+        double kept = Decay.kept(body.damping() * seconds);
+        double turnKept = Decay.kept(body.turnDamping() * seconds);
+        keptX = vx * share * kept;
+        keptZ = vz * share * kept;
+        keptTurn = turn * turnKept;
+        // What something was in the way of loses all of it at once, since it is not to keep the mean for good.
+        double mean = isHindered ? kept : Decay.mean(body.damping() * seconds);
+        goesX = vx * share * mean;
+        goesZ = vz * share * mean;
+        turns = turn * (isHindered ? turnKept : Decay.mean(body.turnDamping() * seconds));
+    }
+
+    private static double mean(double first, double then, double share) {
+        return share == 1 ? first : then + (first - then) * share;
     }
 
     /** A force has the direction that the body has halfway; nothing but it turns the velocity, as wheels do. */
@@ -101,7 +123,7 @@ final class BodyState {
         Twist now = velocity(aimHeading);
         aim = force.next(now, body, seconds);
         left = 0;
-        Twist halfway = isHindered ? aim : force.next(now, body, 0.5 * seconds);
+        Twist halfway = isHindered ? aim : force.mean(now, body, seconds);
         turns = Degrees.toRadians(halfway.ry());
         go(aimHeading, halfway.x(), halfway.z());
     }
@@ -120,14 +142,21 @@ final class BodyState {
 
     /**
      * Takes the velocity that the time has left it with. Where that is the one it was given, nothing was in the way, and a
-     * body with a drive has at the end what its drive aimed at.
+     * body has at the end what its drive aimed at, or what damping has left.
      */
     void end(double endX, double endZ, double endTurn, double heading) {
         vx = endX;
         vz = endZ;
         w = endTurn;
-        isHindered = drive != null && (endX != goesX || endZ != goesZ || endTurn != turns);
-        if (drive != null && !isHindered) {
+        isHindered = endX != goesX || endZ != goesZ || endTurn != turns;
+        if (isHindered) {
+            return;
+        }
+        if (drive == null) {
+            vx = keptX;
+            vz = keptZ;
+            w = keptTurn;
+        } else {
             setVelocity(drive instanceof ForceDrive ? aimHeading : heading, aim);
         }
     }

@@ -8,8 +8,8 @@ import robosim.geometry.model.Twist;
  * is a body that rolls out. Nothing keeps a body that turns from going on straight, as wheels would; what {@link #next} answers
  * is along the axes that the body has when the step begins.
  *
- * <p>One step of the implicit Euler method, {@code v' = (v + dt F / m) / (1 + c dt)} for a damping c, which never overshoots,
- * however long the step (Hairer and Wanner 1996, IV.3).
+ * <p>The exact solution of {@code v' = F / m - c v} for a damping c, as if the body did not turn in the step: so steps of any
+ * length lead to the same velocity.
  *
  * @param x      newtons forward
  * @param z      newtons to the right
@@ -31,14 +31,43 @@ public record ForceDrive(double x, double z, double torque) implements Drive {
     }
 
     void next(double[] v, Body body, double seconds) {
-        double slower = 1 + body.damping() * seconds;
-        double turnSlower = 1 + body.turnDamping() * seconds;
+        double slowed = body.damping() * seconds;
+        double turnSlowed = body.turnDamping() * seconds;
+        change(
+                v,
+                body,
+                seconds,
+                Decay.kept(slowed),
+                Decay.mean(slowed),
+                Decay.kept(turnSlowed),
+                Decay.mean(turnSlowed));
+    }
+
+    /** The mean of {@link #next} over a time, with the direction at its beginning. */
+    Twist mean(Twist now, Body body, double seconds) {
+        double[] v = Quantity.numbers(now, body, seconds);
+        double slowed = body.damping() * seconds;
+        double turnSlowed = body.turnDamping() * seconds;
+        change(
+                v,
+                body,
+                seconds,
+                Decay.mean(slowed),
+                Decay.meanGain(slowed),
+                Decay.mean(turnSlowed),
+                Decay.meanGain(turnSlowed));
+        return Quantity.twist(v);
+    }
+
+    /** Leaves a share of the velocity, and adds a share of what the force would give without damping. */
+    private void change(
+            double[] v, Body body, double seconds, double kept, double gained, double turnKept, double turnGained) {
         double push = seconds / body.mass();
         double turn = Degrees.toDegrees(torque * (seconds / body.inertia()));
-        v[0] = (v[0] + x * push) / slower;
-        v[1] /= slower;
-        v[2] = (v[2] + z * push) / slower;
-        v[3] = (v[3] + turn) / turnSlower;
+        v[0] = v[0] * kept + x * push * gained;
+        v[1] *= kept;
+        v[2] = v[2] * kept + z * push * gained;
+        v[3] = v[3] * turnKept + turn * turnGained;
         body.limit(v);
     }
 }

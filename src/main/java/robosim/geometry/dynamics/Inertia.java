@@ -11,21 +11,7 @@ final class Inertia {
     /** The least moment of a body is at least this share of its greatest: a needle turns about itself too. */
     private static final double LEAST = 1e-6;
 
-    /** By this share one moment may exceed the sum of the other two: those of a thin plate, given in seven digits. */
-    private static final double ROUNDING = 1e-6;
-
     private Inertia() {}
-
-    /** Refuses principal moments that no body has: each is at most the sum of the other two. */
-    static void check(double x, double y, double z) {
-        double most = Math.max(x, Math.max(y, z));
-        // The sum of all is at least twice the greatest.
-        if (x + y + z < most * (2 - ROUNDING)) {
-            throw new IllegalArgumentException(
-                    "moments of inertia must each be at most the sum of the other two, as those of"
-                            + " every body are (got: " + x + ", " + y + ", " + z + " about X, Y, Z)");
-        }
-    }
 
     /** Whether it is one of the shapes that fall and tip. */
     static boolean isSolid(GeometryObject object) {

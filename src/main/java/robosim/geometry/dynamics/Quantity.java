@@ -8,6 +8,9 @@ final class Quantity {
     /** The largest quantity; products of five of them are far from overflow. */
     private static final double MOST = 0x1p100;
 
+    /** By this share one moment may exceed the sum of the other two: those of a thin plate, given in seven digits. */
+    private static final double ROUNDING = 1e-6;
+
     private Quantity() {}
 
     static double positive(String argument, double value) {
@@ -40,6 +43,17 @@ final class Quantity {
                     argument + " must be at least 0; infinite for no limit (got: " + value + ")");
         }
         return value + 0.0;
+    }
+
+    /** Refuses principal moments that no body has: each is at most the sum of the other two. */
+    static void moments(double x, double y, double z) {
+        double most = Math.max(x, Math.max(y, z));
+        // The sum of all is at least twice the greatest.
+        if (x + y + z < most * (2 - ROUNDING)) {
+            throw new IllegalArgumentException(
+                    "moments of inertia must each be at most the sum of the other two, as those of"
+                            + " every body are (got: " + x + ", " + y + ", " + z + " about X, Y, Z)");
+        }
     }
 
     /** Refuses a part upwards where nothing would come of it. */
