@@ -234,6 +234,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("c804a4e7995139dd");
+        assertThat(Long.toHexString(digest)).isEqualTo("1bcc514bcd9b18c5");
     }
 }

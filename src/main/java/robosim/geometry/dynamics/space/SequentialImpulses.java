@@ -29,6 +29,11 @@ final class SequentialImpulses {
     private double[] friction = new double[0];
     private boolean[] isOff = new boolean[0];
 
+    /** In which order contacts get their impulses, and how often it has changed. */
+    private int[] order = new int[0];
+
+    private int turn;
+
     /** Of contacts below a driven body, that body, and else -1; and friction while wheels slide. */
     private int[] wheel = new int[0];
 
@@ -39,6 +44,11 @@ final class SequentialImpulses {
     SequentialImpulses(List<RigidBody> bodies, Traction traction) {
         this.bodies = bodies;
         this.traction = traction;
+    }
+
+    /** Begins anew with the order of contacts. */
+    void clear() {
+        turn = 0;
     }
 
     private double[] velocity(int b, boolean atEnd) {
@@ -65,12 +75,15 @@ final class SequentialImpulses {
         for (int k = 0; k < contacts.count; k++) {
             any |= prepare(contacts, k, atEnd, seconds, gap, surfaces);
         }
+        turn += atEnd ? 0 : 1;
+        arrange(contacts);
         if (atEnd) {
             traction.prepare(contacts, wheel, isOff, driven, seconds);
         }
         for (int round = 0; any && round < MOST_ROUNDS; round++) {
             double most = 0;
-            for (int k = 0; k < contacts.count; k++) {
+            for (int at = 0; at < contacts.count; at++) {
+                int k = order[at];
                 if (!isOff[k]) {
                     most = Math.max(most, push(contacts, k, atEnd));
                     most = Math.max(most, rub(contacts, k, atEnd));
@@ -93,17 +106,43 @@ final class SequentialImpulses {
         }
     }
 
+    /**
+     * Puts the contacts in order. Where there are several solutions, as for who carries how much of a box on four corners, which
+     * one is found depends on it: so those of two pieces take turns, each of them to be the first, one way round and the other,
+     * and no side is favoured in the long run.
+     */
+    private void arrange(Contacts c) {
+        int to;
+        for (int from = 0; from < c.count; from = to) {
+            to = from + 1;
+            while (to < c.count && isSamePair(c, from, to)) {
+                to++;
+            }
+            int size = to - from;
+            int first = (turn >>> 1) % size;
+            for (int k = 0; k < size; k++) {
+                int next = (turn & 1) == 0 ? first + k : first + size - k;
+                order[from + k] = from + next % size;
+            }
+        }
+    }
+
+    private static boolean isSamePair(Contacts c, int a, int b) {
+        return c.body[a] == c.body[b] && c.object[a] == c.object[b] && c.piece[a] == c.piece[b];
+    }
+
     private void reserve(int count) {
         if (target.length < count) {
             int room = 2 * count;
             target = new double[room];
+            order = new int[room];
             pushed = new double[room];
             friction = new double[room];
             slides = new double[room];
             wheel = new int[room];
             rubbed = new double[2 * room];
             tangents = new double[6 * room];
-            ease = new double[3 * room];
+            ease = new double[2 * room];
             isOff = new boolean[room];
         }
     }
@@ -132,9 +171,9 @@ final class SequentialImpulses {
             target[k] = apart < gap / 4 ? (gap / 4 - apart) / seconds : 0;
         }
         makeTangents(c, k);
-        ease[3 * k] = 1 / lightness(c, k, c.normal, 3 * k);
-        ease[3 * k + 1] = 1 / lightness(c, k, tangents, 6 * k);
-        ease[3 * k + 2] = 1 / lightness(c, k, tangents, 6 * k + 3);
+        ease[2 * k] = 1 / lightness(c, k, c.normal, 3 * k);
+        // One for both, so that what slides is rubbed straight against its way.
+        ease[2 * k + 1] = 1 / Math.max(lightness(c, k, tangents, 6 * k), lightness(c, k, tangents, 6 * k + 3));
         rubs(c, k, own, other, surfaces);
         return true;
     }
@@ -233,19 +272,19 @@ final class SequentialImpulses {
     /** Pushes along the normal; answers by how much that changes the speed there. */
     private double push(Contacts c, int k, boolean atEnd) {
         double lacks = target[k] - speed(c, k, c.normal, 3 * k, atEnd);
-        double after = Math.max(0, pushed[k] + lacks * ease[3 * k]);
+        double after = Math.max(0, pushed[k] + lacks * ease[2 * k]);
         double by = after - pushed[k];
         pushed[k] = after;
         give(c, k, c.normal, 3 * k, by, atEnd);
-        return Math.abs(by) / ease[3 * k];
+        return Math.abs(by) / ease[2 * k];
     }
 
     private double rub(Contacts c, int k, boolean atEnd) {
         if (friction[k] == 0 || wheel[k] >= 0) {
             return 0;
         }
-        double s = rubbed[2 * k] - speed(c, k, tangents, 6 * k, atEnd) * ease[3 * k + 1];
-        double t = rubbed[2 * k + 1] - speed(c, k, tangents, 6 * k + 3, atEnd) * ease[3 * k + 2];
+        double s = rubbed[2 * k] - speed(c, k, tangents, 6 * k, atEnd) * ease[2 * k + 1];
+        double t = rubbed[2 * k + 1] - speed(c, k, tangents, 6 * k + 3, atEnd) * ease[2 * k + 1];
         double size = Math.sqrt(s * s + t * t);
         double most = friction[k] * pushed[k];
         double share = size > most ? most / size : 1;
@@ -255,7 +294,7 @@ final class SequentialImpulses {
         rubbed[2 * k + 1] = share * t;
         give(c, k, tangents, 6 * k, byS, atEnd);
         give(c, k, tangents, 6 * k + 3, byT, atEnd);
-        return Math.max(Math.abs(byS) / ease[3 * k + 1], Math.abs(byT) / ease[3 * k + 2]);
+        return Math.max(Math.abs(byS), Math.abs(byT)) / ease[2 * k + 1];
     }
 
     private void give(Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {

@@ -65,6 +65,7 @@ public final class SpatialStepper {
     /** Forgets all bodies. */
     public void clear() {
         bodies.clear();
+        impulses.clear();
         changes = -1;
     }
 
