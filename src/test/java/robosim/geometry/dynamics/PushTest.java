@@ -169,6 +169,32 @@ class PushTest {
         assertThat(world.getObject("cart").center().x()).isBetween(2.26, 2.336);
     }
 
+    /** A row of crates, alternately left and right of the middle, by a robot with five times the force that the floor takes. */
+    @ParameterizedTest
+    @CsvSource({"0.01, 3.85", "0.02, 3.85", "0.05, 3.7", "0.1, 3.7"})
+    void aRobotPushesAStaggeredRow(double seconds, double least) {
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        world.addObject(new BoxObject(new Point(0, 0, 0), 0.6, 1, 0.5).moveable("robot"));
+        dynamics.add("robot", Body.of(20, 1));
+        for (int k = 0; k < 8; k++) {
+            String name = "crate" + k;
+            Point at = new Point(0.6 + 0.55 * k, 0, k % 2 == 0 ? 0.1 : -0.1);
+            world.addObject(new BoxObject(at, 0.5, 1, 0.5).moveable(name));
+            dynamics.add(name, Body.of(5, 0.2).withFloorFriction(0.4));
+        }
+        double force = 5 * 8 * 5 * 0.4 * Body.GRAVITY;
+        dynamics.drive("robot", new DifferentialDrive(0.5, 1, force / 20).driving(0.5, 0));
+        int stopped = 0;
+        long steps = Math.round(8 / seconds);
+        for (int step = 0; step < steps; step++) {
+            stopped += dynamics.step(seconds).stopped().size();
+        }
+        // 4 m if none of it were late.
+        assertThat(world.getObject("robot").center().x()).isBetween(least, 4.0);
+        assertThat(stopped).isLessThan(10);
+        assertThat(dynamics.velocity("robot").x()).isGreaterThan(0.45);
+    }
+
     /** A drive whose force is less than what the floor takes: both come to rest, and go on with less friction. */
     @ParameterizedTest
     @ValueSource(doubles = {0.01, 0.05, 0.3})

@@ -8,8 +8,14 @@ final class CollisionPrediction {
     /** Pieces that touch: nearer than so many gaps. */
     private static final double TOUCH = 20;
 
+    /** Meeting more slowly is slow, m/s. */
+    static final double SLOW = 0.05;
+
     /** So often a pair meets slowly before it is left alone for a while. */
     private static final int PATIENCE = 3;
+
+    /** So often the time is halved in which a pair becomes fast. */
+    private static final int HALVES = 8;
 
     /** How long at first, as a share of the time; each time four times as long. */
     private static final double FIRST_PAUSE = 0x1p-12;
@@ -77,14 +83,18 @@ final class CollisionPrediction {
         if (pairs.touches[pair] && pairs.solved[pair] != now && isApproaching(pair, now)) {
             time = now;
         }
-        if (pairs.pause[pair] > now && pairs.touches[pair] && impact.apart <= 0) {
+        boolean isSolved = pairs.solved[pair] == now;
+        if ((isSolved || pairs.pause[pair] > now) && pairs.touches[pair] && impact.apart <= 0) {
             time = now;
         }
-        // What has been solved often meets again after a pause only.
-        time = Math.max(time, pairs.pause[pair]);
-        // What has just been solved and has no gap left does not meet again in no time.
-        boolean isNever = time >= end || (time == now && pairs.solved[pair] == now);
-        pairs.expect(pair, isNever ? TimeOfImpact.NEVER : time);
+        if (time == now && isSolved && pairs.pause[pair] <= now) {
+            pause(pair, now, false); // it turns: otherwise it would not meet again in no time
+        }
+        // What has been solved often meets again after a pause only, unless something has made it fast meanwhile.
+        if (time < pairs.pause[pair] && ((time == now && isSolved) || approach(pair, time) < SLOW)) {
+            time = fast(pair, time);
+        }
+        pairs.expect(pair, time >= end ? TimeOfImpact.NEVER : time);
     }
 
     /** How deep two may be in each other, where they met in a pause, and still be taken for touching. */
@@ -114,6 +124,51 @@ final class CollisionPrediction {
             }
         }
         return false;
+    }
+
+    /**
+     * When the pause of a pair is over, from a time at which it is slow: before its end if it becomes fast, as where two that
+     * turn have come to lie flat against each other and meet at the other end of their edges.
+     */
+    private double fast(int pair, double from) {
+        double slow = from;
+        double fast = Math.min(pairs.pause[pair], end);
+        if (approach(pair, fast) < SLOW) {
+            return pairs.pause[pair];
+        }
+        for (int k = 0; k < HALVES; k++) {
+            double mid = 0.5 * (slow + fast);
+            if (approach(pair, mid) < SLOW) {
+                slow = mid;
+            } else {
+                fast = mid;
+            }
+        }
+        return fast;
+    }
+
+    /** How fast two that meet at a time approach at the points where they do. */
+    private double approach(int pair, double time) {
+        int pa = pairs.a[pair];
+        int pb = pairs.b[pair];
+        double distance = impact.measure(pa, pb, time);
+        manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
+        double most = 0;
+        for (int k = 0; k < manifold.count; k++) {
+            most = Math.max(most, inwards(pieces.body[pb], k, time) - inwards(pieces.body[pa], k, time));
+        }
+        return most;
+    }
+
+    /** The speed of a body along the normal at a point where it meets another one at a time. */
+    private double inwards(int b, int k, double time) {
+        if (b < 0) {
+            return 0;
+        }
+        double nx = impact.separation.nx;
+        double nz = impact.separation.nz;
+        double lever = (manifold.z[k] - bodies.zAt(b, time)) * nx - (manifold.x[k] - bodies.xAt(b, time)) * nz;
+        return bodies.vx[b] * nx + bodies.vz[b] * nz + bodies.w[b] * lever;
     }
 
     /** Adds the points at which two touch to the island. */

@@ -19,10 +19,10 @@ final class FrontToBack {
     /** So often the straight ways are tried. */
     private static final int ROUNDS = 3;
 
-    /** So often those that wait are asked again, each time for half of their way if none could go. */
-    private static final int SHARES = 8;
+    /** So often those that wait are asked again. */
+    private static final int PARTS = 16;
 
-    /** Who goes a smaller share of the way is stopped; who goes more is late, and keeps its velocity. */
+    /** Who gets no farther than in this share of the time is stopped; who does is late, and keeps its velocity. */
     private static final double LEAST_SHARE = 0x1p-3;
 
     /** Most bodies that are let go first, for one that waits. */
@@ -134,12 +134,12 @@ final class FrontToBack {
      * Carries all bodies to where their last legs end: at once those for which the straight way is free, in an order that is
      * given, and along all their legs, in the order of times, the others.
      */
-    void carry(int[] order) {
+    void carry(int[] order, double end) {
         for (int b = 0; b < bodies.count; b++) {
             firstLeg[b] = legs.first[b];
         }
         if (carrier.isExact()) {
-            carryAtOnce();
+            carryAtOnce(end);
         } else {
             carryInTurns(order);
         }
@@ -151,21 +151,40 @@ final class FrontToBack {
         }
     }
 
-    /** Lets all go at once that can; those that wait go when the others have gone, some a part of their way only. */
-    private void carryAtOnce() {
+    /**
+     * Lets all go at once that can. Those that wait go on when the others have gone, together from time to time: where none
+     * can, for half as long, since bodies that touch on their ways are not free on the straight line between.
+     */
+    private void carryAtOnce(double end) {
         allAtOnce.find(legs);
-        put(legs, 1);
-        double share = 1;
-        for (int round = 0; round < SHARES && isLeft(); round++) {
+        for (int b = 0; b < bodies.count; b++) {
+            if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
+                put(b, legs, end);
+            }
+        }
+        double most = end;
+        for (int round = 0; round < PARTS && isLeft(); round++) {
             shortened.makeRoom(bodies.count);
             for (int b = 0; b < bodies.count; b++) {
                 shortened.begin(b, atX[b], atZ[b], atAngle[b]);
                 if (firstLeg[b] >= 0) {
-                    shorten(b, share);
+                    shorten(b, Math.min(end, done[b] + most), end);
                 }
             }
             allAtOnce.findBulging(shortened);
-            share = put(shortened, share) ? share : 0.5 * share;
+            boolean isAny = false;
+            for (int b = 0; b < bodies.count; b++) {
+                if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
+                    put(b, shortened, Math.min(end, done[b] + most));
+                    isAny = true;
+                }
+            }
+            most = isAny ? most : 0.5 * most;
+        }
+        for (int b = 0; b < bodies.count; b++) {
+            if (firstLeg[b] >= 0 && done[b] >= LEAST_SHARE * end) {
+                firstLeg[b] = -1;
+            }
         }
     }
 
@@ -178,30 +197,37 @@ final class FrontToBack {
         return false;
     }
 
-    /** Gives a body one leg instead of those that it has, which ends after a share of what is left. */
-    private void shorten(int b, double share) {
-        int leg = legs.last[b];
-        double toX = share == 1 ? legs.x[leg] : atX[b] + share * (legs.x[leg] - atX[b]);
-        double toZ = share == 1 ? legs.z[leg] : atZ[b] + share * (legs.z[leg] - atZ[b]);
-        double toAngle = share == 1 ? legs.angle[leg] : atAngle[b] + share * (legs.angle[leg] - atAngle[b]);
-        shortened.add(b, legs.time[leg], toX, toZ, toAngle);
+    /** Gives a body one leg instead of those that it has, which ends where it was to be at a time. */
+    private void shorten(int b, double until, double end) {
+        int leg = legs.first[b];
+        double time = 0;
+        double x = legs.fromX[b];
+        double z = legs.fromZ[b];
+        double angle = legs.fromAngle[b];
+        while (legs.time[leg] < until) {
+            time = legs.time[leg];
+            x = legs.x[leg];
+            z = legs.z[leg];
+            angle = legs.angle[leg];
+            leg = legs.next[leg];
+        }
+        double share = (until - time) / (legs.time[leg] - time);
+        boolean isAtEnd = legs.time[leg] == until;
+        double toX = isAtEnd ? legs.x[leg] : x + share * (legs.x[leg] - x);
+        double toZ = isAtEnd ? legs.z[leg] : z + share * (legs.z[leg] - z);
+        double toAngle = isAtEnd ? legs.angle[leg] : angle + share * (legs.angle[leg] - angle);
+        shortened.add(b, end, toX, toZ, toAngle);
     }
 
-    /** Puts all that may go where they end; answers whether any could. */
-    private boolean put(Legs of, double share) {
-        boolean isAny = false;
-        for (int b = 0; b < bodies.count; b++) {
-            if (firstLeg[b] >= 0 && allAtOnce.goes(b)) {
-                int leg = of.last[b];
-                double degrees = Degrees.toDegrees(of.angle[leg] - atAngle[b]);
-                carrier.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
-                arrive(b, of.time[leg], of.x[leg], of.z[leg], of.angle[leg]);
-                firstLeg[b] = -1;
-                isBlocked[b] = share < LEAST_SHARE;
-                isAny = true;
-            }
+    /** Puts a body where its last leg ends. */
+    private void put(int b, Legs of, double until) {
+        int leg = of.last[b];
+        double degrees = Degrees.toDegrees(of.angle[leg] - atAngle[b]);
+        carrier.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
+        arrive(b, until, of.x[leg], of.z[leg], of.angle[leg]);
+        if (until == legs.time[legs.last[b]]) {
+            firstLeg[b] = -1;
         }
-        return isAny;
     }
 
     /** Carries all one after the other. */

@@ -15,9 +15,6 @@ public final class PlanarStepper {
     /** Collisions within so much of the time are solved together. */
     private static final double TOGETHER = 1e-12;
 
-    /** Meeting more slowly is slow, m/s. */
-    private static final double SLOW = 0.05;
-
     /** What drives do when a collision has taken speed from the bodies that they drive. */
     @FunctionalInterface
     public interface Pushes {
@@ -229,7 +226,7 @@ public final class PlanarStepper {
         for (int c = 0; c < island.count; c++) {
             approach = Math.min(approach, island.pair[c] == hit ? island.parting(c) : 0);
         }
-        boolean isSlow = approach > -SLOW;
+        boolean isSlow = approach > -CollisionPrediction.SLOW;
         boolean isSolved = met.settle(touches);
         meetings.apart(now);
         for (int k = 0; k < island.bodyCount; k++) {
@@ -296,7 +293,7 @@ public final class PlanarStepper {
             meetings.tellResting(touches, p);
         }
         order.sort(bodies, pairs, pieces, carrying.atX, carrying.atZ);
-        carrying.carry(order.bodies);
+        carrying.carry(order.bodies, end);
         for (int b = 0; b < bodies.count; b++) {
             if (carrying.isBlocked[b]) {
                 bodies.stop(b);

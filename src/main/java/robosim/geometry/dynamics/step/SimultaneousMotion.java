@@ -12,8 +12,8 @@ import java.util.Arrays;
 final class SimultaneousMotion {
     private static final int FIRST = 32;
 
-    /** So often those that do not pass each other are parted more. */
-    private static final int ROUNDS = 8;
+    /** So often those that do not pass each other are parted more: in a row of bodies it takes many until all have made room. */
+    private static final int ROUNDS = 64;
 
     /** By how much ends may be shifted in all these rounds, as a share of the size; beyond the way may not go. */
     private static final double MOST_SHIFT = 0x1p-3;
@@ -25,6 +25,9 @@ final class SimultaneousMotion {
     private final double[] box = new double[4];
     private Legs legs = new Legs();
     private boolean[] goes = new boolean[FIRST];
+
+    /** By body: the last round in which it has been parted from another one. */
+    private int[] parted = new int[FIRST];
 
     // Pairs of bodies whose ways come near, in a list for each body: a link is twice a pair, and one more for the
     // second.
@@ -64,11 +67,20 @@ final class SimultaneousMotion {
     void findBulging(Legs ways) {
         begin(ways, SeparationProof.MOST_BULGE + MOST_SHIFT);
         boolean isChanged = true;
+        Arrays.fill(parted, 0, bodies.count, 0);
         for (int round = 0; round < ROUNDS && isChanged; round++) {
             isChanged = false;
             for (int pair = 0; pair < pairs; pair++) {
+                int one = a[pair];
                 int other = b[pair] < 0 || !goes[b[pair]] ? -1 : b[pair];
-                isChanged |= !passes(pair) && passing.part(legs, a[pair], other);
+                boolean isOld = parted[one] < round - 1 && (other < 0 || parted[other] < round - 1);
+                if (!isOld && !passes(pair) && passing.part(legs, one, other)) {
+                    isChanged = true;
+                    parted[one] = round;
+                    if (other >= 0) {
+                        parted[other] = round;
+                    }
+                }
             }
         }
         for (int body = 0; body < bodies.count; body++) {
@@ -101,6 +113,7 @@ final class SimultaneousMotion {
         int count = bodies.count;
         if (goes.length < count) {
             goes = new boolean[2 * count];
+            parted = new int[2 * count];
             heads = new int[2 * count];
             waiting = new int[2 * count];
         }
