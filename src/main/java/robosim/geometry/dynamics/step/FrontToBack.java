@@ -168,7 +168,7 @@ final class FrontToBack {
             for (int b = 0; b < bodies.count; b++) {
                 shortened.begin(b, atX[b], atZ[b], atAngle[b]);
                 if (firstLeg[b] >= 0) {
-                    shorten(b, Math.min(end, done[b] + most), end);
+                    shortened.addPart(b, legs, Math.min(end, done[b] + most), end);
                 }
             }
             allAtOnce.findBulging(shortened);
@@ -195,28 +195,6 @@ final class FrontToBack {
             }
         }
         return false;
-    }
-
-    /** Gives a body one leg instead of those that it has, which ends where it was to be at a time. */
-    private void shorten(int b, double until, double end) {
-        int leg = legs.first[b];
-        double time = 0;
-        double x = legs.fromX[b];
-        double z = legs.fromZ[b];
-        double angle = legs.fromAngle[b];
-        while (legs.time[leg] < until) {
-            time = legs.time[leg];
-            x = legs.x[leg];
-            z = legs.z[leg];
-            angle = legs.angle[leg];
-            leg = legs.next[leg];
-        }
-        double share = (until - time) / (legs.time[leg] - time);
-        boolean isAtEnd = legs.time[leg] == until;
-        double toX = isAtEnd ? legs.x[leg] : x + share * (legs.x[leg] - x);
-        double toZ = isAtEnd ? legs.z[leg] : z + share * (legs.z[leg] - z);
-        double toAngle = isAtEnd ? legs.angle[leg] : angle + share * (legs.angle[leg] - angle);
-        shortened.add(b, end, toX, toZ, toAngle);
     }
 
     /** Puts a body where its last leg ends. */

@@ -91,4 +91,31 @@ final class Legs {
         }
         last[b] = leg;
     }
+
+    /** Adds one leg to where a body is at a time on other legs, which are not all over before. */
+    void addPart(int b, Legs of, double until, double end) {
+        int leg = of.first[b];
+        double from = 0;
+        double x0 = of.fromX[b];
+        double z0 = of.fromZ[b];
+        double angle0 = of.fromAngle[b];
+        while (of.time[leg] < until) {
+            from = of.time[leg];
+            x0 = of.x[leg];
+            z0 = of.z[leg];
+            angle0 = of.angle[leg];
+            leg = of.next[leg];
+        }
+        if (of.time[leg] == until) {
+            add(b, end, of.x[leg], of.z[leg], of.angle[leg]);
+            return;
+        }
+        double share = (until - from) / (of.time[leg] - from);
+        add(
+                b,
+                end,
+                x0 + share * (of.x[leg] - x0),
+                z0 + share * (of.z[leg] - z0),
+                angle0 + share * (of.angle[leg] - angle0));
+    }
 }
