@@ -191,7 +191,7 @@ class PushTest {
         }
         // 4 m if none of it were late.
         assertThat(world.getObject("robot").center().x()).isBetween(least, 4.0);
-        assertThat(stopped).isLessThan(10);
+        assertThat(stopped).isZero();
         assertThat(dynamics.velocity("robot").x()).isGreaterThan(0.45);
     }
 
