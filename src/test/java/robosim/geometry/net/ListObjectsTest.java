@@ -4,44 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.model.Accuracy;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CylinderObject;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.protocol.BatchAnswerBundle;
-import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.WorldSettings;
-import robosim.geometry.protocol.batch.BatchAnswer;
-import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
 /** The request that lists what is in the world, page by page. */
-class ListObjectsTest {
-    private static final WorldSettings SPATIAL = new WorldSettings(20, 6, 20, Dimension.SPATIAL, Accuracy.EXACT);
-    private static final GeometryObject WALL = new BoxObject(new Point(3, 0, 0), 0.2, 2, 4).named("wall");
-    private static final GeometryObject POST = new CylinderObject(new Point(-3, 0, 0), 0.5, 2);
-    private static final GeometryObject ROBOT = new CylinderObject(new Point(), 0.25, 1).moveable("robot");
-
-    private final Session session = new Session();
-
-    private Reply reply(BatchRequest... requests) {
-        return Objects.requireNonNull(session.reply(new BatchRequestBundle(List.of(requests))));
-    }
-
-    private List<BatchAnswer> ask(BatchRequest... requests) {
-        return ((BatchAnswerBundle) reply(requests).bundle()).answers();
-    }
-
+class ListObjectsTest extends SessionOfObjects {
     private List<ListedObject> list(int count) {
         List<ListedObject> all = new ArrayList<>();
         long first = 0;

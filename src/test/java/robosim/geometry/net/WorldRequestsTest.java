@@ -14,7 +14,6 @@ import robosim.geometry.SlideResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -29,8 +28,6 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.WorldSettings;
-import robosim.geometry.protocol.batch.BatchAnswer;
-import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
@@ -38,22 +35,7 @@ import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
 /** Requests of a batch about the world's objects, against a world that is asked the same directly. */
-class WorldRequestsTest {
-    private static final WorldSettings SPATIAL = new WorldSettings(20, 6, 20, Dimension.SPATIAL, Accuracy.EXACT);
-    private static final GeometryObject WALL = new BoxObject(new Point(3, 0, 0), 0.2, 2, 4).named("wall");
-    private static final GeometryObject POST = new CylinderObject(new Point(-3, 0, 0), 0.5, 2);
-    private static final GeometryObject ROBOT = new CylinderObject(new Point(), 0.25, 1).moveable("robot");
-
-    private final Session session = new Session();
-
-    private Reply reply(BatchRequest... requests) {
-        return Objects.requireNonNull(session.reply(new BatchRequestBundle(List.of(requests))));
-    }
-
-    private List<BatchAnswer> ask(BatchRequest... requests) {
-        return ((BatchAnswerBundle) reply(requests).bundle()).answers();
-    }
-
+class WorldRequestsTest extends SessionOfObjects {
     private static WorldRequest.Go go(double x, double ry) {
         return new WorldRequest.Go("robot", x, 0, 0, 0, ry);
     }
