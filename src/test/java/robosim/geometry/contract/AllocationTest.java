@@ -2,13 +2,12 @@ package robosim.geometry.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.Snapshot;
@@ -30,7 +29,6 @@ import robosim.geometry.model.Twist;
 
 /** What a robot asks in each step of a simulation leaves nothing for the garbage collector, on any JDK. */
 class AllocationTest {
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final int CALLS = 4000;
     private static final double SIDE = 200;
 
@@ -149,11 +147,8 @@ class AllocationTest {
 
     /** Less than a byte a call, and the calls answer a mix. */
     private static void assertAllocatesNothing(String call, IntToDoubleFunction ask) {
-        run(ask);
-        long before = THREADS.getCurrentThreadAllocatedBytes();
-        int changes = run(ask);
-        long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
-        assertThat(changes).as(call).isGreaterThan(CALLS / 20);
+        assertThat(run(ask)).as(call).isGreaterThan(CALLS / 20);
+        long bytes = Allocated.everyTime(() -> run(ask));
         assertThat(bytes / (double) CALLS).as(call).isLessThan(1);
     }
 

@@ -2,12 +2,10 @@ package robosim.geometry.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.sun.management.ThreadMXBean;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -20,6 +18,7 @@ import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.Geometry;
 import robosim.geometry.RayHit;
 import robosim.geometry.SenseBuffer;
@@ -43,7 +42,6 @@ class GridSnapshotTest {
     private static final double SPREAD = 7;
     private static final int QUESTIONS = 300;
     private static final int CALLS = 2000;
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private final SplittableRandom random = new SplittableRandom(23);
 
@@ -220,10 +218,7 @@ class GridSnapshotTest {
     /** Less than a byte a call, of calls that answer a mix. */
     private static void assertAllocatesNothing(String call, IntToDoubleFunction ask) {
         double[] answers = new double[CALLS];
-        run(ask, answers);
-        long before = THREADS.getCurrentThreadAllocatedBytes();
-        run(ask, answers);
-        long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
+        long bytes = Allocated.everyTime(() -> run(ask, answers));
         assertThat(bytes / (double) CALLS).as(call).isLessThan(1);
         assertThat(Arrays.stream(answers).distinct().count()).as(call).isGreaterThan(1);
     }

@@ -3,7 +3,6 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import com.sun.management.ThreadMXBean;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -11,7 +10,6 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.UncheckedIOException;
-import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
@@ -39,7 +38,6 @@ import robosim.geometry.model.Point;
 class SnapshotTest {
     private static final double SIZE = 64;
     private static final int QUESTIONS = Effort.cases(300, 300);
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** Of all objects; one in so many moves. */
     private record Kind(Dimension dimension, Accuracy accuracy, int count, double spread, double rise, int movesOneIn) {
@@ -208,20 +206,16 @@ class SnapshotTest {
         Snapshot large = grid(20_000).snapshot();
         small.toGeometry();
         large.toGeometry();
-        long ofSmall = allocated(() -> small.toGeometry());
-        long ofLarge = allocated(() -> large.toGeometry());
+        long ofSmall = Allocated.once(() -> small.toGeometry());
+        long ofLarge = Allocated.once(() -> large.toGeometry());
         assertThat(ofLarge).isBetween(ofSmall / 2, ofSmall + 4096);
         assertThat(ofSmall).isLessThan(200_000);
         Geometry copy = large.toGeometry();
-        assertThat(allocated(() -> copy.snapshot())).as("a snapshot of a copy").isLessThan(50_000);
-        assertThat(allocated(() -> large.toGeometries(100))).isLessThan(100 * 41_000);
-        assertThat(allocated(() -> grid(20_000))).isGreaterThan(20_000 * 100);
-    }
-
-    private static long allocated(Runnable work) {
-        long before = THREADS.getCurrentThreadAllocatedBytes();
-        work.run();
-        return THREADS.getCurrentThreadAllocatedBytes() - before;
+        assertThat(Allocated.once(() -> copy.snapshot()))
+                .as("a snapshot of a copy")
+                .isLessThan(50_000);
+        assertThat(Allocated.once(() -> large.toGeometries(100))).isLessThan(100 * 41_000);
+        assertThat(Allocated.once(() -> grid(20_000))).isGreaterThan(20_000 * 100);
     }
 
     private static Geometry grid(int count) {

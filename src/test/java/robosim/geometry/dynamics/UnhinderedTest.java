@@ -3,12 +3,11 @@ package robosim.geometry.dynamics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
@@ -117,18 +116,14 @@ class UnhinderedTest {
 
     @Test
     void theyAllocateNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long id = Thread.currentThread().getId();
-        double sum = 0;
-        long before = 0;
-        for (int round = 0; round < 2; round++) {
-            before = threads.getThreadAllocatedBytes(id);
+        double[] sum = new double[1];
+        long bytes = Allocated.everyTime(() -> {
             for (int k = 1; k <= 20_000; k++) {
                 double x = k * 1e-3;
-                sum += Decay.kept(x) + Decay.mean(x) + Decay.meanGain(x);
+                sum[0] += Decay.kept(x) + Decay.mean(x) + Decay.meanGain(x);
             }
-        }
-        assertThat(threads.getThreadAllocatedBytes(id) - before).isLessThan(20_000);
-        assertThat(sum).isPositive();
+        });
+        assertThat(bytes).isLessThan(20_000);
+        assertThat(sum[0]).isPositive();
     }
 }

@@ -3,13 +3,12 @@ package robosim.geometry.exact;
 import static org.assertj.core.api.Assertions.assertThat;
 import static robosim.geometry.exact.Samples.big;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.SplittableRandom;
 import java.util.function.DoubleConsumer;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Allocated;
 
 class RadiansTest {
     private static final MathContext DIGITS = new MathContext(80);
@@ -83,14 +82,9 @@ class RadiansTest {
 
     @Test
     void nothingIsAllocated() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int calls = 100_000;
-        sum(calls);
-        long before = threads.getCurrentThreadAllocatedBytes();
-        double sum = sum(calls);
-        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
-        assertThat(sum).isNotZero();
-        assertThat(bytes / (2.0 * calls)).isLessThan(1);
+        assertThat(sum(calls)).isNotZero();
+        assertThat(Allocated.everyTime(() -> sum(calls))).isLessThan(calls);
     }
 
     private static double sum(int calls) {

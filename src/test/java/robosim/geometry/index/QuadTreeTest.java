@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.Effort;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.regions.Regions;
@@ -517,11 +518,7 @@ public class QuadTreeTest {
         }
         QuadCursor cursor = tree.cursor();
         double[] outlines = outlines(cursor);
-        query(cursor, outlines, 3000);
-        var threads = (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
-        long before = threads.getCurrentThreadAllocatedBytes();
-        query(cursor, outlines, 3000);
-        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(3000);
+        assertThat(Allocated.everyTime(() -> query(cursor, outlines, 3000))).isLessThan(3000);
     }
 
     private static void query(QuadCursor cursor, double[] outlines, int count) {

@@ -2,9 +2,8 @@ package robosim.geometry.narrow;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Allocated;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -15,7 +14,6 @@ class PlanarAllocationTest {
     /** Random rows are never in doubt, so that the exact path (which allocates) stays out of it. */
     @Test
     void planarQuestionsAllocateNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int rounds = 200;
         double[][] rows = new double[7 * rounds][];
         PlanarRows make = new PlanarRows(71);
@@ -26,11 +24,8 @@ class PlanarAllocationTest {
             }
         }
         Scratch scratch = new Scratch();
-        ask(rows, scratch);
-        long before = threads.getCurrentThreadAllocatedBytes();
-        double answers = ask(rows, scratch);
-        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
-        assertThat(answers).isGreaterThan(0);
+        assertThat(ask(rows, scratch)).isGreaterThan(0);
+        long bytes = Allocated.everyTime(() -> ask(rows, scratch));
         assertThat(bytes / (4.0 * rows.length)).isLessThan(1);
     }
 

@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import javax.management.MBeanServer;
 import javax.management.ObjectName;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Allocated;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.InitBundle;
@@ -53,20 +54,13 @@ class FiguresTest {
 
     @Test
     void countingAllocatesNothing() {
-        var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         Histogram histogram = new Histogram();
-        long sum = 0;
-        for (int k = 0; k < 20_000; k++) {
-            histogram.add(k);
-        }
-        long before = threads.getCurrentThreadAllocatedBytes();
-        for (int k = 0; k < 100_000; k++) {
-            histogram.add(k * 1000L);
-            sum += k;
-        }
-        assertThat(threads.getCurrentThreadAllocatedBytes() - before)
-                .as("bytes for 100,000 times, " + sum)
-                .isLessThan(100_000);
+        long bytes = Allocated.everyTime(() -> {
+            for (int k = 0; k < 100_000; k++) {
+                histogram.add(k * 1000L);
+            }
+        });
+        assertThat(bytes).as("bytes for 100,000 times").isLessThan(100_000);
     }
 
     @Test

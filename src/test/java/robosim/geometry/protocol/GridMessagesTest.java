@@ -3,11 +3,9 @@ package robosim.geometry.protocol;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import com.sun.management.ThreadMXBean;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
-import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.util.BitSet;
 import java.util.Collections;
@@ -16,6 +14,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
@@ -38,13 +37,6 @@ class GridMessagesTest {
         BitSet all = new BitSet();
         all.set(0, columns * rows);
         return new GridObject(new Point(), CELL, 4, columns, rows, all);
-    }
-
-    private static long allocatedBytes(Runnable work) {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long before = threads.getCurrentThreadAllocatedBytes();
-        work.run();
-        return threads.getCurrentThreadAllocatedBytes() - before;
     }
 
     private static void refused(byte[] bytes, String reason) {
@@ -169,7 +161,7 @@ class GridMessagesTest {
     void claimedSizesAreHeldAgainstTheBytesThatCame(int columns, int rows, String reason) throws IOException {
         byte[] bytes = MessageTest.write(new InitBundle(List.of(SMALL)));
         ByteBuffer.wrap(bytes).putInt(places(bytes)[0], columns).putInt(places(bytes)[1], rows);
-        assertThat(allocatedBytes(() -> refused(bytes, reason))).isLessThan(5_000_000);
+        assertThat(Allocated.once(() -> refused(bytes, reason))).isLessThan(5_000_000);
     }
 
     @Test
@@ -180,7 +172,7 @@ class GridMessagesTest {
             at++;
         }
         ByteBuffer.wrap(bytes).putInt(at - 4, MessageLimits.MAX_ARRAY_LENGTH + 1);
-        assertThat(allocatedBytes(() -> refused(bytes, "an array must have at most 4000000 items (got: 4000001)")))
+        assertThat(Allocated.once(() -> refused(bytes, "an array must have at most 4000000 items (got: 4000001)")))
                 .isLessThan(1_000_000);
         refused(
                 JSON.replace("BQI=", "A".repeat(5_333_340)),

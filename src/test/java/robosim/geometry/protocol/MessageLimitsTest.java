@@ -3,14 +3,12 @@ package robosim.geometry.protocol;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import com.sun.management.ThreadMXBean;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectOutputStream;
 import java.io.SequenceInputStream;
-import java.lang.management.ManagementFactory;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -21,6 +19,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import robosim.geometry.Allocated;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
@@ -49,13 +48,6 @@ class MessageLimitsTest {
         return object;
     }
 
-    private static long allocatedBytes(Runnable work) {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long before = threads.getCurrentThreadAllocatedBytes();
-        work.run();
-        return threads.getCurrentThreadAllocatedBytes() - before;
-    }
-
     @Test
     void groupsNestAsDeepAsPromisedAndNoDeeper() throws IOException {
         InitBundle deep = new InitBundle(List.of(nested(28, 1)));
@@ -81,7 +73,7 @@ class MessageLimitsTest {
     void membersNamedTwiceOnEveryLevelAreCountedTwice() throws IOException {
         byte[] bytes = MessageTest.write(new InitBundle(List.of(nested(25, 2))));
         assertThat(bytes).hasSizeLessThan(5000);
-        assertThat(allocatedBytes(() -> refused(bytes, "parts"))).isLessThan(10_000_000);
+        assertThat(Allocated.once(() -> refused(bytes, "parts"))).isLessThan(10_000_000);
         InitBundle fair = new InitBundle(List.of(nested(10, 2)));
         assertThat(MessageTest.readAll(MessageTest.write(fair))).containsExactly(fair);
     }
@@ -98,7 +90,7 @@ class MessageLimitsTest {
             }
         }
         assertThat(forged).isEqualTo(26);
-        assertThat(allocatedBytes(() -> refused(bytes, "must fit into"))).isLessThan(150_000_000);
+        assertThat(Allocated.once(() -> refused(bytes, "must fit into"))).isLessThan(150_000_000);
     }
 
     /** Many meshes that share one array of faces on the wire, but would each have corners of their own in memory. */
@@ -114,7 +106,7 @@ class MessageLimitsTest {
         }
         byte[] bytes = sharing(new InitBundle(meshes), int[][].class);
         assertThat(bytes).hasSizeLessThan(3_000_000);
-        assertThat(allocatedBytes(() -> refused(bytes, "parts"))).isLessThan(1_000_000_000);
+        assertThat(Allocated.once(() -> refused(bytes, "parts"))).isLessThan(1_000_000_000);
         List<Bundle> fair = MessageTest.readAll(sharing(new InitBundle(meshes.subList(0, 20)), int[][].class));
         assertThat(((InitBundle) fair.get(0)).objects()).hasSize(20);
     }
@@ -131,7 +123,7 @@ class MessageLimitsTest {
         }
         byte[] bytes = sharing(new InitBundle(meshes), int[].class, int[][].class);
         assertThat(bytes).hasSizeLessThan(3_000_000);
-        assertThat(allocatedBytes(() -> refused(bytes, "parts"))).isLessThan(1_000_000_000);
+        assertThat(Allocated.once(() -> refused(bytes, "parts"))).isLessThan(1_000_000_000);
         List<GeometryObject> some = meshes.subList(0, 20);
         List<Bundle> fair = MessageTest.readAll(sharing(new InitBundle(some), int[].class, int[][].class));
         assertThat(fair).hasSize(1);
@@ -147,7 +139,7 @@ class MessageLimitsTest {
         }
         byte[] bytes = sharing(new InitBundle(balls), byte[].class);
         assertThat(bytes).hasSizeLessThan(4_000_000);
-        assertThat(allocatedBytes(() -> refused(bytes, "16777216 pixels"))).isLessThan(200_000_000);
+        assertThat(Allocated.once(() -> refused(bytes, "16777216 pixels"))).isLessThan(200_000_000);
         InitBundle fair = new InitBundle(balls.subList(0, 16));
         assertThat(MessageTest.readAll(sharing(fair, byte[].class))).containsExactly(fair);
         ImageTexture large = new ImageTexture(1155, 1155, new int[1155 * 1155], 1, 1);

@@ -4,14 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
-import com.sun.management.ThreadMXBean;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Allocated;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.image.PngReader;
@@ -69,12 +68,7 @@ class ColorCameraTest {
             camera.render(world, frame);
         }
         int[] pixels = frame.pixels();
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long before = threads.getCurrentThreadAllocatedBytes();
-        for (int k = 0; k < 4; k++) {
-            camera.render(world, frame);
-        }
-        long each = (threads.getCurrentThreadAllocatedBytes() - before) / 4;
+        long each = Allocated.everyTime(() -> camera.render(world, frame));
         assertThat(frame.pixels()).isSameAs(pixels);
         assertThat(each).isLessThan(93 * 61); // less than a byte a pixel
     }

@@ -2,13 +2,12 @@ package robosim.geometry.sensor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.LongConsumer;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.material.Material;
@@ -24,7 +23,6 @@ import robosim.geometry.model.Twist;
 
 /** A sensor that keeps its frame leaves nothing for the garbage collector, noise or not, on any JDK. */
 class FramesAllocateNothingTest {
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final int READINGS = 40;
 
     private static final Pose MAST = Pose.of(new Point(0.01, 0.73, 0.02), 15.1);
@@ -104,15 +102,9 @@ class FramesAllocateNothingTest {
     }
 
     private static void allocatesNothing(String what, LongConsumer reading) {
-        run(reading);
-        // What each reading takes is taken in every round; what the JVM does once is not.
-        long least = Long.MAX_VALUE;
-        for (int round = 0; round < 3; round++) {
-            long before = THREADS.getCurrentThreadAllocatedBytes();
-            run(reading);
-            least = Math.min(least, THREADS.getCurrentThreadAllocatedBytes() - before);
-        }
-        assertThat(least / (double) READINGS).as(what).isLessThan(1);
+        assertThat(Allocated.everyTime(() -> run(reading)) / (double) READINGS)
+                .as(what)
+                .isLessThan(1);
     }
 
     private static void run(LongConsumer reading) {

@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Allocated;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.RayOracle;
@@ -279,33 +280,29 @@ class SpatialConeTest {
         for (LeafKind kind : Leaves.KINDS) {
             rows[kind.ordinal()] = Leaves.random(kind, random, 1);
         }
-        com.sun.management.ThreadMXBean threads =
-                (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
         double cos = StrictMath.cos(0.7);
         double sin = StrictMath.sin(0.7);
-        long before = 0;
-        double sum = 0;
-        for (int i = 0; i < 20_000; i++) {
-            if (i == 10_000) {
-                before = threads.getCurrentThreadAllocatedBytes();
+        long bytes = Allocated.everyTime(() -> {
+            double sum = 0;
+            for (int i = 0; i < 10_000; i++) {
+                sum += SpatialCone.distance(
+                        10 + i * 1e-6,
+                        3,
+                        4,
+                        -1,
+                        -0.31,
+                        -0.42,
+                        cos,
+                        sin,
+                        Leaves.KINDS[i % 9],
+                        rows[i % 9],
+                        0,
+                        Double.POSITIVE_INFINITY,
+                        scratch);
             }
-            sum += SpatialCone.distance(
-                    10 + i * 1e-6,
-                    3,
-                    4,
-                    -1,
-                    -0.31,
-                    -0.42,
-                    cos,
-                    sin,
-                    Leaves.KINDS[i % 9],
-                    rows[i % 9],
-                    0,
-                    Double.POSITIVE_INFINITY,
-                    scratch);
-        }
-        assertThat(sum).isBetween(20_000.0, 400_000.0);
-        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
+            assertThat(sum).isBetween(10_000.0, 200_000.0);
+        });
+        assertThat(bytes).isLessThan(10_000);
     }
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {

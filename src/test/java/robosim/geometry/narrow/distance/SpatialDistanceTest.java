@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Allocated;
 import robosim.geometry.narrow.Projections;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
@@ -254,27 +255,21 @@ class SpatialDistanceTest {
             rows[k] = Rows.random(KINDS[k / 2], random, 1.5);
         }
         double[] contact = new double[6];
-        com.sun.management.ThreadMXBean threads =
-                (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
-        long id = Thread.currentThread().getId();
-        double sum = 0;
-        long allocated = Long.MAX_VALUE;
+        double[] sum = new double[1];
         int questions = 20 * rows.length * rows.length;
-        for (int repeat = 0; repeat < 3; repeat++) {
-            long before = threads.getThreadAllocatedBytes(id);
+        long allocated = Allocated.everyTime(() -> {
             for (int n = 0; n < questions; n++) {
                 int k = n % rows.length;
                 int m = n / rows.length % rows.length;
                 if (k / 2 == m / 2) {
                     continue; // a leaf with itself may need exact numbers
                 }
-                sum += SpatialDistance.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, scratch);
+                sum[0] += SpatialDistance.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, scratch);
                 SpatialContact.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, contact, scratch);
-                sum += contact[0];
+                sum[0] += contact[0];
             }
-            allocated = Math.min(allocated, threads.getThreadAllocatedBytes(id) - before);
-        }
-        assertThat(sum).isNotZero();
+        });
+        assertThat(sum[0]).isNotZero();
         assertThat(allocated).isLessThan(questions);
     }
 }

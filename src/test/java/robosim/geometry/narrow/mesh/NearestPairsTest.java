@@ -2,13 +2,12 @@ package robosim.geometry.narrow.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Allocated;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
@@ -20,7 +19,6 @@ import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 class NearestPairsTest {
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** So many triangles in a cube about the origin, each of about a third of its side. */
     private static MeshObject crowd(int count, long seed) {
@@ -58,12 +56,7 @@ class NearestPairsTest {
         long steps = steps(pairs, a, b);
         assertThat(pairs.touches()).isFalse();
         assertThat(steps).isGreaterThan(100);
-        long before = THREADS.getCurrentThreadAllocatedBytes();
-        for (int k = 0; k < 20; k++) {
-            steps(pairs, a, b);
-        }
-        long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
-        assertThat(bytes / (20.0 * steps)).isLessThan(1);
+        assertThat(Allocated.everyTime(() -> steps(pairs, a, b))).isLessThan(steps);
     }
 
     @Test
@@ -73,12 +66,8 @@ class NearestPairsTest {
         ContactPairs pairs = new ContactPairs(new Scratch());
         pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE);
         assertThat(pairs.count()).isGreaterThan(50);
-        long before = THREADS.getCurrentThreadAllocatedBytes();
-        for (int k = 0; k < 20; k++) {
-            pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE);
-        }
-        long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
-        assertThat(bytes / (20.0 * pairs.count())).isLessThan(1);
+        assertThat(Allocated.everyTime(() -> pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE)))
+                .isLessThan(pairs.count());
     }
 
     @Test
