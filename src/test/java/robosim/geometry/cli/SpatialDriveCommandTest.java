@@ -55,6 +55,25 @@ class SpatialDriveCommandTest {
         assertThat(Files.size(page)).isGreaterThan(10_000);
     }
 
+    @Test
+    void whatHasNoNameIsToldByWhatItIs(@TempDir Path folder) throws IOException {
+        Path world = Files.writeString(folder.resolve("hall.xml"), """
+                <world xmlns="urn:robosim:world:1" width="8" height="4" length="8" unit="m">
+                  <box center="1.5 -1 0" width="1" height="2" length="2"/>
+                  <cylinder name="cart" moveable="true" center="0 -1.7 0" radius="0.2" height="0.5"/>
+                  <cylinder name="mule" moveable="true" center="0 -1.7 3" radius="0.2" height="0.5"/>
+                </world>
+                """);
+        assertThat(run("drive", world.toString(), "--tell", "cart=1", "--seconds", "6"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("met the ground, a box at (1.5, -1, 0) (");
+        assertThat(run("drive", world.toString(), "--planar", "--tell", "mule=-1", "--seconds", "6"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("; met the border of the world (");
+    }
+
     /** For a moment only: what rolls along in front of a robot takes many slices of a step. */
     @Test
     void aRoverPushesTheBall(@TempDir Path folder) throws IOException {

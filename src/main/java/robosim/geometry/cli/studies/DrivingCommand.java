@@ -334,11 +334,7 @@ public final class DrivingCommand implements Callable<Integer> {
         double vx = at.velocity().x();
         double vy = at.velocity().y();
         double vz = at.velocity().z();
-        String others = String.join(
-                ", ",
-                track.others().stream()
-                        .map(other -> other.isEmpty() ? "what has no name" : Text.quoted(other))
-                        .toList());
+        String others = String.join(", ", track.others());
         return "at (" + number(at.center().x()) + ", "
                 + (isSpatial ? number(at.center().y()) + ", " : "")
                 + number(at.center().z()) + "), heading "
