@@ -233,4 +233,12 @@ class AddCommandTest extends CommandRun {
         assertThat(err.toString()).startsWith("the sizes of a robot must be above 0 (got: " + robot + ")");
         assertThat(folder.resolve("w.xml")).doesNotExist();
     }
+
+    @ParameterizedTest
+    @CsvSource({"-1", "10001"})
+    void sonarsAreToldByTheOption(int count) throws IOException {
+        assertThat(run("add", map(), folder.resolve("w.xml"), "disc:0.2@0,0", "--sonars", count))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--sonars must be from 0 to 10000 (got: " + count + ")");
+    }
 }

@@ -388,32 +388,4 @@ class ConvertCommandTest extends CommandRun {
         assertThat(err.toString()).startsWith(broken + ":2:13: this is not well-formed XML");
         assertThat(xml).doesNotExist();
     }
-
-    /** An option that means nothing to the file is told, and changes nothing. */
-    @Test
-    void optionsOfOtherFormatsAreTold() throws IOException {
-        Path xml = folder.resolve("w.xml");
-        assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), xml, "--scale", "2", "--up", "y", "--centred"))
-                .isEqualTo(ExitCodes.FINE);
-        assertThat(err.toString().lines())
-                .containsExactly(
-                        "warning: --centred is for maps and changes nothing here (got: SDFormat)",
-                        "warning: --scale is for meshes that are read by themselves and changes nothing here (got: SDFormat)",
-                        "warning: --up is for meshes that are read by themselves and changes nothing here (got: SDFormat)");
-        assertThat(run("convert", xml, folder.resolve("w2.xml"), "--wall-height", "2"))
-                .isEqualTo(ExitCodes.FINE);
-        assertThat(err.toString()).contains("--wall-height is for maps");
-        Path mesh = Files.writeString(folder.resolve("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        assertThat(run("convert", mesh, folder.resolve("m.xml"), "--scale", "2", "--up", "z"))
-                .isEqualTo(ExitCodes.FINE);
-        assertThat(err.toString()).isEmpty();
-        // A file that includes others may include a mesh, to which the option means something.
-        Path outer = Files.writeString(
-                folder.resolve("outer.xml"),
-                "<world xmlns='urn:robosim:world:1' width='9' height='9' length='9'><include file='m.obj'/></world>");
-        assertThat(run("convert", outer, folder.resolve("o.xml"), "--scale", "2"))
-                .as(err.toString())
-                .isEqualTo(ExitCodes.FINE);
-        assertThat(err.toString()).isEmpty();
-    }
 }
