@@ -299,8 +299,12 @@ public final class DrivingCommand implements Callable<Integer> {
                     .filter(body -> body.objectName().equals(name))
                     .findFirst()
                     .orElse(BodyRequest.of(name));
+            double mass = number("--mass", WEIGHED, text, pair[1]);
+            if (mass == 0) { // which would ask for the mass of the shape
+                throw refused("--mass must be above 0; leave it out for the mass of the shape (got: " + text + ")");
+            }
             try {
-                all.put(name, known.withMass(number("--mass", WEIGHED, text, pair[1])));
+                all.put(name, known.withMass(mass));
             } catch (IllegalArgumentException e) {
                 throw refused("--mass: " + e.getMessage());
             }
