@@ -28,6 +28,9 @@ import robosim.geometry.world.World;
 
 /** Robots that are driven through a world for a time, as a conversation that can be recorded. */
 public final class DriveRun {
+    /** What a body met that stands on the lower border of the world. */
+    public static final String GROUND = "the ground";
+
     private final Session session;
     private final @Nullable ScenarioWriter record;
     private final Map<String, Track> tracks = new LinkedHashMap<>();
@@ -147,7 +150,7 @@ public final class DriveRun {
     private String nameless(ContactAnswer contact) {
         Geometry world = Objects.requireNonNull(session.world());
         if (Nameless.isGround(world, contact)) {
-            return "the ground";
+            return GROUND;
         }
         GeometryObject object = Nameless.at(world, contact.point());
         return object == null ? "the border of the world" : Text.name(object);
