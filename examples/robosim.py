@@ -523,6 +523,18 @@ def listed(first: int = 0, count: int = 65536) -> Json:
 Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, RequestError]
 
 
+def _not_finite(value: Any, path: str = "") -> str:
+    """Which number of a message is none that JSON has; empty if all are."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return f"{value} at {path}"
+    items: Iterable[Tuple[Any, Any]] = ()
+    if isinstance(value, dict):
+        items = value.items()
+    elif isinstance(value, (list, tuple)):
+        items = enumerate(value)
+    return next(filter(None, (_not_finite(each, f"{path}/{key}") for key, each in items)), "")
+
+
 class Module:
     """A connection to the geometry module; `connect` and `accept` make one. It belongs to one thread at a time."""
 
@@ -530,6 +542,7 @@ class Module:
         sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # messages are small and wait for their answers
         self._sock = sock
         self._lines = sock.makefile("rb")
+        self._refusal = ""
         hello: Json = {"type": "hello", "version": 1}
         if secret is not None:
             hello["secret"] = secret
@@ -556,7 +569,11 @@ class Module:
         """Sends one message as it is; for what has no method here, and for several requests ahead of their answers."""
         # json writes the shortest digits that mean a double, and reads them back to the same bits.
         try:
-            self._sock.sendall(json.dumps(message, allow_nan=False, separators=(",", ":")).encode() + b"\n")
+            line = json.dumps(message, allow_nan=False, separators=(",", ":"))
+        except ValueError:
+            raise ValueError(f"numbers must be finite (got: {_not_finite(message)})") from None
+        try:
+            self._sock.sendall(line.encode() + b"\n")
         except (BrokenPipeError, ConnectionError):
             pass  # the module ended the conversation, and its last line says why
         except OSError as e:
@@ -571,7 +588,8 @@ class Module:
         except OSError as e:
             raise NotDone(f"the connection failed: {e}") from None
         if not line.endswith(b"\n"):
-            raise NotDone("the module ended the conversation; its log tells why")
+            raise NotDone("the module ended the conversation"
+                          + (f" when it refused this: {self._refusal}" if self._refusal else "; its log tells why"))
         try:
             answer = json.loads(line)
             given = answer["type"]
@@ -579,6 +597,7 @@ class Module:
             raise ProtocolFault(f"an answer must be a JSON object with a type (got: {line[:100]!r}); is it the"
                                 " geometry module that listens there?") from None
         if given == "error":
+            self._refusal = answer["message"]
             raise NotDone(f"the module refused it: {answer['message']}")
         if given != kind:
             raise ProtocolFault(f"the answer must be {kind} (got: {given})")
@@ -649,8 +668,8 @@ class Module:
         return told.bodies[name]
 
     def moves(self, moves: Iterable[Move]) -> Moves:
-        """Several moves in order, each in the world that the earlier ones left."""
-        asked = list(moves)
+        """Several moves in order, each in the world that the earlier ones left. A tuple such as ("cart", 1) is a `Move`."""
+        asked = [Move(*move) for move in moves]
         lines = [{"objectName": m.name, "x": m.x, "y": m.y, "z": m.z, "rx": m.rx, "ry": m.ry} for m in asked]
         answer = self.ask({"type": "moves", "moves": lines}, "moves")[0]
         refused = {problem["index"]: problem["reason"] for problem in answer["refused"]}
@@ -660,10 +679,11 @@ class Module:
         return Moves(made, refused)
 
     def sonars(self, sonars: Iterable[Sonar]) -> List[Union[float, RequestError]]:
-        """Several sonars; inf where nothing echoes, a RequestError in place of a distance that there is not."""
+        """Several sonars; inf where nothing echoes, a RequestError in place of a distance that there is not. A tuple such as
+        ("cart", 0, 1) is a `Sonar`."""
         lines = [{"objectName": s.name, "xOffset": s.x, "zOffset": s.z,
                   "beam": {"min": s.min, "max": None if math.isinf(s.max) else s.max, "width": s.width}}
-                 for s in sonars]
+                 for s in (Sonar(*sonar) for sonar in sonars)]
         answer = self.ask({"type": "sonars", "requests": lines}, "distances")[0]["distances"]
         if len(answer) != len(lines):
             raise ProtocolFault(f"there must be {len(lines)} distances (got: {len(answer)})")
@@ -719,6 +739,8 @@ class Module:
     def scan(self, name: str, first: float = 0.0, step: Optional[float] = None, count: int = 360,
              **options: Any) -> Scan:
         """A laser scan; without a step, a whole turn counter-clockwise."""
+        if count < 1:
+            raise ValueError(f"count must be at least 1 (got: {count})")
         return self.sense(name, fan(first, math.tau / count if step is None else step, count), **options)
 
     def frame(self, name: str, width: int, height: int, field_of_view: float, **options: Any) -> Scan:

@@ -179,7 +179,7 @@ def parse(path):
     except expat.ExpatError as e:
         raise NotDone(f"{path}:{e.lineno}: this is no well-formed XML: {expat.ErrorString(e.code)}") from None
     except OSError as e:
-        raise NotDone(f"{path}: the world cannot be read; check --world ({e.strerror})") from None
+        raise NotDone(f"{path}: the world cannot be read; check the path ({e.strerror})") from None
     roots[0].check()
     return roots[0]
 

@@ -13,6 +13,7 @@ import robosim.geometry.cli.studies.ReplayCommand;
 import robosim.geometry.cli.studies.SweepCommand;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.FailureText;
+import robosim.geometry.cli.terminal.Numbers;
 import robosim.geometry.cli.terminal.Terminal;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.worlds.AddCommand;
@@ -90,6 +91,7 @@ public final class Commands implements Terminal.Program {
         CommandLine line = new CommandLine(new Commands(standard));
         commands.forEach(line::addSubcommand);
         line.setCaseInsensitiveEnumValuesAllowed(true);
+        Numbers.register(line);
         return line;
     }
 

@@ -42,14 +42,9 @@ final class Bodies {
             return !name.equals(other) && isOf(name) && isOf(other);
         }
 
-        /** What the one met; empty for what has no name. */
-        String other(String name) {
-            String other = otherOrNull(name);
-            return other == null ? "" : other;
-        }
-
+        /** What the one met; null for what has no name. */
         @Nullable
-        String otherOrNull(String name) {
+        String other(String name) {
             return contact.objectName().equals(name) ? contact.other() : contact.objectName();
         }
     }

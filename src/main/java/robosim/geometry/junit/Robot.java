@@ -112,30 +112,32 @@ public final class Robot {
         return this;
     }
 
-    /** Fails if it has met anything so far while bodies moved. */
+    /**
+     * Fails if it has met anything so far while bodies moved. The ground, which is the lower border of the world, does not
+     * count where it stands on it; a floor that is an object does.
+     */
     public Robot hitsNothing() {
-        if (world.meetings().stream().anyMatch(meeting -> meeting.isOf(name))) {
+        if (!world.met(name).isEmpty()) {
             throw failure(" was to hit nothing, but " + met() + "; it stands " + Words.place(object()));
         }
         return this;
     }
 
     private String met() {
-        for (Bodies.Meeting meeting : world.meetings()) {
-            if (meeting.isOf(name)) {
-                String other = meeting.other(name);
-                long others = world.meetings().stream()
-                        .filter(each -> each.isOf(name) && !each.other(name).equals(other))
-                        .map(each -> each.other(name))
-                        .distinct()
-                        .count();
-                return "has met " + (other.isEmpty() ? "what has no name" : Text.quoted(other)) + " in step "
-                        + meeting.step() + " at "
-                        + Words.point(meeting.contact().point(), 0)
-                        + (others == 0 ? "" : " and " + others + " more");
-            }
+        List<Bodies.Meeting> met = world.met(name);
+        if (met.isEmpty()) {
+            return "has met nothing";
         }
-        return "has met nothing";
+        Bodies.Meeting first = met.get(0);
+        String other = world.words(first, name);
+        long others = met.stream()
+                .map(each -> world.words(each, name))
+                .filter(each -> !each.equals(other))
+                .distinct()
+                .count();
+        return "has met " + other + " in step " + first.step() + " at "
+                + Words.point(first.contact().point(), 0)
+                + (others == 0 ? "" : " and " + others + " more");
     }
 
     /** Fails if it is not within a distance of a place on the ground. */

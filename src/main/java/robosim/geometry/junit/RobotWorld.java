@@ -167,6 +167,18 @@ public final class RobotWorld {
         return all == null ? List.of() : all.meetings();
     }
 
+    /** What a body met so far, without the ground that it stands on. */
+    List<Bodies.Meeting> met(String name) {
+        return meetings().stream()
+                .filter(meeting -> meeting.isOf(name) && !watches.isGround(meeting))
+                .toList();
+    }
+
+    /** What a body met, for a message. */
+    String words(Bodies.Meeting meeting, String name) {
+        return watches.other(meeting, name);
+    }
+
     boolean isBody(String name) {
         Bodies all = bodies;
         return all != null && all.has(name);

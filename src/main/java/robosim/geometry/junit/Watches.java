@@ -7,16 +7,14 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.Geometry;
-import robosim.geometry.NearObject;
 import robosim.geometry.collision.Budget;
 import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.collision.Verdict;
 import robosim.geometry.exact.NumberText;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.scenario.drive.Nameless;
 
 /** What robots must never touch, the moves that were refused so far, and what bodies met. */
 final class Watches {
@@ -66,7 +64,7 @@ final class Watches {
         abstract boolean isAbout(@Nullable String other);
 
         boolean isAbout(Bodies.Meeting meeting) {
-            return isAbout(meeting.otherOrNull(robot));
+            return isAbout(meeting.other(robot));
         }
 
         abstract String sentence();
@@ -174,11 +172,7 @@ final class Watches {
 
         @Override
         String words(Bodies.Meeting meeting) {
-            String other = meeting.otherOrNull(robot);
-            String met = other == null
-                    ? Words.object(nameless(meeting.contact().point()))
-                    : geometry.hasObject(other) ? Text.kindAndName(geometry.getObject(other)) : Text.quoted(other);
-            return "it met " + met + time(meeting.step()) + " at "
+            return "it met " + other(meeting, robot) + time(meeting.step()) + " at "
                     + Words.point(meeting.contact().point(), 0);
         }
 
@@ -203,36 +197,18 @@ final class Watches {
         }
     }
 
-    /** Whether a robot stood on the lower border of the world. */
-    private boolean isGround(Bodies.Meeting meeting) {
-        Point point = meeting.contact().point();
-        return meeting.contact().other() == null
-                && meeting.contact().normal().y() > 0
-                && below(point) == toBorder(point)
-                && nameless(point) == null;
-    }
-
-    private double below(Point point) {
-        return point.y() + 0.5 * geometry.height();
-    }
-
-    private double toBorder(Point point) {
-        double aside =
-                Math.min(0.5 * geometry.width() - Math.abs(point.x()), 0.5 * geometry.length() - Math.abs(point.z()));
-        return geometry.dimension() == Dimension.PLANAR
-                ? aside
-                : Math.min(aside, 0.5 * geometry.height() - Math.abs(point.y()));
-    }
-
-    /** The object without a name that is met at a point; null if the border of the world is nearer. */
-    private @Nullable GeometryObject nameless(Point point) {
-        double border = Math.max(0, toBorder(point));
-        for (NearObject near : geometry.search().nearest(point, Integer.MAX_VALUE, border)) {
-            if (near.object().name() == null && near.distance() < border) {
-                return near.object();
-            }
+    /** What a body met, for a message. */
+    String other(Bodies.Meeting meeting, String name) {
+        String other = meeting.other(name);
+        if (other == null) {
+            return Words.object(Nameless.at(geometry, meeting.contact().point()));
         }
-        return null;
+        return geometry.hasObject(other) ? Text.kindAndName(geometry.getObject(other)) : Text.quoted(other);
+    }
+
+    /** Whether a robot stood on the lower border of the world. */
+    boolean isGround(Bodies.Meeting meeting) {
+        return Nameless.isGround(geometry, meeting.contact());
     }
 
     private boolean touch(GeometryObject robot, GeometryObject other) {

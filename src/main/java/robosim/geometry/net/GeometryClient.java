@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.UnknownHostException;
 import java.time.Duration;
 import java.util.SplittableRandom;
 import java.util.concurrent.CountDownLatch;
@@ -189,7 +190,9 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     }
 
     private String cannotReach(IOException e) {
-        return "cannot reach an environment at " + host + ":" + port + ": " + e.getMessage();
+        // whose message is the host's name once more
+        String reason = e instanceof UnknownHostException ? "there is no host of that name" : e.getMessage();
+        return "cannot reach an environment at " + host + ":" + port + ": " + reason;
     }
 
     private boolean isClosed() {

@@ -145,6 +145,10 @@ public final class ScenarioReader implements StepReader {
             if (line == null) {
                 return null;
             }
+            if (line.startsWith("<")) {
+                throw lines.refused(
+                        "this is XML and no recording; a world file is for check, render and drive (got: <...>)", null);
+            }
             type = guarded(() -> JsonLines.typeOf(line));
             if (type.equals("note")) {
                 notes.add(guarded(

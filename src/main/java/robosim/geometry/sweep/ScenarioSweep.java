@@ -153,6 +153,9 @@ public final class ScenarioSweep implements SweepScenario {
         if (!(amount >= 0 && amount < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException(parameter + " must be at least 0 and finite (got: " + value + ")");
         }
+        if (parameter.equals(MASS) && amount == 0) { // which would ask for the mass of the shape
+            throw new IllegalArgumentException(parameter + " must be above 0 (got: " + value + ")");
+        }
     }
 
     /** The world of the conversation, under the scenario's name. */

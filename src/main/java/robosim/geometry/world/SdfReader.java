@@ -140,7 +140,8 @@ public final class SdfReader {
             List<Skipped> skipped = Stream.concat(tree.skipped().stream(), files.leftOut().stream())
                     .map(Skipped::of)
                     .toList();
-            return new WorldImport(world, "SDFormat", read, tree.passedOver(), skipped, remarks);
+            return new WorldImport(
+                    world, files.isUrdf() ? "URDF" : "SDFormat", read, tree.passedOver(), skipped, remarks);
         } catch (FileProblem e) {
             throw new WorldException(e);
         } catch (IllegalArgumentException e) {

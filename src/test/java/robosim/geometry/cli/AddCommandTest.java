@@ -162,7 +162,7 @@ class AddCommandTest extends CommandRun {
                 "disc:1x2x3@1,2|a robot must be ",
                 "box:1@1,2|a robot must be ",
                 "map=disc:0.3@1,2|a robot must have a name of its own (got twice: map)",
-                "disc:-1@1,2|radius must be a number from 0",
+                "disc:-1@1,2|the sizes of a robot must be above 0 (got: disc:-1@1,2)",
             })
     void refusesWithTheRemedy(String robot, String message) throws IOException {
         Path xml = folder.resolve("world.xml");
@@ -214,5 +214,31 @@ class AddCommandTest extends CommandRun {
                 "<world xmlns=\"urn:robosim:world:1\" width=\"20\" height=\"4\" length=\"20\"></world>");
         assertThat(run("add", in, in, "disc:0.3@1,2")).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("OUT must not be a file that is read");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "disc:0@1,1",
+                "disc:-0@1,1",
+                "disc:-1@1,1",
+                "disc:0x10@1,1",
+                "disc:1x0@1,1",
+                "box:0x1@1,1",
+                "box:1x0@1,1"
+            })
+    void aRobotWithoutASizeIsRefused(String robot) throws IOException {
+        assertThat(run("add", map(), folder.resolve("w.xml"), robot)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("the sizes of a robot must be above 0 (got: " + robot + ")");
+        assertThat(folder.resolve("w.xml")).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-1", "10001"})
+    void sonarsAreToldByTheOption(int count) throws IOException {
+        assertThat(run("add", map(), folder.resolve("w.xml"), "disc:0.2@0,0", "--sonars", count))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--sonars must be from 0 to 10000 (got: " + count + ")");
     }
 }

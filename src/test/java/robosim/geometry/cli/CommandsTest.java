@@ -36,7 +36,8 @@ class CommandsTest {
     @CsvSource(delimiter = '|', quoteCharacter = '"', textBlock = """
                     fly                                  | Unmatched argument at index 0: 'fly'
                     demo --steps 0                       | --steps must be at least 1 (got: 0)
-                    demo --steps many                    | 'many' is not an int
+                    demo --steps many                    | must be a whole number of at most 2147483647 (got: many)
+                    render w.xml -o w.svg --slice 1,5    | must be a number, such as 12, -0.5 or 1.5e-3 (got: 1,5)
                     demo --seed -1                       | --seed must be at least 0 (got: -1)
                     demo --speed NaN                     | --speed must be above 0 (got: NaN)
                     demo --world nowhere.xml             | --world must be a file that exists; check the path (got: nowhere.xml)

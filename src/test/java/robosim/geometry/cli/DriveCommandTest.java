@@ -121,6 +121,9 @@ class DriveCommandTest {
         assertThat(err.toString()).contains("--tell must be NAME=SPEED[,TURN], as in cart=0.5,10 (got: cart=fast)");
         assertThat(run("drive", WORLD, "--mass", "cart=-3")).isEqualTo(2);
         assertThat(err.toString()).contains("--mass: mass must be");
+        assertThat(run("drive", WORLD, "--mass", "cart=0")).isEqualTo(2);
+        assertThat(err.toString())
+                .contains("--mass must be above 0; leave it out for the mass of the shape (got: cart=0)");
         assertThat(run("drive", WORLD, "--seconds", "0")).isEqualTo(2);
         assertThat(err.toString()).contains("--seconds and --step must be above 0");
     }

@@ -71,4 +71,13 @@ class ExportCommandTest extends CommandRun {
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("OUT must end in .xml, .glb or .obj");
     }
+
+    @Test
+    void aWorldTakesNothingFromAnother() {
+        Path page = folder.resolve("page.html");
+        assertThat(run("export", "worlds/rooms.xml", page, "--world", "worlds/maze.xml"))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--world is for a recording, and FILE is a world (got: worlds/maze.xml)");
+        assertThat(page).doesNotExist();
+    }
 }

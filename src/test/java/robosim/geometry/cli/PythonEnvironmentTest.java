@@ -355,7 +355,7 @@ class PythonEnvironmentTest {
             String place = "127.0.0.1:" + server.port();
             refused("port " + port + " cannot be listened on", "--world", rooms, "--listen", port);
             refused("must hold a moveable object", "--world", still.toString(), "--connect", place);
-            refused("the world cannot be read; check --world", "--world", "nowhere.xml", "--connect", place);
+            refused("the world cannot be read; check the path", "--world", "nowhere.xml", "--connect", place);
             refused("check --secret-file", "--world", rooms, "--connect", place, "--secret-file", "nowhere");
             refused("the module refused it: ", "--world", rooms, "--connect", place);
             refused(

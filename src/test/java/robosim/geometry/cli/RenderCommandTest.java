@@ -110,6 +110,12 @@ class RenderCommandTest {
         refused("--camera must be overview, top", "--camera", "nowhere");
         refused("--camera robot:NAME must name a moveable object", "--camera", "robot:nobody");
         refused("--size must be WxH", "--size", "60");
+        refused("--size must be WxH, two numbers of pixels above 0 (got: 0x0)", "--size", "0x0");
+        refused("--size must be WxH", "--size", "60x-1");
+        refused(
+                "--world is for a recording, and WORLD is a world (got: worlds/maze.xml)",
+                "--world",
+                "worlds/maze.xml");
         refused("67108864 pixels", "--size", "100000x100000");
         refused("--look-at must be X,Y,Z", "--camera", "1,2,3", "--look-at", "1,2");
         refused("samples must be from 1 to 16", "--samples", "17");

@@ -197,4 +197,11 @@ class ReplayCommandTest extends CommandRun {
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("in a folder that can be written to");
     }
+
+    @Test
+    void aWorldIsNoRecording() {
+        assertThat(run("replay", "worlds/rooms.xml")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(out.toString() + err)
+                .contains("rooms.xml:1: this is XML and no recording; a world file is for check, render and drive");
+    }
 }

@@ -55,6 +55,57 @@ class SpatialDriveCommandTest {
         assertThat(Files.size(page)).isGreaterThan(10_000);
     }
 
+    @Test
+    void whatHasNoNameIsToldByWhatItIs(@TempDir Path folder) throws IOException {
+        Path world = Files.writeString(folder.resolve("hall.xml"), """
+                <world xmlns="urn:robosim:world:1" width="8" height="4" length="8" unit="m">
+                  <box center="1.5 -1 0" width="1" height="2" length="2"/>
+                  <cylinder name="cart" moveable="true" center="0 -1.7 0" radius="0.2" height="0.5"/>
+                  <cylinder name="mule" moveable="true" center="0 -1.7 3" radius="0.2" height="0.5"/>
+                </world>
+                """);
+        assertThat(run("drive", world.toString(), "--tell", "cart=1", "--seconds", "6"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("met the ground, a box at (1.5, -1, 0) (");
+        assertThat(run("drive", world.toString(), "--planar", "--tell", "mule=-1", "--seconds", "6"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("; met the border of the world (");
+    }
+
+    /** The ground plane is no object, so that a robot would drive under the walls. */
+    @Test
+    void aFallToTheBottomOfTheWorldIsTold(@TempDir Path folder) throws IOException {
+        Path world = Files.writeString(folder.resolve("lab.sdf"), """
+                <sdf version='1.9'><world name='w'>
+                <model name='ground_plane'><static>1</static><link name='l'><collision name='c'><geometry><plane/></geometry>
+                </collision></link></model>
+                <model name='bot'><pose>0 0 0.25 0 0 0</pose><link name='l'><collision name='c'><geometry><box>
+                <size>0.5 0.5 0.5</size></box></geometry></collision></link></model>
+                </world></sdf>
+                """);
+        assertThat(run("drive", world.toString(), "--seconds", "2"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern("\"bot\" has fallen 2 m, onto the lower border of the world; if there should have been"
+                        + " a floor, add one to the world, or drive with --planar");
+        out.getBuffer().setLength(0);
+        Path floor = Files.writeString(folder.resolve("floor.xml"), """
+                <world xmlns="urn:robosim:world:1" width="8" height="4" length="8" unit="m">
+                  <include file="lab.sdf"/>
+                  <box name="floor" center="0 -0.5 0" width="8" height="1" length="8"/>
+                </world>
+                """);
+        assertThat(run("drive", floor.toString(), "--seconds", "2"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern("\"bot\" at \\((1|0.9\\d*), 0.25, 0\\).*; met \"floor\"")
+                .doesNotContain("fallen");
+    }
+
     /** For a moment only: what rolls along in front of a robot takes many slices of a step. */
     @Test
     void aRoverPushesTheBall(@TempDir Path folder) throws IOException {

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.cli.studies.SweepCommand;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.sweep.Replicate;
@@ -293,5 +295,24 @@ class SweepCommandTest extends CommandRun {
         assertThat(SweepCommand.left(10_000_000_000L, 10, 30)).isEqualTo("30 s left");
         assertThat(SweepCommand.left(10_000_000_000L, 10, 90)).isEqualTo("1 min 30 s left");
         assertThat(SweepCommand.left(10_000_000_000L, 10, 7260)).isEqualTo("2 h 1 min left");
+    }
+
+    /** A world that was meant for something else would be lost. */
+    @ParameterizedTest
+    @CsvSource({"--table, .md", "--plot, .svg"})
+    void reportsHaveTheirEndings(String option, String ending) throws IOException {
+        Path world = Files.writeString(folder.resolve("w.xml"), "<world/>");
+        assertThat(run(
+                        "sweep",
+                        "worlds/scenarios/wandering.scenario.jsonl",
+                        "-n",
+                        "1",
+                        "-o",
+                        folder.resolve("s.jsonl"),
+                        option,
+                        world))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith(option + " must end in " + ending + " (got: " + world + ")");
+        assertThat(world).hasContent("<world/>");
     }
 }

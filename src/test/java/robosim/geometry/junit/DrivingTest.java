@@ -119,11 +119,12 @@ class DrivingTest {
         Robot cart = world.robot("cart").drives(1, 0).forSeconds(3);
         assertThatThrownBy(cart::hitsNothing)
                 .isInstanceOf(AssertionFailedError.class)
-                .hasMessageContaining("robot \"cart\" was to hit nothing, but has met \"crate\" in step ")
+                .hasMessageContaining("robot \"cart\" was to hit nothing, but has met box \"crate\" in step ")
                 .hasMessageContaining("it stands at (1, 0, 0)");
         assertThatThrownBy(() -> cart.hits("wall"))
                 .isInstanceOf(AssertionFailedError.class)
-                .hasMessageContaining("was to hit \"wall\" in step 30, but has met \"crate\" in step 10 at (1.5, 0, ");
+                .hasMessageContaining(
+                        "was to hit \"wall\" in step 30, but has met box \"crate\" in step 10 at (1.5, 0, ");
         assertThatThrownBy(() -> world.robot("drum").hits("wall")).hasMessageContaining("has met nothing");
         assertThatThrownBy(() -> cart.endsNear(3, 0, 0.5))
                 .isInstanceOf(AssertionFailedError.class)

@@ -119,9 +119,27 @@ class WatchesTest {
         RobotWorld arena = RobotWorld.of(arena(Dimension.SPATIAL));
         Robot cart = arena.robot("cart").neverTouchesAnything();
         cart.drives(0.5, 0).forSeconds(1);
-        assertThatThrownBy(cart::hitsNothing).as("the ground was met").hasMessageContaining("what has no name");
+        cart.hitsNothing();
+        assertThatThrownBy(() -> cart.hits("crate")).hasMessageContaining(", but has met nothing; it stands ");
         assertThatThrownBy(() -> cart.drives(0.5, 0).forSeconds(3))
                 .hasMessageContaining("it met box \"crate\" in step ");
+        assertThatThrownBy(cart::hitsNothing)
+                .hasMessageContaining(" was to hit nothing, but has met box \"crate\" in step ");
+    }
+
+    /** The border is no ground where it stands upright, and what has no name is told by where it is. */
+    @Test
+    void theBorderAndWhatHasNoNameAreMet() {
+        Geometry world = new Geometry(10, 4, 10);
+        world.addObject(new CylinderObject(new Point(-3, -1.7, 0), 0.3, 0.5).moveable("left"));
+        world.addObject(new CylinderObject(new Point(-3, -1.7, 3), 0.3, 0.5).moveable("right"));
+        world.addObject(new BoxObject(new Point(0, -1, 3), 1, 2, 1));
+        RobotWorld arena = RobotWorld.of(world);
+        Robot left = arena.robot("left").drives(-1, 0).forSeconds(3);
+        assertThatThrownBy(left::hitsNothing).hasMessageContaining("has met the border of the world in step ");
+        Robot right = arena.robot("right").drives(1, 0).forSeconds(3);
+        assertThatThrownBy(right::hitsNothing)
+                .hasMessageContaining("has met box without a name at (0, -1, 3) in step ");
     }
 
     @Test

@@ -205,6 +205,7 @@ class ScenarioSweepTest {
             assertThatThrownBy(() -> wrong.vary("place", "0", amount))
                     .hasMessageContaining("place must be at least 0 and finite (got: " + amount + ")");
         }
+        assertThatThrownBy(() -> wrong.vary("mass", "1", "-0")).hasMessageContaining("mass must be above 0 (got: -0)");
         assertThatThrownBy(() -> wrong.vary("place", "near"))
                 .hasMessageContaining("place must be a number (got: near)");
         assertThatThrownBy(() -> wrong.vary("plac", "1"))

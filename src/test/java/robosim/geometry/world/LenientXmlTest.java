@@ -80,7 +80,8 @@ class LenientXmlTest {
             String text = name.equals("a.sdf")
                     ? "<sdf version='1.6'>" + BALL + "<frob/>\n<frob/></sdf>"
                     : "<robot name='r'><link name='l'><collision><geometry><sphere radius='1'/></geometry></collision>"
-                            + "</link>\n<link name='k'><collision><geometry><frob/></geometry></collision></link></robot>";
+                            + "</link>\n<link name='k'><collision><geometry><frob/></geometry></collision></link>"
+                            + "<joint name='j'><parent link='l'/><child link='k'/></joint></robot>";
             Path file = file(name, prolog + "\r\n" + text);
             WorldImport read = read(file);
             if (remark == null) {

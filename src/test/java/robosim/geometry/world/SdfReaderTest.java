@@ -527,4 +527,19 @@ class SdfReaderTest {
                 .hasMessage(
                         folder + ": a folder must be a model's, with model.config; else name a file in it (got: none)");
     }
+
+    /** A robot of visuals alone is missing, which no other message says. */
+    @Test
+    void aMovingModelThatIsOnlySeenIsTold() throws IOException {
+        String seen = "<link name='l'><visual name='v'>" + BALL + "</visual></link>";
+        WorldImport read = read("<model name='wall'>" + "<link name='l'><collision name='c'>" + BALL
+                + "</collision></link></model>\n<model name='ghost'>" + seen
+                + "</model><model name='road'><static>1</static>"
+                + seen + "</model><model name='empty'><link name='l'/></model>");
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.remarks())
+                .singleElement()
+                .asString()
+                .endsWith(": <model> \"ghost\" has visuals and no collisions, so it is not in the world");
+    }
 }

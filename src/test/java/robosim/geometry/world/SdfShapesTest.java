@@ -312,8 +312,8 @@ class SdfShapesTest {
                 .containsExactly(
                         "12 <xacro:include>",
                         "12 <joint> \"j\"",
-                        "6 <collision> \"collision_2\"",
-                        "8 <collision> \"ball\"");
+                        "8 <collision> \"ball\"",
+                        "6 <collision> \"collision_2\"");
         assertThat(WorldReader.problems(file("b.urdf", "<COLLADA/>")))
                 .singleElement()
                 .asString()

@@ -233,4 +233,17 @@ class StageFilesTest {
                 .hasMessageContaining("at most 200000 entities, with all that");
         assertThatThrownBy(() -> imported("model(".repeat(100_000))).hasMessageContaining("nested at most 50 deep");
     }
+
+    @Test
+    void tooFewNumbersAreTold() throws IOException {
+        WorldImport read =
+                imported("position ( name \"r\" size [1 1 1] pose [-6 -5 45] )\nmodel ( size 0.4 pose [3 0 0 0] )\n");
+        assertThat(read.world().objects()).hasSize(2);
+        assertThat(read.remarks())
+                .hasSize(2)
+                .anyMatch(line ->
+                        line.endsWith("w.world:2: pose of position \"r\" must be [x y z heading] (got: 3 numbers);"
+                                + " what is missing is as if it were left out"))
+                .anyMatch(line -> line.contains("w.world:3: size of model must be [x y z] (got: 1 number); "));
+    }
 }

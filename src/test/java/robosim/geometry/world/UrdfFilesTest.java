@@ -103,4 +103,98 @@ class UrdfFilesTest {
                 .asString()
                 .contains("left out <include> of r: ", "run the file through xacro first: xacro r.urdf.xacro > r.urdf");
     }
+
+    private WorldImport robot(String wheel, String joint) throws IOException {
+        return WorldImport.read(
+                file(
+                        "cart.urdf",
+                        "<robot name='cart'><link name='base'><collision><geometry><box size='2 1 1'/></geometry></collision>"
+                                + "</link>\n<link name='wheel'><collision>" + wheel + "</collision></link>\n" + joint
+                                + "\n</robot>"),
+                ImportOptions.DEFAULT);
+    }
+
+    private static final String WHEEL = "<geometry><sphere radius='0.5'/></geometry>";
+
+    private static String joint(String child, String origin) {
+        return "<joint name='axle' type='continuous'><parent link='base'/><child link='" + child + "'/><origin "
+                + origin + "/></joint>";
+    }
+
+    @Test
+    void itIsToldAsUrdf() throws IOException {
+        WorldImport read = robot(WHEEL, joint("wheel", "xyz='5 0 0'"));
+        assertThat(read.lines(9)).first().asString().startsWith("Read URDF: ");
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.remarks()).isEmpty();
+        assertThat(read.world().objects().get(0).object().bounds().maxX()).isEqualTo(5.5);
+    }
+
+    @Test
+    void aJointThatCarriesNoLinkIsTold() throws IOException {
+        WorldImport read = robot(WHEEL, joint("whel", "xyz='5 0 0'"));
+        assertThat(read.skipped())
+                .singleElement()
+                .asString()
+                .endsWith("cart.urdf:3: left out <joint> \"axle\": <child> must name a link of the robot (got: whel)");
+        assertThat(read.remarks())
+                .singleElement()
+                .asString()
+                .endsWith("cart.urdf:2: no joint places <link> \"wheel\", so it is at the robot's origin; ROS refuses a"
+                        + " robot with more than one such link");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "xyz='5 0'|xyz of <origin> must be 3 numbers (got: 2)",
+                "rpy='90'|rpy of <origin> must be 3 numbers (got: 1)"
+            })
+    void anOriginOfOtherThanThreeNumbersIsTold(String origin, String reason) throws IOException {
+        assertThat(robot(WHEEL, joint("wheel", origin)).skipped())
+                .singleElement()
+                .asString()
+                .endsWith("cart.urdf:3: left out <link> \"wheel\": " + reason);
+        assertThat(robot("<origin " + origin + "/>" + WHEEL, joint("wheel", "xyz='5 0 0'"))
+                        .skipped())
+                .singleElement()
+                .asString()
+                .endsWith("cart.urdf:2: left out <collision> \"collision\": " + reason);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "<cylinder radius='1'/>,cylinder,length",
+        "<capsule length='1'/>,capsule,radius",
+        "<sphere/>,sphere,radius",
+        "<box/>,box,size",
+        "<mesh/>,mesh,filename"
+    })
+    void aShapeWithoutItsSizeIsTold(String shape, String name, String needed) throws IOException {
+        WorldImport read = robot("<geometry>" + shape + "</geometry>", joint("wheel", "xyz='5 0 0'"));
+        assertThat(read.skipped())
+                .singleElement()
+                .asString()
+                .endsWith("cart.urdf:2: left out <collision> \"collision\": <" + name + "> must have the attribute "
+                        + needed + " (got: none)");
+    }
+
+    @Test
+    void aCapsuleHasAttributesToo() throws IOException {
+        WorldImport read =
+                robot("<geometry><capsule radius='1' length='2'/></geometry>", joint("wheel", "xyz='5 0 0'"));
+        assertThat(read.skipped()).isEmpty();
+        assertThat(read.world().objects().get(0).object().bounds().maxY()).isEqualTo(2);
+    }
+
+    @Test
+    void whatXacroWouldComputeIsTold() throws IOException {
+        WorldImport read = robot("<geometry><sphere radius='${r}'/></geometry>", joint("wheel", "xyz='5 0 0'"));
+        assertThat(read.skipped())
+                .extracting(Skipped::toString)
+                .anyMatch(line ->
+                        line.endsWith("cart.urdf:2: left out radius=\"${r}\": macros are not carried out; run the"
+                                + " file through xacro first: xacro cart.urdf > NEW.urdf"));
+    }
 }

@@ -249,7 +249,8 @@ class WorldReaderTest {
                         .hasMessageContaining("width of <box> must be a length");
                 assertThat(refusal(OPEN + "><box>")).hasMessageContaining("needs the attribute width");
                 assertThat(refusal(OPEN + "><group>"))
-                        .hasMessageContaining("must start and end within the same entity");
+                        .hasMessageContaining(
+                                "it ends before its elements do; a closing tag is missing, or the file was cut off");
             }
         } finally {
             Locale.setDefault(before);

@@ -248,6 +248,29 @@ def steps(module):
     same([c.phase for c in module.step(0.1, [], [robosim.command("robot", -1)]).contacts], ["END"])
 
 
+def mistakes(place):
+    with robosim.connect(place, timeout=60) as module:
+        module.init([cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True), box([3, 0, 0], 0.2, 2, 4)])
+        same(module.sonars([("robot", 1, 0), ("robot", -1, 0, 0, 9)]), [2.9, float("inf")])
+        same(module.moves([("robot", 1), ("robot", 0, 0, 1)]).refused, {})
+        for ask, reason in ((lambda: module.move("robot", x=float("nan")), "numbers must be finite (got: nan at /"),
+                            (lambda: module.scan("robot", count=0), "count must be at least 1 (got: 0)")):
+            try:
+                ask()
+            except ValueError as e:
+                assert reason in str(e), e
+            else:
+                raise AssertionError(reason)
+        same(module.pose("robot").center, [1, 0, 1])  # nothing was sent
+        for reason in ("the module refused it: ", "the module ended the conversation when it refused this: "):
+            try:
+                module.sonar("robot", 0, 0)
+            except robosim.NotDone as e:
+                assert str(e).startswith(reason) and "must not both be zero" in str(e), e
+            else:
+                raise AssertionError(reason)
+
+
 def module_robot(folder):
     import worldfile
     return worldfile.World(folder + "/rooms.xml").robots[0][0]["name"]
@@ -273,6 +296,7 @@ def main():
             assert "must be box, cylinder" in str(e), e
         else:
             raise AssertionError("a cone must be refused")
+    mistakes(sys.argv[1])
     try:
         box([0, 0, 0], 1, 1, 1, colour="red")
     except TypeError as e:

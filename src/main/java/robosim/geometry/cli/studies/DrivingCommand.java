@@ -28,7 +28,9 @@ import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
@@ -299,8 +301,12 @@ public final class DrivingCommand implements Callable<Integer> {
                     .filter(body -> body.objectName().equals(name))
                     .findFirst()
                     .orElse(BodyRequest.of(name));
+            double mass = number("--mass", WEIGHED, text, pair[1]);
+            if (mass == 0) { // which would ask for the mass of the shape
+                throw refused("--mass must be above 0; leave it out for the mass of the shape (got: " + text + ")");
+            }
             try {
-                all.put(name, known.withMass(number("--mass", WEIGHED, text, pair[1])));
+                all.put(name, known.withMass(mass));
             } catch (IllegalArgumentException e) {
                 throw refused("--mass: " + e.getMessage());
             }
@@ -318,6 +324,9 @@ public final class DrivingCommand implements Callable<Integer> {
                 number(run.time()),
                 NumberText.count(run.steps(), "step"),
                 NumberText.count(run.contacts(), "contact"));
+        if (isSpatial && !planar) {
+            read.objects().forEach(object -> tellFall(run, object.object(), out));
+        }
         if (!run.stopped().isEmpty()) {
             out.println("stopped, since their motion could not be decided: " + String.join(", ", run.stopped()));
             PlanOverlaps.of(
@@ -329,16 +338,31 @@ public final class DrivingCommand implements Callable<Integer> {
         out.flush();
     }
 
+    /** Below the ground plane of Gazebo, which is no object, a robot would drive under all walls. */
+    private static void tellFall(DriveRun run, GeometryObject object, PrintWriter out) {
+        String name = object.name();
+        if (name == null) {
+            return;
+        }
+        DriveRun.Track track = run.tracks().get(name);
+        if (track == null || !track.others().contains(DriveRun.GROUND)) {
+            return;
+        }
+        Bounds bounds = object.bounds();
+        double fall = track.first().center().y() - track.last().center().y();
+        if (fall > bounds.maxY() - bounds.minY()) {
+            out.println(Text.quoted(name) + " has fallen " + number(fall)
+                    + " m, onto the lower border of the world; if there"
+                    + " should have been a floor, add one to the world, or drive with --planar");
+        }
+    }
+
     private static String words(DriveRun.Track track, boolean isSpatial) {
         BodyAnswer at = track.last();
         double vx = at.velocity().x();
         double vy = at.velocity().y();
         double vz = at.velocity().z();
-        String others = String.join(
-                ", ",
-                track.others().stream()
-                        .map(other -> other.isEmpty() ? "what has no name" : Text.quoted(other))
-                        .toList());
+        String others = String.join(", ", track.others());
         return "at (" + number(at.center().x()) + ", "
                 + (isSpatial ? number(at.center().y()) + ", " : "")
                 + number(at.center().z()) + "), heading "

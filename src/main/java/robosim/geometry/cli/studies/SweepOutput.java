@@ -5,7 +5,10 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.sweep.SweepPlot;
@@ -14,6 +17,10 @@ import robosim.geometry.sweep.SweepSummary;
 
 /** The options for how the results of a sweep are reported. */
 public final class SweepOutput {
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // set by picocli before the command is called
+    private CommandSpec spec;
+
     @Option(names = "--table", paramLabel = "FILE.md", description = "also write the table to a Markdown file")
     private @Nullable Path table;
 
@@ -27,13 +34,19 @@ public final class SweepOutput {
 
     private SweepOutput() {}
 
-    /** Refuses to write to a file that was read. */
+    /** Refuses to write to a file that was read, or to one of another kind, such as a world. */
     void check(WorldFiles files) throws IOException {
-        if (table != null) {
-            files.output("--table", table);
-        }
-        if (plot != null) {
-            files.output("--plot", plot);
+        check(files, "--table", table, ".md");
+        check(files, "--plot", plot, ".svg");
+    }
+
+    private void check(WorldFiles files, String option, @Nullable Path file, String ending) throws IOException {
+        if (file != null) {
+            files.output(option, file);
+            if (!file.toString().endsWith(ending)) {
+                throw new ParameterException(
+                        spec.commandLine(), option + " must end in " + ending + " (got: " + file + ")");
+            }
         }
     }
 

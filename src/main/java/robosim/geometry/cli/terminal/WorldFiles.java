@@ -75,6 +75,11 @@ public final class WorldFiles {
         opened.add(file);
     }
 
+    /** Whether more files than one were read, as where one includes others. */
+    public boolean areSeveral() {
+        return opened.size() > 1;
+    }
+
     /**
      * Refuses a file to write that is one of those read: it would be lost.
      *

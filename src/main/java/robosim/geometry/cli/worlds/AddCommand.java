@@ -50,6 +50,9 @@ import robosim.geometry.world.WorldWriter;
 public final class AddCommand implements Callable<Integer> {
     private static final String END = "</world>";
 
+    /** As many as a ring may have. */
+    private static final int MOST_SONARS = 10_000;
+
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
@@ -89,6 +92,9 @@ public final class AddCommand implements Callable<Integer> {
         }
         World world = files.world(in);
         files.output("OUT", out);
+        if (sonars < 0 || sonars > MOST_SONARS) {
+            throw refused("--sonars must be from 0 to " + MOST_SONARS + " (got: " + sonars + ")", null);
+        }
         int before = world.objects().size();
         try {
             for (String robot : robots) {

@@ -133,12 +133,15 @@ public final class CameraOptions {
         String[] sides = (size == null ? USUAL_SIZE : size).split("x", -1);
         if (sides.length == 2) {
             try {
-                return Integer.parseInt(sides[k]);
+                int side = Integer.parseInt(sides[k]);
+                if (side > 0) {
+                    return side;
+                }
             } catch (NumberFormatException e) {
                 // told below
             }
         }
-        throw refused("--size must be WxH, two numbers of pixels (got: " + size + ")");
+        throw refused("--size must be WxH, two numbers of pixels above 0 (got: " + size + ")");
     }
 
     private ParameterException refused(String message) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
@@ -56,6 +57,10 @@ import robosim.geometry.world.WorldWriter;
         })
 public final class ConvertCommand implements Callable<Integer> {
     private static final int MOST_LINES = 20;
+
+    private static final Set<String> MESHES = Set.of("Wavefront OBJ", "STL", "COLLADA", "PLY", "glTF");
+    private static final List<String> OPTIONS_OF_MAPS = List.of("--wall-height", "--unknown", "--centred");
+    private static final List<String> OPTIONS_OF_MESHES = List.of("--scale", "--up");
 
     /** Of a length. */
     private static final int DIGITS = 6;
@@ -167,6 +172,7 @@ public final class ConvertCommand implements Callable<Integer> {
         files.output("OUT", out);
         PrintWriter printer = spec.commandLine().getOut();
         read.lines(all ? Integer.MAX_VALUE : MOST_LINES).forEach(printer::println);
+        tellUnused(read.format());
         if (strict && !read.isWhole()) {
             printer.println(
                     "Wrote nothing: --strict was given, and " + read.skipped().size() + " would be left out");
@@ -183,6 +189,28 @@ public final class ConvertCommand implements Callable<Integer> {
         }
         printer.println(written(world));
         return read.isWhole() ? ExitCodes.FINE : ExitCodes.PARTIAL;
+    }
+
+    /** Warns of options that mean nothing to a file of this format; a world file may include any of them. */
+    private void tellUnused(String format) {
+        boolean mayInclude = format.equals("world") && files.areSeveral();
+        boolean isMap = format.equals("ROS map") || mayInclude;
+        boolean isMesh = MESHES.contains(format) || mayInclude;
+        for (String option : OPTIONS_OF_MAPS) {
+            warn(option, !isMap, "maps", format);
+        }
+        for (String option : OPTIONS_OF_MESHES) {
+            warn(option, !isMesh, "meshes that are read by themselves", format);
+        }
+    }
+
+    private void warn(String option, boolean isUnused, String use, String format) {
+        if (isUnused && spec.commandLine().getParseResult().hasMatchedOption(option)) {
+            spec.commandLine()
+                    .getErr()
+                    .println("warning: " + option + " is for " + use + " and changes nothing here (got: " + format
+                            + ")");
+        }
     }
 
     private World withRobots(World read) {

@@ -120,6 +120,9 @@ public final class ExportCommand implements Callable<Integer> {
             if (steps != null) {
                 throw refused("--steps is for a recording, and FILE is a world (got: " + steps + ")");
             }
+            if (colours != null) {
+                throw refused("--world is for a recording, and FILE is a world (got: " + colours + ")");
+            }
             write(new PageWriter(Films.of(world)).described("", Pictures.unit(world)), 0);
         }
         return ExitCodes.FINE;

@@ -138,6 +138,10 @@ public final class RenderCommand implements Callable<Integer> {
             return ExitCodes.FINE;
         }
         recording.refuse();
+        if (colours != null) {
+            throw new ParameterException(
+                    spec.commandLine(), "--world is for a recording, and WORLD is a world (got: " + colours + ")");
+        }
         World read = world.read();
         world.keep("FILE", output);
         if (slice != null) {

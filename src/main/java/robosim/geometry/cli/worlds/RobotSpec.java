@@ -66,6 +66,9 @@ final class RobotSpec {
         }
         double side = isDisc ? 2 * first : Math.min(first, number(length, 0));
         double tall = number(height, Math.min(side, TALLEST * world.height()));
+        if (!(first > 0 && side > 0 && tall > 0)) {
+            throw new IllegalArgumentException("the sizes of a robot must be above 0 (got: " + words + ")");
+        }
         double floor = StandIn.floorOf(world);
         Point at = new Point(
                 Double.parseDouble(match.group(6)), floor + tall * (0.5 + GAP), Double.parseDouble(match.group(7)));

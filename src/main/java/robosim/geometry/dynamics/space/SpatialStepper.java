@@ -21,6 +21,12 @@ public final class SpatialStepper {
     /** Most parts of a slice; in the last of them bodies meet where the one that is carried first finds the other. */
     private static final int MOST_PARTS = 16;
 
+    /** How far a body goes from what it was put in contact with. */
+    private static final double APART = 1.5 * TurningSweep.GAP;
+
+    /** Ways to go where up is not enough. */
+    private static final double[] SIDES = {1, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1, 0, 0, -1, 0};
+
     private final Placer placer;
     private final double[] gravity;
     private final List<RigidBody> bodies = new ArrayList<>();
@@ -169,6 +175,25 @@ public final class SpatialStepper {
         }
         if (isNew) {
             bodies.forEach(RigidBody::wake);
+            bodies.forEach(this::loosen);
+        }
+    }
+
+    /**
+     * Parts a body from what others have put it in contact with, by as much as bodies rest apart: no direction separates what
+     * touches, so it could never be carried.
+     */
+    private void loosen(RigidBody body) {
+        double g = RigidBody.length(gravity, 0);
+        if (!placer.isFree(body.id, body.place)) {
+            way.lift(
+                    body,
+                    g > 0 ? -APART * gravity[0] / g : 0,
+                    g > 0 ? -APART * gravity[1] / g : APART,
+                    g > 0 ? -APART * gravity[2] / g : 0);
+        }
+        for (int side = 0; side < SIDES.length && !placer.isFree(body.id, body.place); side += 3) {
+            way.lift(body, APART * SIDES[side], APART * SIDES[side + 1], APART * SIDES[side + 2]);
         }
     }
 

@@ -9,12 +9,15 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -25,6 +28,9 @@ import robosim.geometry.world.World;
 
 /** Robots that are driven through a world for a time, as a conversation that can be recorded. */
 public final class DriveRun {
+    /** What a body met that stands on the lower border of the world. */
+    public static final String GROUND = "the ground";
+
     private final Session session;
     private final @Nullable ScenarioWriter record;
     private final Map<String, Track> tracks = new LinkedHashMap<>();
@@ -55,9 +61,9 @@ public final class DriveRun {
             last = now;
         }
 
-        private void meets(@Nullable String other, double time) {
+        private void meets(String other, double time) {
             firstMet = met++ == 0 ? time : firstMet;
-            others.add(other == null ? "" : other);
+            others.add(other);
         }
 
         /** Where it was at first. */
@@ -85,7 +91,7 @@ public final class DriveRun {
             return firstMet;
         }
 
-        /** What it met, each once; empty for what has no name. */
+        /** What it met, each once, in words: a name in quotes, or what is meant. */
         public Set<String> others() {
             return others;
         }
@@ -124,18 +130,30 @@ public final class DriveRun {
         for (ContactAnswer contact : answer.contacts()) {
             if (contact.phase() == ContactAnswer.Phase.BEGIN) {
                 contacts++;
-                meet(contact.objectName(), contact.other());
-                meet(contact.other(), contact.objectName());
+                String other = contact.other();
+                meet(contact.objectName(), other == null ? nameless(contact) : Text.quoted(other));
+                if (other != null) {
+                    meet(other, Text.quoted(contact.objectName()));
+                }
             }
         }
         stopped.addAll(answer.stopped());
     }
 
-    private void meet(@Nullable String name, @Nullable String other) {
-        Track track = name == null ? null : tracks.get(name);
+    private void meet(String name, String other) {
+        Track track = tracks.get(name);
         if (track != null) {
             track.meets(other, time);
         }
+    }
+
+    private String nameless(ContactAnswer contact) {
+        Geometry world = Objects.requireNonNull(session.world());
+        if (Nameless.isGround(world, contact)) {
+            return GROUND;
+        }
+        GeometryObject object = Nameless.at(world, contact.point());
+        return object == null ? "the border of the world" : Text.name(object);
     }
 
     private StepBundle.Answer carryOut(StepBundle step) throws IOException {

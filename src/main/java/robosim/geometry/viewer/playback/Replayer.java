@@ -252,7 +252,7 @@ public final class Replayer {
             return words;
         }
         ContactAnswer first = answer.contacts().get(0);
-        String other = first.other() == null ? "what has no name" : Text.quoted(first.other());
+        String other = first.other() == null ? "an object without a name, or the border" : Text.quoted(first.other());
         return words + ", " + NumberText.count(answer.contacts().size(), "contact") + ": "
                 + Text.quoted(first.objectName()) + " and " + other
                 + (answer.contacts().size() > 1 ? ", ..." : "");

@@ -7,10 +7,12 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -40,6 +42,7 @@ public final class SdfFiles {
     private final Map<Path, Path> models = new HashMap<>();
 
     private final Map<Path, SdfElement> roots = new HashMap<>();
+    private final Set<Path> urdf = new HashSet<>();
     private final Map<Path, Boolean> counted = new HashMap<>();
 
     /** A cache of lookups, found or not: a model may be included a thousand times, and file access is slow. */
@@ -107,6 +110,11 @@ public final class SdfFiles {
         return open(main, shown);
     }
 
+    /** Whether the main file, which has been read, is URDF. */
+    public boolean isUrdf() {
+        return urdf.contains(main);
+    }
+
     private SdfElement open(Path real, String shown) throws FileProblem {
         SdfElement known = roots.get(real);
         if (known == null) {
@@ -115,7 +123,12 @@ public final class SdfFiles {
                 String name = String.valueOf(real.getFileName());
                 throw new FileProblem(shown, 0, 0, Xacro.remedy(name, name.substring(0, name.length() - 6)));
             }
-            known = isUrdf(file) ? UrdfParser.read(file, remarks::add) : SdfParser.read(file, remarks::add);
+            if (isUrdf(file)) {
+                urdf.add(real);
+                known = UrdfParser.read(file, remarks::add);
+            } else {
+                known = SdfParser.read(file, remarks::add);
+            }
             roots.put(real, known);
         }
         return known;

@@ -87,6 +87,10 @@ public final class SdfObjects {
         gather(model, place, Placement.NONE, body);
         Placement first = body.first;
         if (body.members.isEmpty() || first == null) {
+            if (isOnlySeen(inner)) {
+                remarks.add(model.element.file.shown() + ":" + model.element.line + ": " + model.element.tag()
+                        + " has visuals and no collisions, so it is not in the world");
+            }
             for (Carried each : body.sensors) {
                 sensors.add(SdfSensor.of(each.path, each.element, null, each.inWorld.pose()));
             }
@@ -107,6 +111,14 @@ public final class SdfObjects {
                 sensors.add(SdfSensor.of(each.path, each.element, name, mount.pose()));
             }
         });
+    }
+
+    /** Whether a model looks like something that nothing meets. */
+    private boolean isOnlySeen(SdfScope model) {
+        return model.links.stream().allMatch(link -> collisions(link).isEmpty())
+                && model.links.stream()
+                        .anyMatch(link ->
+                                link.element.child("visual") != null || link.element.passedOver.containsKey("visual"));
     }
 
     /** A step that fails for a mistake in the file. */

@@ -14,7 +14,7 @@ final class SdfOld {
         switch (element.name) {
             case "box" -> add(element, "size", "size");
             case "sphere" -> add(element, "radius", "radius");
-            case "cylinder" -> {
+            case "cylinder", "capsule" -> {
                 add(element, "radius", "radius");
                 add(element, "length", "length");
             }

@@ -104,7 +104,7 @@ public final class SdfParser extends DefaultHandler {
         } else {
             outside = 1;
             if (Xacro.isMacro(name)) {
-                macros.add(file, line(), name);
+                macros.add(file, line(), "<" + name + ">");
             } else if (!passOver(parent, name)) {
                 bounded();
                 parent.skipped.add(

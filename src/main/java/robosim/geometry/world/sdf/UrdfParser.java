@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -18,6 +20,7 @@ import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.Numbers;
 import robosim.geometry.world.xml.SafeXml;
 
 /**
@@ -31,6 +34,14 @@ final class UrdfParser extends DefaultHandler {
             "collision", Set.of("origin", "geometry"),
             "geometry", Set.of("box", "cylinder", "sphere", "capsule", "mesh"),
             "joint", Set.of("origin", "parent", "child"));
+
+    /** The attributes without which a shape has no size. */
+    private static final Map<String, Set<String>> NEEDED = Map.of(
+            "box", Set.of("size"),
+            "cylinder", Set.of("radius", "length"),
+            "sphere", Set.of("radius"),
+            "capsule", Set.of("radius", "length"),
+            "mesh", Set.of("filename"));
 
     private final SdfFile file;
     private final Deque<SdfElement> open = new ArrayDeque<>();
@@ -70,7 +81,7 @@ final class UrdfParser extends DefaultHandler {
             throw new IllegalStateException("the document has no root");
         }
         parser.macros.report(parser.robot);
-        return parser.model(parser.robot);
+        return parser.model(parser.robot, remarks);
     }
 
     private int line() {
@@ -103,6 +114,9 @@ final class UrdfParser extends DefaultHandler {
                         + " characters (got: " + attributes.getValue(k).length() + ")");
             }
             values.put(attributes.getQName(k), attributes.getValue(k));
+            if (Xacro.isExpression(attributes.getValue(k))) {
+                macros.add(file, line(), attributes.getQName(k) + "=\"" + attributes.getValue(k) + "\"");
+            }
         }
         SdfElement element = new SdfElement(file, name, line(), 0, values);
         if (parent == null) {
@@ -116,7 +130,7 @@ final class UrdfParser extends DefaultHandler {
 
     private void passOver(SdfElement parent, String name) throws SAXException {
         if (Xacro.isMacro(name)) {
-            macros.add(file, line(), name);
+            macros.add(file, line(), "<" + name + ">");
         } else if (!parent.name.equals("geometry")) {
             parent.passedOver.merge(name, 1, Integer::sum);
         } else {
@@ -142,37 +156,59 @@ final class UrdfParser extends DefaultHandler {
     }
 
     /** The robot as SDFormat. */
-    private SdfElement model(SdfElement given) {
+    private SdfElement model(SdfElement given, Consumer<String> remarks) {
         SdfElement root = element(given, "sdf", Map.of());
         String name = given.attribute("name");
         SdfElement model = element(given, "model", Map.of("name", name.isEmpty() ? "robot" : name));
         root.children.add(model);
         model.passedOver.putAll(given.passedOver);
         model.skipped.addAll(given.skipped);
-        Map<String, SdfElement> joints = new HashMap<>();
-        for (SdfElement joint : given.children) {
-            SdfElement child = joint.name.equals("joint") ? joint.child("child") : null;
-            if (joint.name.equals("joint")) {
-                model.passedOver.merge("joint", 1, Integer::sum);
-            }
-            SdfElement other = child == null ? null : joints.putIfAbsent(child.attribute("link"), joint);
-            if (other != null) {
-                model.skipped.add(new LeftOut(
-                        file.shown(),
-                        joint.line,
-                        joint.tag(),
-                        "the joint in line " + other.line + " places the same link"));
-            }
-        }
+        Map<String, SdfElement> joints = joints(given, model);
+        int roots = 0;
         for (SdfElement link : given.children) {
             if (link.name.equals("link")) {
-                model.children.add(link(link, joints.get(link.attribute("name"))));
+                SdfElement joint = joints.get(link.attribute("name"));
+                if (joint == null && ++roots > 1) {
+                    remarks.accept(file.shown() + ":" + link.line + ": no joint places " + link.tag()
+                            + ", so it is at the robot's origin; ROS refuses a robot with more than one such link");
+                }
+                try {
+                    model.children.add(link(link, joint));
+                } catch (FileProblem e) {
+                    model.skipped.add(new LeftOut(e.source(), e.line(), link.tag(), e.problem()));
+                }
             }
         }
         return root;
     }
 
-    private SdfElement link(SdfElement given, @Nullable SdfElement joint) {
+    /** The joint of each link that has one, by the link's name; others are left out of the model. */
+    private Map<String, SdfElement> joints(SdfElement given, SdfElement model) {
+        Set<String> links = new HashSet<>();
+        for (SdfElement each : given.children) {
+            if (each.name.equals("link")) {
+                links.add(each.attribute("name"));
+            }
+        }
+        Map<String, SdfElement> joints = new HashMap<>();
+        for (SdfElement joint : given.children) {
+            if (joint.name.equals("joint")) {
+                model.passedOver.merge("joint", 1, Integer::sum);
+                SdfElement child = joint.child("child");
+                String link = child == null ? "" : child.attribute("link");
+                SdfElement other = links.contains(link) ? joints.putIfAbsent(link, joint) : null;
+                String problem = !links.contains(link)
+                        ? "<child> must name a link of the robot (got: " + (link.isEmpty() ? "none" : link) + ")"
+                        : other != null ? "the joint in line " + other.line + " places the same link" : "";
+                if (!problem.isEmpty()) {
+                    model.skipped.add(new LeftOut(file.shown(), joint.line, joint.tag(), problem));
+                }
+            }
+        }
+        return joints;
+    }
+
+    private SdfElement link(SdfElement given, @Nullable SdfElement joint) throws FileProblem {
         SdfElement link = element(given, "link", given.attributes);
         link.passedOver.putAll(given.passedOver);
         link.skipped.addAll(given.skipped);
@@ -187,28 +223,51 @@ final class UrdfParser extends DefaultHandler {
             String other = collisions == 1 ? "collision" : "collision_" + collisions;
             SdfElement collision = element(each, "collision", Map.of("name", name.isEmpty() ? other : name));
             collision.skipped.addAll(each.skipped);
-            collision.children.add(pose(each, ""));
-            for (SdfElement shape : each.children) {
-                if (shape.name.equals("geometry")) {
-                    collision.children.add(shape);
+            try {
+                collision.children.add(pose(each, ""));
+                for (SdfElement shape : each.children) {
+                    if (shape.name.equals("geometry")) {
+                        collision.children.add(checked(shape));
+                    }
                 }
+                link.children.add(collision);
+            } catch (FileProblem e) {
+                link.skipped.add(new LeftOut(e.source(), e.line(), collision.tag(), e.problem()));
             }
-            link.children.add(collision);
         }
         return link;
     }
 
+    /** Refuses a shape without its size in the words of URDF, which has attributes where SDFormat has elements. */
+    private static SdfElement checked(SdfElement geometry) throws FileProblem {
+        for (SdfElement shape : geometry.children) {
+            for (String needed : new TreeSet<>(NEEDED.getOrDefault(shape.name, Set.of()))) {
+                if (shape.attribute(needed).isEmpty()) {
+                    throw shape.wrong("<" + shape.name + "> must have the attribute " + needed + " (got: none)");
+                }
+            }
+        }
+        return geometry;
+    }
+
     /** The origin of an element as a pose: both are x y z, and angles about the fixed X, then Y, then Z. */
-    private SdfElement pose(SdfElement owner, String relativeTo) {
+    private SdfElement pose(SdfElement owner, String relativeTo) throws FileProblem {
         SdfElement origin = owner.child("origin");
         SdfElement place = origin == null ? owner : origin;
         SdfElement pose = element(place, "pose", relativeTo.isEmpty() ? Map.of() : Map.of("relative_to", relativeTo));
         if (origin != null) {
-            String xyz = origin.attribute("xyz");
-            String rpy = origin.attribute("rpy");
-            pose.text.append(xyz.isEmpty() ? "0 0 0" : xyz).append(' ').append(rpy.isEmpty() ? "0 0 0" : rpy);
+            pose.text.append(three(origin, "xyz")).append(' ').append(three(origin, "rpy"));
         }
         return pose;
+    }
+
+    private static String three(SdfElement origin, String name) throws FileProblem {
+        String value = origin.attribute(name);
+        int count = Numbers.words(value).length;
+        if (!value.isEmpty() && count != 3) {
+            throw origin.wrong(name + " of <origin> must be 3 numbers (got: " + count + ")");
+        }
+        return value.isEmpty() ? "0 0 0" : value;
     }
 
     private SdfElement element(SdfElement place, String name, Map<String, String> attributes) {

@@ -15,16 +15,22 @@ final class Xacro {
         return name.startsWith("xacro:");
     }
 
+    /** Whether a value is to be computed, as {@code ${radius}} and {@code $(find robot)} are. */
+    static boolean isExpression(String value) {
+        return value.contains("${") || value.contains("$(");
+    }
+
     /** What to do with a file that has macros. */
     static String remedy(String file, String result) {
         return "macros are not carried out; run the file through xacro first: xacro " + file + " > " + result;
     }
 
-    void add(SdfFile from, int at, String name) {
+    /** Counts a macro, which is told as it is written. */
+    void add(SdfFile from, int at, String written) {
         if (count++ == 0) {
             file = from;
             line = at;
-            first = "<" + name + ">";
+            first = written;
         }
     }
 

@@ -50,6 +50,12 @@ final class StageEntity {
         return numbers;
     }
 
+    /** How many values a property has; as many as it needs if it was left out. */
+    int count(String property, int needed) {
+        List<String> values = properties.get(property);
+        return values == null ? needed : values.size();
+    }
+
     FileProblem wrong(String problem) {
         return new FileProblem(file.toString(), line, 0, problem);
     }

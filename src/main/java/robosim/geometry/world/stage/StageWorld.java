@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -151,8 +152,21 @@ public final class StageWorld {
         return given;
     }
 
+    /** Stage itself reads no further where a property has too few numbers; in its second version three were a pose. */
+    private void tellShort(StageEntity model, String property, String numbers) {
+        int needed = numbers.split(" ").length;
+        int count = model.count(property, needed);
+        if (count < needed) {
+            remarks.add(model.file + ":" + model.line + ": " + property + " of " + what(model) + " must be [" + numbers
+                    + "] (got: " + NumberText.count(count, "number") + "); what is missing is as if it were left out");
+        }
+    }
+
     private void gather(StageEntity model, Placement frame, double heading, Body body, int depth) throws FileProblem {
         read.merge(model.type, 1, Integer::sum);
+        tellShort(model, "pose", "x y z heading");
+        tellShort(model, "size", "x y z");
+        tellShort(model, "origin", "x y z heading");
         double[] size = StageShape.size(model);
         double[] origin = model.numbers("origin", 0, 0, 0, 0);
         double obstacle = model.number("obstacle_return", 1);

@@ -125,7 +125,17 @@ public final class SafeXml {
             String problem = "a document type is not allowed; remove <!DOCTYPE ...>, as a world has no entities";
             return new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e);
         }
-        return new NotWellFormed(
-                source, e.getLineNumber(), e.getColumnNumber(), "this is not well-formed XML: " + message, e);
+        String problem = "this is not well-formed XML: " + plain(message);
+        return new NotWellFormed(source, e.getLineNumber(), e.getColumnNumber(), problem, e);
+    }
+
+    /** What the parser says of a file that ends too early, in words that help. */
+    private static String plain(String message) {
+        if (message.startsWith("Premature end of file")) {
+            return "it has no element; the file is empty or was cut off";
+        }
+        return message.contains("must start and end within the same entity")
+                ? "it ends before its elements do; a closing tag is missing, or the file was cut off"
+                : message;
     }
 }

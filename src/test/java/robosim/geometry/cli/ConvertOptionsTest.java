@@ -1,0 +1,44 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import robosim.geometry.cli.terminal.ExitCodes;
+
+/** Options of {@code convert} that not every format has a use for. */
+@Timeout(60)
+class ConvertOptionsTest extends CommandRun {
+    private static final Path SHAPES = Path.of("src/test/resources/robosim/geometry/world/sdf/shapes.sdf");
+
+    /** An option that means nothing to the file is told, and changes nothing. */
+    @Test
+    void optionsOfOtherFormatsAreTold() throws IOException {
+        Path xml = folder.resolve("w.xml");
+        assertThat(run("convert", SHAPES, xml, "--scale", "2", "--up", "y", "--centred"))
+                .isEqualTo(ExitCodes.FINE);
+        assertThat(err.toString().lines())
+                .containsExactly(
+                        "warning: --centred is for maps and changes nothing here (got: SDFormat)",
+                        "warning: --scale is for meshes that are read by themselves and changes nothing here (got: SDFormat)",
+                        "warning: --up is for meshes that are read by themselves and changes nothing here (got: SDFormat)");
+        assertThat(run("convert", xml, folder.resolve("w2.xml"), "--wall-height", "2"))
+                .isEqualTo(ExitCodes.FINE);
+        assertThat(err.toString()).contains("--wall-height is for maps");
+        Path mesh = Files.writeString(folder.resolve("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        assertThat(run("convert", mesh, folder.resolve("m.xml"), "--scale", "2", "--up", "z"))
+                .isEqualTo(ExitCodes.FINE);
+        assertThat(err.toString()).isEmpty();
+        // A file that includes others may include a mesh, to which the option means something.
+        Path outer = Files.writeString(
+                folder.resolve("outer.xml"),
+                "<world xmlns='urn:robosim:world:1' width='9' height='9' length='9'><include file='m.obj'/></world>");
+        assertThat(run("convert", outer, folder.resolve("o.xml"), "--scale", "2"))
+                .as(err.toString())
+                .isEqualTo(ExitCodes.FINE);
+        assertThat(err.toString()).isEmpty();
+    }
+}
