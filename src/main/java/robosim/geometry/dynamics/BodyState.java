@@ -40,6 +40,8 @@ final class BodyState {
     private double left;
     private boolean isHindered;
 
+    private final PushResponse response = new PushResponse();
+
     /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
     final double[] spatial = new double[6];
 
@@ -161,10 +163,14 @@ final class BodyState {
         }
     }
 
-    /** Lets the drive use the acceleration that it has left; answers whether that changes the velocity. */
-    boolean push(double heading) {
+    /**
+     * Lets the drive use the acceleration that it has left; answers whether that changes the velocity.
+     *
+     * @param round the number of the round of pushes; one above the last in the same collision
+     */
+    boolean push(double heading, long round) {
         Drive driven = drive;
-        if (driven == null || left <= 0) {
+        if (driven == null || left <= 0 || response.isOf(round)) {
             return false;
         }
         Twist now = velocity(heading);
@@ -172,12 +178,28 @@ final class BodyState {
         double change = Math.abs(next.x() - now.x())
                 + Math.abs(next.z() - now.z())
                 + Degrees.toRadians(Math.abs(next.ry() - now.ry()));
-        left -= spent(driven, now, next, left);
         if (change <= LITTLE * (Math.abs(aim.x()) + Math.abs(aim.z()) + Degrees.toRadians(Math.abs(aim.ry())))) {
             return false;
         }
+        double spent = spent(driven, now, next, left);
+        double stretch = response.stretch(now, round, body.inertia() / body.mass());
+        if (stretch > 1 && spent < left) {
+            stretch = spent > 0 ? Math.min(stretch, left / spent) : stretch;
+            next = stretched(now, next, stretch);
+            spent *= stretch;
+        }
+        left -= spent;
+        response.pushed(now, next, round);
         setVelocity(heading, next);
         return true;
+    }
+
+    private static Twist stretched(Twist from, Twist to, double by) {
+        return new Twist(
+                from.x() + by * (to.x() - from.x()),
+                0,
+                from.z() + by * (to.z() - from.z()),
+                from.ry() + by * (to.ry() - from.ry()));
     }
 
     /** How long a drive needs for a change of the velocity, out of a time that it has. */

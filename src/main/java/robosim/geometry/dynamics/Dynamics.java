@@ -316,7 +316,7 @@ public final class Dynamics {
     }
 
     /** Lets a drive push on that a collision has slowed down. */
-    private boolean push(int b, double angle) {
+    private boolean push(int b, double angle, long round) {
         BodyState each = order.get(b);
         if (each.drive == null) {
             return false;
@@ -325,7 +325,7 @@ public final class Dynamics {
         each.vz = stepper.vz(b);
         each.w = stepper.w(b);
         double heading = objects.places()[objects.place(stepper.id(b)) + HEADING];
-        boolean isPushed = each.push(heading + Degrees.toDegrees(angle));
+        boolean isPushed = each.push(heading + Degrees.toDegrees(angle), round);
         stepper.setVelocity(b, each.vx, each.vz, each.w);
         return isPushed;
     }

@@ -6,7 +6,10 @@ final class Collisions {
     private static final int MOST_PUSHES = 16;
 
     /** What drives do. */
-    PlanarStepper.Pushes pushes = (body, angle) -> false;
+    PlanarStepper.Pushes pushes = (body, angle, round) -> false;
+
+    /** A number of the round of pushes at hand; after those of one collision one is left out. */
+    private long pushing;
 
     /** A number of the collision at hand: pairs and bodies that belong to it are marked with it. */
     int mark;
@@ -77,6 +80,7 @@ final class Collisions {
     boolean settle(ContactLog touches) {
         boolean isSolved = solver.solve();
         meetings.tell(touches);
+        pushing++;
         for (int round = 0; round < MOST_PUSHES && isSolved && push(); round++) {
             isSolved = solver.solveAgain();
             meetings.tell(touches);
@@ -93,6 +97,7 @@ final class Collisions {
     /** Lets the drives push on those whom something that can be moved is in the way of; whether any does. */
     private boolean push() {
         boolean isPushed = false;
+        pushing++;
         for (int c = 0; c < island.count; c++) {
             if (island.b[c] >= 0 && solver.push[c] > 0) {
                 isPushed |= push(island.a[c]);
@@ -103,7 +108,7 @@ final class Collisions {
     }
 
     private boolean push(int body) {
-        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, bodies.angle[body]);
+        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, bodies.angle[body], pushing);
     }
 
     /** Whether the second body of a pair recedes from the first, which follows it: then it is carried first. */

@@ -23,8 +23,9 @@ public final class PlanarStepper {
          *
          * @param body  the index of the body
          * @param angle by how much it has turned since the run began, radians
+         * @param round the number of the round of pushes, one above that of the round before in the same collision
          */
-        boolean push(int body, double angle);
+        boolean push(int body, double angle, long round);
     }
 
     final Scene scene;

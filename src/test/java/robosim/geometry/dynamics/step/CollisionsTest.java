@@ -55,7 +55,7 @@ class CollisionsTest {
                         speed * random.nextDouble(-1, 1),
                         random.nextDouble(-4, 4));
             }
-            stepper.run(random.nextDouble(2), surfaces, (body, angle) -> false);
+            stepper.run(random.nextDouble(2), surfaces, (body, angle, round) -> false);
             // Each pair of bodies, and each body with each side of the border.
             int pairs = bodies * (bodies - 1) / 2 + 4 * bodies;
             assertThat(stepper.collisions).as("run %d", run).isLessThanOrEqualTo(FAST * bodies + SLOW * pairs);
