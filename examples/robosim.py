@@ -211,7 +211,10 @@ class Body(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """A body and what it touches or has collided with in a step, or has parted from; one for each two."""
+    """A body and what it touches or has collided with in a step, or has parted from; one for each two.
+
+    Of a mesh, a group, a grid and the border there is one for each normal along which it is touched.
+    """
 
     name: str
     other: Optional[str]  # None for an object without a name, and for the border; `named` gives all of them one

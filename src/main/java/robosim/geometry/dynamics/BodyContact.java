@@ -6,6 +6,10 @@ import robosim.geometry.model.Point;
 /**
  * A body and what it touches or has collided with in a step.
  *
+ * <p>Two of which one has several convex parts (a mesh, a group, a grid, the world's bounds) may touch along several normals at
+ * once, as a robot does that stands on the floor of a room and leans on its wall. That is one contact for each of these normals.
+ * A normal that turns by less than 30 degrees from one time to the next stays one contact.
+ *
  * @param body    the name of a body
  * @param other   the name of what it met: another body or another object; null for an object without a name and for the
  *                world's bounds

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.dynamics.step.ContactLog;
 import robosim.geometry.dynamics.step.PlanarStepper;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -364,36 +363,12 @@ public final class Dynamics {
         if (falling != null) {
             return falling.last();
         }
-        ContactLog now = stepper.touches();
-        ContactLog before = stepper.before();
-        List<BodyContact> contacts = new ArrayList<>(now.count);
-        for (int k = 0; k < now.count; k++) {
-            betweenParts.run();
-            contacts.add(contact(now, k, before.find(now, k) < 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST));
-        }
-        List<BodyContact> ended = new ArrayList<>();
-        for (int k = 0; k < before.count; k++) {
-            betweenParts.run();
-            if (now.find(before, k) < 0) {
-                ended.add(contact(before, k, BodyContact.Phase.END));
-            }
-        }
         List<String> stopped = new ArrayList<>();
         for (int b = 0; b < order.size(); b++) {
             if (stepper.isStopped(b)) {
                 stopped.add(order.get(b).name);
             }
         }
-        return new StepResult(contacts, stopped, ended);
-    }
-
-    private static BodyContact contact(ContactLog of, int k, BodyContact.Phase phase) {
-        return new BodyContact(
-                of.body(k),
-                of.other(k),
-                new Point(of.x[k], of.y[k], of.z[k]),
-                new Point(of.nx[k], 0, of.nz[k]),
-                phase == BodyContact.Phase.END ? 0 : of.impulse[k],
-                phase);
+        return ToldContacts.result(stepper.touches(), stepper.before(), stopped, betweenParts);
     }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import robosim.geometry.Geometry;
-import robosim.geometry.dynamics.space.ContactLog;
 import robosim.geometry.dynamics.space.Driver;
 import robosim.geometry.dynamics.space.SpatialStepper;
 import robosim.geometry.engine.motion.Carrier;
@@ -23,6 +22,7 @@ final class Falling {
     private final SurfaceTable table;
     private final List<BodyState> order = new ArrayList<>();
     private final double[] velocity = new double[4];
+    private Runnable betweenParts = () -> {};
     private long changes = -1;
 
     Falling(Geometry world, Carrier carrier, SurfaceTable table, Point gravity) {
@@ -48,6 +48,7 @@ final class Falling {
     }
 
     void pausing(Runnable between) {
+        betweenParts = between;
         space.pausing(between);
     }
 
@@ -162,34 +163,12 @@ final class Falling {
     }
 
     StepResult last() {
-        ContactLog now = space.touched();
-        ContactLog before = space.before();
-        List<BodyContact> contacts = new ArrayList<>(now.count());
-        for (int k = 0; k < now.count(); k++) {
-            contacts.add(contact(now, k, before.find(now, k) < 0 ? BodyContact.Phase.BEGIN : BodyContact.Phase.LAST));
-        }
-        List<BodyContact> ended = new ArrayList<>();
-        for (int k = 0; k < before.count(); k++) {
-            if (now.find(before, k) < 0) {
-                ended.add(contact(before, k, BodyContact.Phase.END));
-            }
-        }
         List<String> stopped = new ArrayList<>();
         for (int b = 0; b < order.size(); b++) {
             if (space.isStopped(b)) {
                 stopped.add(order.get(b).name);
             }
         }
-        return new StepResult(contacts, stopped, ended);
-    }
-
-    private static BodyContact contact(ContactLog of, int k, BodyContact.Phase phase) {
-        return new BodyContact(
-                of.body(k),
-                of.other(k),
-                new Point(of.point(k, 0), of.point(k, 1), of.point(k, 2)),
-                new Point(of.normal(k, 0), of.normal(k, 1), of.normal(k, 2)),
-                phase == BodyContact.Phase.END ? 0 : of.impulse(k),
-                phase);
+        return ToldContacts.result(space.touched(), space.before(), stopped, betweenParts);
     }
 }

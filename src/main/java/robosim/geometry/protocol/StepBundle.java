@@ -43,8 +43,8 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
      * The answer.
      *
      * @param bodies   all bodies of the world, in the order in which they became bodies
-     * @param contacts who collided or touches, one for each two objects: those that collided in the order of their
-     *                 times, those that only touch, and then those that part
+     * @param contacts who collided or touches, one for each two objects, and of a mesh, a group, a grid or the border one for
+     *                 each normal along which it is touched: those that collided in the order of their times, those that only touch, and then those that part
      * @param stopped  bodies that were stopped because their motion could not be decided or carried out without an overlap
      */
     public record Answer(List<BodyAnswer> bodies, List<ContactAnswer> contacts, List<String> stopped)

@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics.space;
 
-import java.util.Arrays;
 import java.util.List;
 import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -64,7 +63,7 @@ final class Integrator {
 
     /** Lets gravity act on a body from the beginning of a part: the velocity at the end of a time. */
     void fall(RigidBody body, double seconds) {
-        Arrays.fill(body.given, 0);
+        body.begin();
         fallOn(body, seconds);
     }
 
@@ -89,8 +88,8 @@ final class Integrator {
             if (share < 1 && !body.isAsleep) {
                 for (int k = 0; k < 6; k++) {
                     body.u[k] = body.v[k] + (body.u[k] - body.v[k]) * share;
-                    body.given[k] *= share;
                 }
+                body.keep(share);
                 body.work -= body.lastWork * (1 - share);
                 body.lastWork *= share;
             }
@@ -132,8 +131,8 @@ final class Integrator {
             double time = time(body, share, rest);
             for (int k = 0; k < 6; k++) {
                 body.v[k] += (body.u[k] - body.v[k]) * (time / rest);
-                body.given[k] *= 1 - time / rest;
             }
+            body.keep(1 - time / rest);
             body.lastWork *= 1 - time / rest;
             rest -= time;
             if (!(rest > 0)) {
@@ -301,6 +300,7 @@ final class Integrator {
         for (int k = 0; k < contacts.count; k++) {
             pass(contacts.other[k]);
         }
+        body.release();
         fallOn(body, rest);
         impulses.solve(contacts, b, true, rest, TurningSweep.GAP, surfaces);
         tell.run();

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.space;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /**
@@ -53,6 +54,12 @@ final class RigidBody {
     /** Of the change from one to the other, what moving bodies give it, and take the opposite of, in the rest of a slice. */
     final double[] given = new double[6];
 
+    /** The moving body on which its drive acts, and of what that one is given, the opposite of this drive's impulses. */
+    @Nullable
+    RigidBody carrier;
+
+    final double[] reaction = new double[6];
+
     /** The inverse of the inertia about the world's axes. */
     final double[] inverse = new double[9];
 
@@ -91,6 +98,34 @@ final class RigidBody {
         this.moments = moments.clone();
         this.isBall = isBall;
         this.reach = reach;
+    }
+
+    /** Lets a time begin in which nothing has been given yet. */
+    void begin() {
+        carrier = null;
+        Arrays.fill(given, 0);
+        Arrays.fill(reaction, 0);
+    }
+
+    /** Leaves a share of what is given in the rest of a time. */
+    void keep(double share) {
+        for (int k = 0; k < 6; k++) {
+            given[k] *= share;
+            reaction[k] *= share;
+        }
+    }
+
+    /** Takes the impulses of its drive in the rest of a time back from what carries it; the drive will act anew. */
+    void release() {
+        RigidBody on = carrier;
+        if (on != null) {
+            for (int k = 0; k < 6; k++) {
+                on.u[k] -= reaction[k];
+                on.given[k] -= reaction[k];
+            }
+        }
+        carrier = null;
+        Arrays.fill(reaction, 0);
     }
 
     /** Works out the inverse inertia at the present attitude. */
@@ -198,5 +233,6 @@ final class RigidBody {
         Arrays.fill(v, 0);
         Arrays.fill(u, 0);
         Arrays.fill(given, 0);
+        Arrays.fill(reaction, 0);
     }
 }

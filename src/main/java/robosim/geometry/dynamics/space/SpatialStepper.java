@@ -3,6 +3,7 @@ package robosim.geometry.dynamics.space;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import robosim.geometry.dynamics.step.ContactLog;
 import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.motion.Placer;
@@ -41,8 +42,8 @@ public final class SpatialStepper {
     private final double[] known = new double[ObjectTable.PLACE];
     private int[] order = new int[0];
     private Runnable betweenParts = () -> {};
-    private ContactLog now = new ContactLog();
-    private ContactLog last = new ContactLog();
+    private ContactLog now;
+    private ContactLog last;
     private long changes = -1;
 
     /**
@@ -52,6 +53,8 @@ public final class SpatialStepper {
      */
     public SpatialStepper(Carrier carrier, double width, double height, double length, double[] gravity) {
         placer = carrier.placer();
+        now = new ContactLog(placer.objects);
+        last = new ContactLog(placer.objects);
         NearbyPieces near = new NearbyPieces(placer, new double[] {width / 2, height / 2, length / 2});
         way = new TurningSweep(placer, near);
         this.gravity = gravity.clone();
@@ -137,7 +140,7 @@ public final class SpatialStepper {
         ContactLog older = last;
         last = now;
         now = older;
-        now.clear();
+        now.begin(last);
         refresh();
         int slices = (int) Math.ceil(Math.min(MOST_SLICES, seconds / SLICE * (1 - 0x1p-40)));
         boolean isMoving = true;
@@ -267,14 +270,27 @@ public final class SpatialStepper {
 
     private void tell() {
         for (int k = 0; k < contacts.count; k++) {
-            if (contacts.impulse[k] > 0) {
-                tell(k);
-            }
+            note(k, contacts.impulse[k] > 0 ? contacts.impulse[k] : -1);
         }
+        now.tell();
     }
 
-    private void tell(int k) {
-        now.add(contacts, k, bodies.get(contacts.body[k]).id, placer.objects);
+    /** Notes a contact; of two bodies, the first is told to touch the other one. */
+    private void note(int k, double impulse) {
+        int own = bodies.get(contacts.body[k]).id;
+        boolean isSecond = contacts.other[k] >= 0 && contacts.other[k] < contacts.body[k];
+        double sign = isSecond ? -1 : 1;
+        int c = 3 * k;
+        now.note(
+                isSecond ? contacts.object[k] : own,
+                isSecond ? own : contacts.object[k],
+                contacts.point[c],
+                contacts.point[c + 1],
+                contacts.point[c + 2],
+                sign * contacts.normal[c] + 0.0,
+                sign * contacts.normal[c + 1] + 0.0,
+                sign * contacts.normal[c + 2] + 0.0,
+                impulse);
     }
 
     /** Tells the contacts of what is at rest at the end. */
@@ -286,7 +302,8 @@ public final class SpatialStepper {
             }
         }
         for (int k = 0; k < contacts.count; k++) {
-            tell(k);
+            note(k, 0);
         }
+        now.tell();
     }
 }

@@ -64,6 +64,7 @@ final class Wheels {
     void begin(RigidBody on, @Nullable RigidBody carrier) {
         body = on;
         support = carrier;
+        on.carrier = carrier;
         push = 0;
         aside = 0;
         spin = 0;
@@ -232,9 +233,9 @@ final class Wheels {
         spin = t;
         give(forward, byForward);
         give(right, byRight);
-        turn(body, byTurn);
+        twist(body, up, byTurn);
         if (support != null) {
-            turn(support, -byTurn);
+            twistBack(support, up, byTurn);
         }
         if (body.isBall) {
             standUpright();
@@ -255,15 +256,25 @@ final class Wheels {
         RigidBody on = support;
         if (on != null) {
             for (int k = 0; k < 3; k++) {
-                on.u[k] -= impulse / on.mass * along[k];
+                react(on, k, -impulse / on.mass * along[k]);
             }
             arm(on, along);
-            twist(on, axis, -impulse);
+            twistBack(on, axis, impulse);
         }
     }
 
-    private void turn(RigidBody of, double impulse) {
-        twist(of, up, impulse);
+    private void twistBack(RigidBody on, double[] n, double impulse) {
+        double[] i = on.inverse;
+        for (int k = 0; k < 3; k++) {
+            react(on, 3 + k, -impulse * (i[3 * k] * n[0] + i[3 * k + 1] * n[1] + i[3 * k + 2] * n[2]));
+        }
+    }
+
+    /** Changes a velocity of what carries the body. */
+    private void react(RigidBody on, int k, double by) {
+        on.u[k] += by;
+        on.given[k] += by;
+        body.reaction[k] += by;
     }
 
     private static void twist(RigidBody of, double[] n, double impulse) {

@@ -249,22 +249,21 @@ final class CollisionPrediction {
     /** Tells who pushed whom. */
     void tell(ContactLog touches) {
         for (int c = 0; c < island.count; c++) {
-            if (solver.push[c] > 0) {
-                int piece = pairs.b[island.pair[c]];
-                touches.add(
-                        bodies.id[island.a[c]],
-                        pieces.object[piece],
-                        island.px[c],
-                        island.pz[c],
-                        island.nx[c],
-                        island.nz[c],
-                        solver.push[c]);
-            }
+            int a = bodies.id[island.a[c]];
+            int b = pieces.object[pairs.b[island.pair[c]]];
+            double push = solver.push[c] > 0 ? solver.push[c] : -1;
+            note(touches, a, b, island.px[c], island.pz[c], island.nx[c], island.nz[c], push);
         }
+        touches.tell();
     }
 
-    /** Tells of a contact that is left at the end. */
-    void tellResting(ContactLog touches, int pair) {
+    private void note(ContactLog touches, int a, int b, double x, double z, double nx, double nz, double push) {
+        double height = scene.height(a);
+        touches.note(a, b, x, height, z, nx, 0, nz, push);
+    }
+
+    /** Notes a contact that is left at the end. */
+    void noteResting(ContactLog touches, int pair) {
         if (!pairs.touches[pair]) {
             return;
         }
@@ -274,14 +273,9 @@ final class CollisionPrediction {
         double distance = impact.measure(pa, pb, end);
         if (distance <= TOUCH * gap) {
             manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
-            touches.add(
-                    pieces.object[pa],
-                    pieces.object[pb],
-                    manifold.x[0],
-                    manifold.z[0],
-                    impact.separation.nx,
-                    impact.separation.nz,
-                    0);
+            double nx = impact.separation.nx;
+            double nz = impact.separation.nz;
+            note(touches, pieces.object[pa], pieces.object[pb], manifold.x[0], manifold.z[0], nx, nz, 0);
         }
     }
 }

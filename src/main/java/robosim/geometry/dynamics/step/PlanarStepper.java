@@ -153,7 +153,7 @@ public final class PlanarStepper {
         ContactLog last = touches;
         touches = before;
         before = last;
-        touches.clear();
+        touches.begin(before);
         collisions = 0;
         Arrays.fill(isStopped, 0, bodies.count, false);
     }
@@ -291,8 +291,9 @@ public final class PlanarStepper {
             carrying.leg(b);
         }
         for (int p = 0; p < pairs.count; p++) {
-            meetings.tellResting(touches, p);
+            meetings.noteResting(touches, p);
         }
+        touches.tell();
         order.sort(bodies, pairs, pieces, carrying.atX, carrying.atZ);
         carrying.carry(order.bodies, end);
         for (int b = 0; b < bodies.count; b++) {

@@ -46,6 +46,11 @@ final class Scene {
         halfZ = length / 2;
     }
 
+    /** The height of the centre of a body's object. */
+    double height(int id) {
+        return carrier.objects.places()[carrier.objects.place(id) + 1];
+    }
+
     /** Whether objects were added to the world or removed from it since the pieces were made. */
     boolean isOld() {
         return changes != carrier.objects.changes();
