@@ -2,6 +2,7 @@ package robosim.geometry.dynamics;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Twist;
 
 /** A body, what drives it, and its velocity between steps. */
@@ -31,6 +32,8 @@ final class BodyState {
     /** The heading along which that is, of a force. */
     private double aimHeading;
 
+    private double aimRest;
+
     // What damping leaves of the velocity at the end of that, where there is no drive.
     private double keptX;
     private double keptZ;
@@ -50,16 +53,24 @@ final class BodyState {
         this.body = body;
     }
 
-    /** The velocity along its own axes, at a heading in degrees. */
-    Twist velocity(double heading) {
-        double sin = Degrees.sin(heading);
-        double cos = Degrees.cos(heading);
+    /** The velocity along its own axes; the heading, in degrees, and its rounding error stand at an index of places. */
+    Twist velocity(double[] places, int at) {
+        return velocity(places[at], places[at + 1]);
+    }
+
+    private Twist velocity(double heading, double rest) {
+        double sin = Degrees.sin(heading, rest);
+        double cos = Degrees.cos(heading, rest);
         return new Twist(vx * cos - vz * sin, 0, vx * sin + vz * cos, Degrees.toDegrees(w));
     }
 
-    void setVelocity(double heading, Twist velocity) {
-        double sin = Degrees.sin(heading);
-        double cos = Degrees.cos(heading);
+    void setVelocity(double[] places, int at, Twist velocity) {
+        setVelocity(places[at], places[at + 1], velocity);
+    }
+
+    private void setVelocity(double heading, double rest, Twist velocity) {
+        double sin = Degrees.sin(heading, rest);
+        double cos = Degrees.cos(heading, rest);
         vx = velocity.x() * cos + velocity.z() * sin;
         vz = velocity.z() * cos - velocity.x() * sin;
         w = Degrees.toRadians(velocity.ry());
@@ -69,12 +80,14 @@ final class BodyState {
      * Works out the velocity that it keeps for a time but for collisions, and whether that is any: what the drive makes of it
      * on the way, along the chord of its arc, or what damping and the limits leave of it.
      */
-    boolean begin(double heading, double seconds) {
+    boolean begin(double[] places, int at, double seconds) {
+        double heading = places[at];
+        double rest = places[at + 1];
         Drive driven = drive;
         if (driven instanceof ForceDrive force) {
-            beginForced(force, heading, seconds);
+            beginForced(force, heading, rest, seconds);
         } else if (driven != null) {
-            Twist now = velocity(heading);
+            Twist now = velocity(heading, rest);
             aim = driven.next(now, body, seconds);
             double spent = spent(driven, now, aim, seconds);
             left = seconds - spent;
@@ -87,7 +100,9 @@ final class BodyState {
             turns = Degrees.toRadians(turn);
             double chord = chord(0.5 * turns * seconds);
             go(
-                    heading + 0.5 * turn * seconds,
+                    heading,
+                    rest,
+                    0.5 * turn * seconds,
                     mean(gained.x(), aim.x(), share) * chord,
                     mean(gained.z(), aim.z(), share) * chord);
         } else {
@@ -119,15 +134,17 @@ final class BodyState {
     }
 
     /** A force has the direction that the body has halfway; nothing but it turns the velocity, as wheels do. */
-    private void beginForced(ForceDrive force, double heading, double seconds) {
-        double turn = force.next(velocity(heading), body, 0.5 * seconds).ry();
-        aimHeading = heading + 0.5 * turn * seconds;
-        Twist now = velocity(aimHeading);
+    private void beginForced(ForceDrive force, double heading, double rest, double seconds) {
+        double turn = force.next(velocity(heading, rest), body, 0.5 * seconds).ry();
+        double by = 0.5 * turn * seconds;
+        aimHeading = heading + by;
+        aimRest = rest + DoubleDouble.sumTail(heading, by, aimHeading);
+        Twist now = velocity(aimHeading, aimRest);
         aim = force.next(now, body, seconds);
         left = 0;
         Twist halfway = isHindered ? aim : force.mean(now, body, seconds);
         turns = Degrees.toRadians(halfway.ry());
-        go(aimHeading, halfway.x(), halfway.z());
+        go(aimHeading, aimRest, 0, halfway.x(), halfway.z());
     }
 
     /** The chord of an arc as a share of the arc, which turns by twice an angle in radians. */
@@ -135,9 +152,12 @@ final class BodyState {
         return Math.abs(half) < 1e-4 ? 1 - half * half / 6 : Degrees.sin(Degrees.toDegrees(half)) / half;
     }
 
-    private void go(double heading, double x, double z) {
-        double sin = Degrees.sin(heading);
-        double cos = Degrees.cos(heading);
+    /** Goes on along axes that are turned by an angle from a heading; the sum keeps its rounding error, as headings do. */
+    private void go(double heading, double rest, double by, double x, double z) {
+        double sum = heading + by;
+        double sumRest = rest + DoubleDouble.sumTail(heading, by, sum);
+        double sin = Degrees.sin(sum, sumRest);
+        double cos = Degrees.cos(sum, sumRest);
         goesX = x * cos + z * sin;
         goesZ = z * cos - x * sin;
     }
@@ -146,7 +166,7 @@ final class BodyState {
      * Takes the velocity that the time has left it with. Where that is the one it was given, nothing was in the way, and a
      * body has at the end what its drive aimed at, or what damping has left.
      */
-    void end(double endX, double endZ, double endTurn, double heading) {
+    void end(double endX, double endZ, double endTurn, double[] places, int at) {
         vx = endX;
         vz = endZ;
         w = endTurn;
@@ -159,21 +179,24 @@ final class BodyState {
             vz = keptZ;
             w = keptTurn;
         } else {
-            setVelocity(drive instanceof ForceDrive ? aimHeading : heading, aim);
+            boolean isForced = drive instanceof ForceDrive;
+            setVelocity(isForced ? aimHeading : places[at], isForced ? aimRest : places[at + 1], aim);
         }
     }
 
     /**
-     * Lets the drive use the acceleration that it has left; answers whether that changes the velocity.
+     * Lets the drive use the acceleration that it has left, turned by degrees since; answers whether that changes the velocity.
      *
      * @param round the number of the round of pushes; one above the last in the same collision
      */
-    boolean push(double heading, long round) {
+    boolean push(double[] places, int at, double turned, long round) {
         Drive driven = drive;
         if (driven == null || left <= 0 || response.isOf(round)) {
             return false;
         }
-        Twist now = velocity(heading);
+        double heading = places[at] + turned;
+        double rest = places[at + 1] + DoubleDouble.sumTail(places[at], turned, heading);
+        Twist now = velocity(heading, rest);
         Twist next = driven.next(now, body, left);
         double change = Math.abs(next.x() - now.x())
                 + Math.abs(next.z() - now.z())
@@ -190,7 +213,7 @@ final class BodyState {
         }
         left -= spent;
         response.pushed(now, next, round);
-        setVelocity(heading, next);
+        setVelocity(heading, rest, next);
         return true;
     }
 

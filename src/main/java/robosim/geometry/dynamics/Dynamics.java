@@ -183,7 +183,7 @@ public final class Dynamics {
             Falling.setTwist(state, world.getObject(name).pose(), velocity);
         } else {
             Quantity.level("velocity", velocity, "in a PLANAR world");
-            state.setVelocity(world.getObject(name).heading(), velocity);
+            state.setVelocity(objects.places(), objects.place(objects.find(name)) + HEADING, velocity);
         }
     }
 
@@ -202,7 +202,7 @@ public final class Dynamics {
         BodyState state = state(name);
         return falling != null
                 ? Falling.twist(state, world.getObject(name).pose())
-                : state.velocity(world.getObject(name).heading());
+                : state.velocity(objects.places(), objects.place(objects.find(name)) + HEADING);
     }
 
     /**
@@ -287,7 +287,7 @@ public final class Dynamics {
         double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            if (each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds)) {
+            if (each.begin(places, objects.place(stepper.id(b)) + HEADING, seconds)) {
                 isMoving = true;
                 turning = Math.max(turning, stepper.isRound(b) ? 0 : each.turning());
             }
@@ -303,15 +303,15 @@ public final class Dynamics {
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
             boolean isFree = each.drive == null;
-            each.begin(places[objects.place(stepper.id(b)) + HEADING], seconds);
+            each.begin(places, objects.place(stepper.id(b)) + HEADING, seconds);
             stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
             stepper.setSlowing(b, isFree ? each.body.slowing() : 0, isFree ? each.body.spinSlowing() : 0);
         }
         stepper.run(seconds, table, pushes);
         places = objects.places();
         for (int b = 0; b < order.size(); b++) {
-            double heading = places[objects.place(stepper.id(b)) + HEADING];
-            order.get(b).end(stepper.vx(b), stepper.vz(b), stepper.w(b), heading);
+            int at = objects.place(stepper.id(b)) + HEADING;
+            order.get(b).end(stepper.vx(b), stepper.vz(b), stepper.w(b), places, at);
         }
     }
 
@@ -324,8 +324,8 @@ public final class Dynamics {
         each.vx = stepper.vx(b);
         each.vz = stepper.vz(b);
         each.w = stepper.w(b);
-        double heading = objects.places()[objects.place(stepper.id(b)) + HEADING];
-        boolean isPushed = each.push(heading + Degrees.toDegrees(angle), round);
+        int at = objects.place(stepper.id(b)) + HEADING;
+        boolean isPushed = each.push(objects.places(), at, Degrees.toDegrees(angle), round);
         stepper.setVelocity(b, each.vx, each.vz, each.w);
         return isPushed;
     }

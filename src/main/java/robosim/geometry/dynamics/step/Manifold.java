@@ -19,6 +19,15 @@ final class Manifold {
         int na = Separation.support(s.ax, s.az, s.an, -nx, -nz, slack, ofA);
         int nb = Separation.support(s.bx, s.bz, s.bn, nx, nz, slack, ofB);
         count = 1;
+        if (na == 1 && nb == 1) {
+            x[0] = 0.5
+                    * ((s.ax[ofA[0]] - nx * (radiusA + 0.5 * distance))
+                            + (s.bx[ofB[0]] + nx * (radiusB + 0.5 * distance)));
+            z[0] = 0.5
+                    * ((s.az[ofA[0]] - nz * (radiusA + 0.5 * distance))
+                            + (s.bz[ofB[0]] + nz * (radiusB + 0.5 * distance)));
+            return;
+        }
         if (na == 1) {
             x[0] = s.ax[ofA[0]] - nx * (radiusA + 0.5 * distance);
             z[0] = s.az[ofA[0]] - nz * (radiusA + 0.5 * distance);
@@ -36,16 +45,18 @@ final class Manifold {
         double b1 = along(nx, nz, s.bx[ofB[1]], s.bz[ofB[1]]);
         double from = Math.max(Math.min(a0, a1), Math.min(b0, b1));
         double to = Math.min(Math.max(a0, a1), Math.max(b0, b1));
-        double height = 0.5
-                * ((s.ax[ofA[0]] * nx + s.az[ofA[0]] * nz - radiusA)
-                        + (s.bx[ofB[0]] * nx + s.bz[ofB[0]] * nz + radiusB));
+        double heightA = 0.5 * ((s.ax[ofA[0]] * nx + s.az[ofA[0]] * nz) + (s.ax[ofA[1]] * nx + s.az[ofA[1]] * nz));
+        double heightB = 0.5 * ((s.bx[ofB[0]] * nx + s.bz[ofB[0]] * nz) + (s.bx[ofB[1]] * nx + s.bz[ofB[1]] * nz));
+        double height = 0.5 * ((heightA - radiusA) + (heightB + radiusB));
         if (to - from <= slack) {
             put(0, height, 0.5 * (from + to), nx, nz);
             return;
         }
         count = 2;
-        put(0, height, from, nx, nz);
-        put(1, height, to, nx, nz);
+        // In an order that a mirror keeps.
+        boolean isFromFirst = Math.abs(from) <= Math.abs(to);
+        put(0, height, isFromFirst ? from : to, nx, nz);
+        put(1, height, isFromFirst ? to : from, nx, nz);
     }
 
     private void put(int k, double height, double along, double nx, double nz) {

@@ -151,9 +151,12 @@ final class Scene {
     /** Four boxes around the world. */
     private void addBorder() {
         double thick = Math.max(1, Math.max(halfX, halfZ));
+        // First those across X, then those across Z: so a corner's two come in the same order in all four corners.
         for (int sign = -1; sign <= 1; sign += 2) {
             Point beside = new Point(sign * (halfX + thick), 0, 0);
             outlines.addStill(-1, new BoxObject(beside, 2 * thick, 1, 2 * halfZ + 4 * thick));
+        }
+        for (int sign = -1; sign <= 1; sign += 2) {
             Point ahead = new Point(0, 0, sign * (halfZ + thick));
             outlines.addStill(-1, new BoxObject(ahead, 2 * halfX + 4 * thick, 1, 2 * thick));
         }

@@ -6,6 +6,11 @@ import robosim.geometry.exact.Turned;
 /**
  * How far two convex pieces are apart where they have been put, and along which direction. Plain doubles: what is decided here
  * is when bodies meet; whether they may go there is decided exactly by the world.
+ *
+ * <p>Neither the order in which corners are told matters, to the bit, nor which piece is called a: so what is mirrored, whose
+ * corners are told the other way round, is apart as far. Where
+ * two directions are equally good, to the bit, and mirror images of each other, as between two corners that meet head-on, the
+ * one in the middle is taken.
  */
 final class Separation {
     /** A corner that is past the end of an edge by no more, metres, is across it: near contact rounding would turn the normal. */
@@ -36,10 +41,25 @@ final class Separation {
 
     private int face;
 
-    /** How far the line of that edge keeps the other away, and whether the corner nearest to it is across the edge. */
+    /** How far the line of an edge keeps the other away at most, whose nearest corner is not across the edge. */
     private double best;
 
-    private boolean isAcross;
+    /**
+     * The same of edges that are across the nearest corner, by how much less it may be and is taken, and which edge it is; of
+     * several that keep the other equally far away, the least and the greatest parts of their directions.
+     */
+    private double bestAcross;
+
+    private double tiedAcross;
+    private double leastX;
+    private double mostX;
+    private double leastZ;
+    private double mostZ;
+    private int sideAcross;
+    private int faceAcross;
+
+    /** The square of the least distance of a corner and an edge. */
+    private double nearest;
 
     private final Turned turned = new Turned();
 
@@ -118,12 +138,15 @@ final class Separation {
             return points(ax[0] - bx[0], az[0] - bz[0]) - radius;
         }
         best = Double.NEGATIVE_INFINITY;
-        isAcross = false;
+        bestAcross = Double.NEGATIVE_INFINITY;
         nx = 0;
         nz = 0;
         edges(1, ax, az, an, bx, bz, bn);
         edges(2, bx, bz, bn, ax, az, an);
-        if (best <= 0 || isAcross) {
+        if (bestAcross > best - tiedAcross) {
+            return byEdges();
+        }
+        if (best <= 0) {
             return best - radius;
         }
         faceOf = 0;
@@ -146,41 +169,75 @@ final class Separation {
             }
             double ex = dz / length;
             double ez = -dx / length;
-            double tied = TIED * (Math.abs(px[k]) + Math.abs(pz[k]) + length);
+            double midX = 0.5 * (px[k] + px[next]);
+            double midZ = 0.5 * (pz[k] + pz[next]);
+            double tied = TIED * (Math.abs(midX) + Math.abs(midZ) + length);
+            double most = Math.max(best, bestAcross) - tied;
             double least = Double.POSITIVE_INFINITY;
             int support = 0;
             for (int j = 0; j < qn; j++) {
-                double s = ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]);
+                double s = ex * (qx[j] - midX) + ez * (qz[j] - midZ);
                 if (s < least) {
                     least = s;
                     support = j;
-                    if (s - best <= -tied) {
+                    if (s <= most) {
                         break;
                     }
                 }
             }
-            double lead = least - best;
-            if (lead <= -tied) {
+            if (least <= most) {
                 continue;
             }
-            double past = BESIDE * Math.max(1, length) * length;
-            double along = dx * (qx[support] - px[k]) + dz * (qz[support] - pz[k]);
-            boolean across = along >= -past && along <= length * length + past;
+            double half = (0.5 * length + BESIDE * Math.max(1, length)) * length;
+            boolean across = Math.abs(dx * (qx[support] - midX) + dz * (qz[support] - midZ)) <= half;
             for (int j = 0; j < qn && !across; j++) {
-                if (ex * (qx[j] - px[k]) + ez * (qz[j] - pz[k]) <= least + tied) {
-                    along = dx * (qx[j] - px[k]) + dz * (qz[j] - pz[k]);
-                    across = along >= -past && along <= length * length + past;
-                }
+                across = ex * (qx[j] - midX) + ez * (qz[j] - midZ) <= least + tied
+                        && Math.abs(dx * (qx[j] - midX) + dz * (qz[j] - midZ)) <= half;
             }
-            if (across == isAcross ? lead > 0 : across || lead > tied) {
+            take(side, k, across, least, side == 1 ? -ex : ex, side == 1 ? -ez : ez, tied);
+        }
+    }
+
+    /** Takes an edge if it keeps the other further away than the best of its kind so far. */
+    private void take(int side, int edge, boolean across, double least, double outX, double outZ, double tied) {
+        if (!across) {
+            // Of equals the one more across X, so that it does not matter which comes first.
+            if (least > best || (least == best && Math.abs(outX) > Math.abs(nx))) {
                 best = least;
-                isAcross = across;
-                nx = side == 1 ? -ex : ex;
-                nz = side == 1 ? -ez : ez;
-                face = k;
+                nx = outX;
+                nz = outZ;
+                face = edge;
                 faceOf = side;
             }
+        } else if (least > bestAcross || (least == bestAcross && Math.abs(outX) > Math.max(mostX, -leastX))) {
+            bestAcross = least;
+            tiedAcross = tied;
+            leastX = outX;
+            mostX = outX;
+            leastZ = outZ;
+            mostZ = outZ;
+            faceAcross = edge;
+            sideAcross = side;
+        } else if (least == bestAcross && Math.abs(outX) == Math.max(mostX, -leastX)) {
+            leastX = Math.min(leastX, outX);
+            mostX = Math.max(mostX, outX);
+            leastZ = Math.min(leastZ, outZ);
+            mostZ = Math.max(mostZ, outZ);
         }
+    }
+
+    /** The distance across the edges that are across; where these are mirror images of each other, along the middle. */
+    private double byEdges() {
+        if (leastX == mostX && leastZ == mostZ) {
+            nx = mostX;
+            nz = mostZ;
+            face = faceAcross;
+            faceOf = sideAcross;
+            return bestAcross - radius;
+        }
+        points(leastX + mostX, leastZ + mostZ);
+        faceOf = 0;
+        return along(nx, nz);
     }
 
     /**
@@ -198,10 +255,12 @@ final class Separation {
         int next = face + 1 == (faceOf == 1 ? an : bn) ? 0 : face + 1;
         double dx = px[next] - px[face];
         double dz = pz[next] - pz[face];
+        double midX = 0.5 * (px[face] + px[next]);
+        double midZ = 0.5 * (pz[face] + pz[next]);
         double length = Math.sqrt(dx * dx + dz * dz);
         double least = Double.POSITIVE_INFINITY;
         for (int j = 0; j < (faceOf == 1 ? bn : an); j++) {
-            least = Math.min(least, dz * (qx[j] - px[face]) - dx * (qz[j] - pz[face]));
+            least = Math.min(least, dz * (qx[j] - midX) - dx * (qz[j] - midZ));
         }
         return least / length - radius;
     }
@@ -249,46 +308,50 @@ final class Separation {
 
     /** The least distance of a corner of one and an edge of the other. */
     private double byCorners() {
-        double least = Double.POSITIVE_INFINITY;
-        double toX = 0;
-        double toZ = 0;
-        for (int i = 0; i < an; i++) {
-            for (int j = 0; j < bn; j++) {
-                int next = j + 1 == bn ? 0 : j + 1;
-                double share = foot(ax[i], az[i], bx[j], bz[j], bx[next], bz[next]);
-                double dx = ax[i] - (bx[j] + share * (bx[next] - bx[j]));
-                double dz = az[i] - (bz[j] + share * (bz[next] - bz[j]));
-                double square = dx * dx + dz * dz;
-                if (square < least) {
-                    least = square;
-                    toX = dx;
-                    toZ = dz;
-                }
-            }
+        nearest = Double.POSITIVE_INFINITY;
+        corners(ax, az, an, bx, bz, bn, 1);
+        if (an > 1) {
+            corners(bx, bz, bn, ax, az, an, -1);
         }
-        for (int j = 0; j < bn; j++) {
-            for (int i = 0; an > 1 && i < an; i++) {
-                int next = i + 1 == an ? 0 : i + 1;
-                double share = foot(bx[j], bz[j], ax[i], az[i], ax[next], az[next]);
-                double dx = ax[i] + share * (ax[next] - ax[i]) - bx[j];
-                double dz = az[i] + share * (az[next] - az[i]) - bz[j];
-                double square = dx * dx + dz * dz;
-                if (square < least) {
-                    least = square;
-                    toX = dx;
-                    toZ = dz;
-                }
-            }
-        }
-        return points(toX, toZ);
+        return points(0.5 * (leastX + mostX), 0.5 * (leastZ + mostZ));
     }
 
-    /** The share of an edge at which it is nearest to a point. */
-    private static double foot(double px, double pz, double fromX, double fromZ, double toX, double toZ) {
-        double dx = toX - fromX;
-        double dz = toZ - fromZ;
-        double square = dx * dx + dz * dz;
-        return square == 0 ? 0 : Math.max(0, Math.min(1, (dx * (px - fromX) + dz * (pz - fromZ)) / square));
+    /** Looks for a corner of p that is nearer to an edge of q than the nearest so far. */
+    private void corners(double[] px, double[] pz, int pn, double[] qx, double[] qz, int qn, int sign) {
+        for (int j = 0; j < qn; j++) {
+            int next = j + 1 == qn ? 0 : j + 1;
+            double ex = qx[next] - qx[j];
+            double ez = qz[next] - qz[j];
+            double length = ex * ex + ez * ez;
+            // From the middle, so that it does not matter in which direction the edge is told.
+            double midX = 0.5 * (qx[j] + qx[next]);
+            double midZ = 0.5 * (qz[j] + qz[next]);
+            for (int i = 0; i < pn; i++) {
+                double share = length == 0 ? 0 : (ex * (px[i] - midX) + ez * (pz[i] - midZ)) / length;
+                double dx = px[i] - (share >= 0.5 ? qx[next] : share <= -0.5 ? qx[j] : midX + share * ex);
+                double dz = pz[i] - (share >= 0.5 ? qz[next] : share <= -0.5 ? qz[j] : midZ + share * ez);
+                double square = dx * dx + dz * dz;
+                if (square <= nearest) {
+                    offset(square, sign * dx, sign * dz);
+                }
+            }
+        }
+    }
+
+    /** Takes an offset that is not longer than the shortest so far. */
+    private void offset(double square, double dx, double dz) {
+        if (square < nearest || Math.abs(dx) > Math.max(mostX, -leastX)) {
+            nearest = square;
+            leastX = dx;
+            mostX = dx;
+            leastZ = dz;
+            mostZ = dz;
+        } else if (Math.abs(dx) == Math.max(mostX, -leastX)) {
+            leastX = Math.min(leastX, dx);
+            mostX = Math.max(mostX, dx);
+            leastZ = Math.min(leastZ, dz);
+            mostZ = Math.max(mostZ, dz);
+        }
     }
 
     /** The corners of one that are within a slack of the furthest along the direction towards the other: at most two ends. */

@@ -228,7 +228,7 @@ final class SeparationProof {
         from.put(pieces, a, ax, az, angleA, b, bx, bz, angleB);
         to.put(pieces, a, toAx, toAz, toAngleA, b, toBx, toBz, toAngleB);
         double share = 1.0 / (1 << (2 * halves));
-        double bulge = share * (Math.abs(bulgeAx) + Math.abs(bulgeAz) + Math.abs(bulgeBx) + Math.abs(bulgeBz));
+        double bulge = share * ((Math.abs(bulgeAx) + Math.abs(bulgeAz)) + (Math.abs(bulgeBx) + Math.abs(bulgeBz)));
         double slack = slack(from.span() + to.span());
         boolean areDiscs = from.an == 1 && from.bn == 1 && pieces.reach[a] == 0;
         if (areDiscs && bulge == 0 && (pieces.reach[b] == 0 || pieces.body[b] < 0)) {
@@ -269,10 +269,8 @@ final class SeparationProof {
             if (k > 0 && turn == 0) {
                 continue;
             }
-            double bend = turn * turn * (offset + bulge)
-                    + 2 * Math.abs(turn) * change
-                    + reachA * (turnA - turn) * (turnA - turn)
-                    + reachB * (turnB - turn) * (turnB - turn);
+            double bend = (turn * turn * (offset + bulge) + 2 * Math.abs(turn) * change)
+                    + (reachA * (turnA - turn) * (turnA - turn) + reachB * (turnB - turn) * (turnB - turn));
             if (isClearAlong(turn, 0.5 * bend + 4 * bulge * Math.abs(turn), share, slack, halves == 0)) {
                 return true;
             }

@@ -75,8 +75,7 @@ final class TimeOfImpact {
             return NEVER;
         }
         double speed = Math.sqrt(vx * vx + vz * vz)
-                + Math.abs(wa) * pieces.reach[a]
-                + Math.abs(wb) * (bodyB < 0 ? 0 : pieces.reach[b]);
+                + (Math.abs(wa) * pieces.reach[a] + Math.abs(wb) * (bodyB < 0 ? 0 : pieces.reach[b]));
         double target = Math.min(gap, 0.5 * distance);
         if (distance - target > speed * (to - from)) {
             return NEVER;
