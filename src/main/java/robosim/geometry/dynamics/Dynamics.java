@@ -263,7 +263,7 @@ public final class Dynamics {
     public void advance(double seconds) {
         Quantity.positive("seconds", seconds);
         if (bodies.isEmpty() && !isStale) {
-            stepper.begin(); // contacts that have ended are told once
+            pass();
             return;
         }
         if (falling != null) {
@@ -276,6 +276,15 @@ public final class Dynamics {
         int parts = parts(seconds);
         for (int part = 0; part < parts; part++) {
             run(seconds / parts);
+        }
+    }
+
+    /** Makes a step in which there is nobody: contacts that have ended are told once. */
+    private void pass() {
+        if (falling != null) {
+            falling.pass();
+        } else {
+            stepper.begin();
         }
     }
 

@@ -52,6 +52,11 @@ final class Falling {
         space.pausing(between);
     }
 
+    /** Makes a step in which there is nobody. */
+    void pass() {
+        space.begin();
+    }
+
     void advance(Map<String, BodyState> bodies, Map<String, Surface> surfaces, boolean isStale, double seconds) {
         if (isStale || changes != carrier.objects.changes()) {
             build(bodies, surfaces);
@@ -59,6 +64,7 @@ final class Falling {
         for (int b = 0; b < order.size(); b++) {
             space.setVelocity(b, order.get(b).spatial);
         }
+        space.begin();
         space.run(seconds, table);
         for (int b = 0; b < order.size(); b++) {
             space.velocity(b, order.get(b).spatial);

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
@@ -113,9 +112,10 @@ class ContactPhasesTest {
         assertThat(phases).contains("cart-crate BEGIN");
     }
 
-    @Test
-    void endsOnceWhereNoBodyIsLeft() {
-        pushing(Dimension.PLANAR);
+    @ParameterizedTest
+    @EnumSource
+    void endsOnceWhereNoBodyIsLeft(Dimension dimension) {
+        pushing(dimension);
         world.removeObject("cart");
         world.removeObject("crate");
         assertNext("cart-crate END");

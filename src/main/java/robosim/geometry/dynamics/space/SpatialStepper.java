@@ -135,12 +135,16 @@ public final class SpatialStepper {
         betweenParts = between;
     }
 
-    /** Moves all bodies by a time. */
-    public void run(double seconds, Surfaces surfaces) {
+    /** Begins a step: its contacts are told apart from those of the step before. */
+    public void begin() {
         ContactLog older = last;
         last = now;
         now = older;
         now.begin(last);
+    }
+
+    /** Moves all bodies by a time, which is the whole of a step that has begun. */
+    public void run(double seconds, Surfaces surfaces) {
         refresh();
         int slices = (int) Math.ceil(Math.min(MOST_SLICES, seconds / SLICE * (1 - 0x1p-40)));
         boolean isMoving = true;
