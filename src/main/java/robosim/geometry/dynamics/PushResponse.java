@@ -4,9 +4,9 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Twist;
 
 /**
- * How much of a push by a drive a body keeps once its contacts have answered. While the same contacts push and slide that is
- * the same share each time, so that what is missing after n pushes is that share to the n-th: a push that is larger by as
- * much arrives at once (Aitken's extrapolation, 1926).
+ * How much of a push by a drive a body keeps once its contacts have answered. While the same contacts push and slide, it keeps
+ * the same share each time, so what is missing shrinks as a geometric series: a push that is divided by this share arrives at
+ * once (Aitken's extrapolation, 1926).
  */
 final class PushResponse {
     /** Shares that differ by less, as a part of them, are the same. */
