@@ -183,7 +183,7 @@ public final class Dynamics {
             Falling.setTwist(state, world.getObject(name).pose(), velocity);
         } else {
             Quantity.level("velocity", velocity, "in a PLANAR world");
-            state.setVelocity(objects.places(), objects.place(objects.find(name)) + HEADING, velocity);
+            state.setVelocity(objects.places(), heading(name), velocity);
         }
     }
 
@@ -202,7 +202,13 @@ public final class Dynamics {
         BodyState state = state(name);
         return falling != null
                 ? Falling.twist(state, world.getObject(name).pose())
-                : state.velocity(objects.places(), objects.place(objects.find(name)) + HEADING);
+                : state.velocity(objects.places(), heading(name));
+    }
+
+    /** Where the heading of an object is among the places; refuses one that has been removed. */
+    private int heading(String name) {
+        world.getObject(name);
+        return objects.place(objects.find(name)) + HEADING;
     }
 
     /**

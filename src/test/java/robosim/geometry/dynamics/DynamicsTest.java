@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
@@ -13,6 +14,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
@@ -176,6 +178,24 @@ class DynamicsTest {
         // Nearly each of 404,550 pairs has boxes of ways that meet; a few hundred bytes for each are more than 100 MB.
         assertThat(threads.getThreadAllocatedBytes(id) - before).isLessThan(60_000_000);
         assertApart(world, "after 400 m");
+    }
+
+    /** Its body goes with the next step. */
+    @ParameterizedTest
+    @EnumSource
+    void whatHasBeenRemovedHasNoVelocity(Dimension dimension) {
+        Geometry world = new Geometry(20, 10, 20, dimension, Accuracy.EXACT);
+        world.addObject(new BoxObject(new Point(), 1, 1, 1).moveable("crate"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("crate", Body.of(5, 0.2));
+        dynamics.step(0.01);
+        world.removeObject("crate");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> dynamics.velocity("crate"))
+                .withMessageContaining("(got: \"crate\")");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> dynamics.setVelocity("crate", new Twist(1, 0, 0, 0)))
+                .withMessageContaining("(got: \"crate\")");
     }
 
     /** On an arc, however long the steps, the end is that of the arc. */
