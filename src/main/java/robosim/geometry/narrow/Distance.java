@@ -4,6 +4,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.distance.ConvexContact;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -24,6 +25,7 @@ public final class Distance {
     private static final double SHORT = 0x1p-40;
 
     private final Scratch s;
+    private final Support support = new Support();
 
     /** Cells of grids in contact. */
     private final LeafColumn piece = new LeafColumn(1);
@@ -244,6 +246,24 @@ public final class Distance {
             }
         }
         ConvexContact.between(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s);
+    }
+
+    /** The largest of n.x over the points x of a convex leaf, to rounding; heights do not count in PLANAR. */
+    public double extent(Dimension dimension, LeafColumn column, int leaf, double nx, double ny, double nz) {
+        LeafKind kind = column.kind(leaf);
+        double[] row = column.rows(leaf);
+        int at = column.at(leaf);
+        double ox = Support.originX(kind, row, at);
+        double oz = Support.originZ(kind, row, at);
+        if (dimension == Dimension.PLANAR) {
+            support.planar(kind, row, at, ox, oz, 1);
+            support.find(nx, 0, nz);
+            return (ox + support.x) * nx + (oz + support.z) * nz + support.margin;
+        }
+        double oy = Support.originY(kind, row, at);
+        support.spatial(kind, row, at, ox, oy, oz, 1);
+        support.find(nx, ny, nz);
+        return (ox + support.x) * nx + (oy + support.y) * ny + (oz + support.z) * nz + support.margin;
     }
 
     /** The contact if one leaf is wholly inside the other and no surfaces are near: a point of the first one. */

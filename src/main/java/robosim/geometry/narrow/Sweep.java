@@ -51,7 +51,10 @@ public final class Sweep {
      */
     private @Nullable StartContacts standing;
 
-    private @Nullable Stop stop;
+    /** Decides about pairs in place of the kernels, if pairs that come near are asked for; and how near. */
+    private @Nullable Pairs pairs;
+
+    private double margin;
     private int leaf;
     private int own;
     private int ownPiece;
@@ -205,6 +208,14 @@ public final class Sweep {
         } else {
             SweptBounds.translation(kind, row, at, dx, dy, dz, out);
         }
+        widen(out);
+    }
+
+    private void widen(double[] box) {
+        for (int k = 0; k < 3 && margin > 0; k++) {
+            box[k] = Math.nextDown(box[k] - margin);
+            box[3 + k] = Math.nextUp(box[3 + k] + margin);
+        }
     }
 
     /**
@@ -219,30 +230,36 @@ public final class Sweep {
         return otherPiece;
     }
 
-    /** Decides at which fraction to stop before contact with a piece. */
-    public interface Stop {
+    /** Decides how far the motion may go with regard to a pair of pieces. */
+    public interface Pairs {
         /**
-         * The fraction at which to stop.
+         * The fraction of the motion that is free; +Infinity for all of it.
          *
          * @param t     the mover's triangle, as a position in the order of the leaves, or -1
-         * @param u     the same for the triangle that is hit
-         * @param share the fraction at which it is hit
+         * @param u     the same for the other's triangle, or the cell of a grid
          * @param least a result above this does not matter
          */
-        double share(int t, int u, double share, double least);
+        double share(int t, int u, double least);
+    }
+
+    /** As {@link #free(LeafColumn, int, LeafColumn, int)}, but pieces behind a contact plane of the mover do not block. */
+    public double free(LeafColumn a, int i, LeafColumn b, int j, StartContacts on) {
+        standing = on;
+        double share = free(a, i, b, j);
+        standing = null;
+        return share;
     }
 
     /**
-     * As {@link #free(LeafColumn, int, LeafColumn, int)}, but pieces behind a contact plane of the mover do not block.
-     *
-     * @param at decides where to stop before each piece that is hit; null to stop where it is hit
+     * The least of what is decided about each pair of pieces whose bounds come within a distance of each other, except
+     * those behind a contact plane of the mover.
      */
-    public double free(LeafColumn a, int i, LeafColumn b, int j, StartContacts on, @Nullable Stop at) {
-        standing = on;
-        stop = at;
-        double share = free(a, i, b, j);
-        standing = null;
-        stop = null;
+    public double nearby(LeafColumn a, int i, LeafColumn b, int j, StartContacts on, double distance, Pairs decide) {
+        pairs = decide;
+        margin = distance;
+        double share = free(a, i, b, j, on);
+        pairs = null;
+        margin = 0;
         return share;
     }
 
@@ -297,9 +314,10 @@ public final class Sweep {
         double[] box = s.box;
         if (turns) {
             a.bounds(i, box);
+            widen(box);
         } else {
             System.arraycopy(s.triangleBox, 0, box, 0, 6);
-            double slack = 0x1p-46 * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + size(box));
+            double slack = margin + 0x1p-46 * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + size(box));
             box[0] -= Math.max(0, dx) + slack;
             box[1] -= Math.max(0, dy) + slack;
             box[2] -= Math.max(0, dz) + slack;
@@ -347,7 +365,9 @@ public final class Sweep {
     }
 
     private double againstGrid(LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
-        if (!turns && s.plainCells.compare(dimension, kind, row, at, dx, dy, dz, grid, of) == PlainCells.PAST) {
+        if (!turns
+                && pairs == null
+                && s.plainCells.compare(dimension, kind, row, at, dx, dy, dz, grid, of) == PlainCells.PAST) {
             otherPiece = -1;
             return Double.POSITIVE_INFINITY;
         }
@@ -381,6 +401,7 @@ public final class Sweep {
         double low = swept[1];
         double high = swept[4];
         LeafBounds.of(kind, row, at, swept);
+        widen(swept);
         swept[1] = low;
         swept[4] = high;
         walk.startSwept(grid, of, swept, dx, dz);
@@ -421,14 +442,14 @@ public final class Sweep {
         if (standing != null && standing.isBehindLevel(leaf, kindA, a, i, own, kindB, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
-        double share = convex(kindA, a, i, kindB, b, j);
-        if (standing == null || share == Double.POSITIVE_INFINITY || (stop == null && share > before)) {
+        double share = pairs == null ? convex(kindA, a, i, kindB, b, j) : 0;
+        if (standing == null || share == Double.POSITIVE_INFINITY || (pairs == null && share > before)) {
             return share;
         }
         if (standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
-        return stop == null ? share : stop.share(own, u, Math.min(share, 1), before);
+        return pairs == null ? share : pairs.share(own, u, before);
     }
 
     private double convex(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {

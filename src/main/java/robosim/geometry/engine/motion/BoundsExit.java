@@ -1,7 +1,6 @@
 package robosim.geometry.engine.motion;
 
 import robosim.geometry.engine.objects.WorldBounds;
-import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** Where an object on a leg leaves the world; its exact shape counts. */
@@ -22,10 +21,22 @@ final class BoundsExit {
      * @param clearance how far to stay inside
      */
     double share(double clearance) {
-        return leg.turns() ? turn() : translation(clearance);
+        if (leg.turns()) {
+            return turn();
+        }
+        double free = translation();
+        if (clearance > 0) {
+            LeafColumn exact = leg.exactAtStart();
+            exact.bounds(0, exact.size(), inside);
+            for (int axis = 0; axis < 3; axis++) {
+                double way = leg.displacement(axis);
+                free = Math.min(free, worldBounds.share(inside, axis, way, clearance));
+            }
+        }
+        return free;
     }
 
-    private double translation(double clearance) {
+    private double translation() {
         if (holds(leg.exactAtEnd())) {
             return Double.POSITIVE_INFINITY;
         }
@@ -34,8 +45,7 @@ final class BoundsExit {
         double dz = leg.displacement(2);
         LeafColumn exact = leg.exactAtStart();
         double leaves = worldBounds.share(exact, 0, exact.size(), dx, dy, dz);
-        double length = VectorMath.anyLength(dx, dy, dz);
-        return Math.max(0, Math.min(1, leaves) - (clearance > 0 ? clearance / length : 0));
+        return Math.max(0, Math.min(1, leaves));
     }
 
     private double turn() {

@@ -1,158 +1,208 @@
 package robosim.geometry.engine.motion;
 
-import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.broadphase.LeafTable;
-import robosim.geometry.exact.VectorMath;
-import robosim.geometry.model.Dimension;
+import java.util.Arrays;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.Candidates;
+import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.narrow.Distance;
-import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.Sweep;
-import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.StartContacts;
 
 /**
- * How far a leg of a motion may go so that the mover stays a clearance apart from a piece that it would meet: the part of it
- * that would meet the piece, and all others, which may pass by.
+ * How far a leg of a motion may go so that the mover keeps a clearance from everything that it would hit or pass by.
+ *
+ * <p>A piece that is nearer than the clearance at the start holds the mover off by a plane: a motion along the plane or away
+ * is free, and so are all pieces behind the plane, such as the next tile of a floor. A motion across it is not.
+ *
+ * <p>Clearances are kept to rounding on the way and exactly where the mover stops, on the numbers that are stored there. That
+ * nothing is hit is not decided here.
  */
-final class ClearanceSearch implements Sweep.Stop {
-    /** Steps are shorter by so much, so that their rounding does not take them past where the clearance ends. */
+final class ClearanceSearch {
+    /** A step of the search is shorter by this share, so that its rounding does not take it past the clearance. */
     private static final double SHORTER = 1 - 0x1p-40;
 
-    /** Most steps of a part that passes by at nearly the clearance; then it stops where it is, which is far enough away. */
-    private static final int STEPS = 1000;
+    /** Most steps of the search along a translation, where it converges quadratically, and along a turn. */
+    private static final int STEPS = 64;
+
+    private static final int TURN_STEPS = 1000;
+
+    /** What a direction may be off, and a motion along it go across. */
+    private static final double ALONG = 0x1p-44;
+
+    /** What sticks out of a plane by this share of its place and size was placed there by rounding. */
+    private static final double FLUSH = 0x1p-44;
+
+    private static final int PLANE = 4;
 
     private final Leg leg;
-    private final Distance distance;
+    private final ObjectTable objects;
+    private final NearPairs pairs;
+    private final double[] contact = new double[6];
 
-    /** With a scratch of its own, as it walks meshes while the sweep does. */
-    private @Nullable Distance wholeDistance;
+    /** Normals, and how far along them the pieces extend that are nearer than the clearance. */
+    private double[] planes = new double[4 * PLANE];
 
-    private final double[] box = new double[6];
-    private final LeafColumn own = new LeafColumn(1);
-    private final LeafColumn other = new LeafColumn(1);
-
-    private LeafTable table;
-    private int leaf;
-    private int otherLeaf;
+    private int planeCount;
     private double clearance;
+    private int first;
 
-    @SuppressWarnings("NullAway.Init") // a question begins with its leaves
-    ClearanceSearch(Leg leg, Scratch scratch) {
+    ClearanceSearch(Leg leg, ObjectTable objects, Distance distance) {
         this.leg = leg;
-        distance = new Distance(scratch);
+        this.objects = objects;
+        pairs = new NearPairs(leg, distance);
     }
 
-    /** From now on it is about leaf i of the mover and leaf j. */
-    ClearanceSearch of(LeafTable in, int i, int j, double gap) {
-        table = in;
-        leaf = i;
-        otherLeaf = j;
+    /** The greatest share of the leg, up to a limit, at which the clearance is kept. */
+    double share(AccuracyView view, Candidates candidates, StartContacts standing, double gap, double limit) {
         clearance = gap;
-        return this;
-    }
-
-    /** The greatest share up to contact at which the two, and all other parts of the mover, are as far away as the clearance. */
-    @Override
-    public double share(int t, int u, double contact, double least) {
-        other.setPiece(table.leaves(), otherLeaf, u);
-        if (gap(0, t) < clearance) {
-            return 0;
-        }
-        double free = leg.turns() ? ofTurn(t, contact) : ofTranslation(t, contact, least);
-        for (int part = 0; part < leg.atStart.size() && free > 0; part++) {
-            if (part != leaf || t >= 0) {
-                free = ofPassing(part, free);
+        pairs.find(view, candidates, standing, gap);
+        findPlanes();
+        double least = limit;
+        first = -1;
+        for (int k = 0; k < pairs.count(); k++) {
+            double free = isHeldOff(k) ? Double.POSITIVE_INFINITY : free(k, least);
+            if (free < least || (free == least && first >= 0 && isEarlier(k))) {
+                least = free;
+                first = k;
             }
         }
-        return free;
+        return least;
     }
 
-    /**
-     * Conservative advancement (Mirtich 1996): up to a share by steps in none of which the gap can be used up. Where the
-     * other parts of a mover come nearer than the clearance first, they end it.
-     */
-    private double ofPassing(int part, double contact) {
-        double way = way();
+    /** The pairs within a distance at the start of the leg. */
+    NearPairs near(AccuracyView view, Candidates candidates, StartContacts standing, double within) {
+        pairs.find(view, candidates, standing, within);
+        return pairs;
+    }
+
+    private boolean isEarlier(int k) {
+        return objects.isEarlier(pairs.object(k), pairs.object(first));
+    }
+
+    /** Whether some pair, after a share of the leg, is nearer than the clearance although it was not at the start. */
+    boolean isCloser(double share) {
+        for (int k = 0; k < pairs.count(); k++) {
+            if (pairs.gap(k) >= clearance && !isHeldOff(k) && pairs.gap(k, share) < clearance) {
+                first = first < 0 ? k : first;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The pair that ends the share found last, or -1. */
+    int first() {
+        return first;
+    }
+
+    NearPairs pairs() {
+        return pairs;
+    }
+
+    /** Finds the planes of pieces nearer than the clearance that the motion goes along or away from. */
+    private void findPlanes() {
+        planeCount = 0;
+        for (int k = 0; k < pairs.count(); k++) {
+            double gap = pairs.gap(k);
+            if (gap > 0 && gap < clearance && !leg.turns()) {
+                pairs.contact(k, 0, contact);
+                if (ahead() >= -ALONG * leg.longestPath()) {
+                    addPlane(pairs.level(k, contact, 3));
+                }
+            }
+        }
+    }
+
+    private double ahead() {
+        return leg.displacement(0) * contact[3] + leg.displacement(1) * contact[4] + leg.displacement(2) * contact[5];
+    }
+
+    private void addPlane(double level) {
+        if (PLANE * planeCount == planes.length) {
+            planes = Arrays.copyOf(planes, 2 * planes.length);
+        }
+        System.arraycopy(contact, 3, planes, PLANE * planeCount, 3);
+        planes[PLANE * planeCount + 3] = level;
+        planeCount++;
+    }
+
+    /** Whether the pair's pieces are on two sides of a plane that the motion does not cross. */
+    private boolean isHeldOff(int k) {
+        for (int plane = 0; plane < planeCount; plane++) {
+            int at = PLANE * plane;
+            double level = planes[at + 3];
+            double above = pairs.ownLevel(k, planes, at);
+            double below = pairs.level(k, planes, at);
+            double slack = FLUSH * (Math.abs(level) + Math.abs(above) + Math.abs(below) + leg.size());
+            if (below <= level + slack && above >= level - slack) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The share until the clearance is used up; 0 where it is at the start. */
+    private double free(int k, double limit) {
+        double gap = pairs.gap(k);
+        if (gap == 0) {
+            return Double.POSITIVE_INFINITY; // a contact; the sweep decides
+        }
+        if (gap < clearance) {
+            return 0;
+        }
+        return leg.turns() ? ofTurn(k, limit) : ofTranslation(k, limit);
+    }
+
+    /** Newton's method: the gap of convex pieces is a convex function of the share. */
+    private double ofTranslation(int k, double limit) {
         double free = 0;
-        double gap = wholeGap(0, part);
-        for (int step = 0; step < STEPS && gap >= clearance; step++) {
-            double next = free + SHORTER * (gap - clearance) / way;
+        double gap = pairs.gap(k);
+        double part = SHORTER;
+        double closing = closing(k, free);
+        for (int step = 0; step < STEPS && closing > 0; step++) {
+            double next = free + part * (gap - clearance) / closing;
+            if (next >= limit) {
+                return Double.POSITIVE_INFINITY;
+            }
             if (!(next > free)) {
                 return free;
             }
-            if (next >= contact) {
-                return contact;
+            double there = pairs.gap(k, next);
+            if (there < clearance) {
+                part = Math.max(part / 2, 1 - 2 * (1 - part) - 0x1p-20); // places are rounded when they are stored
+                continue;
             }
-            gap = wholeGap(next, part);
-            if (gap >= clearance) {
-                free = next;
-            }
+            free = next;
+            gap = there;
+            closing = closing(k, free);
         }
-        return free;
+        return closing > 0 ? free : Double.POSITIVE_INFINITY;
     }
 
-    /** The gap of convex pieces is a convex function of the way, so it falls all the way to contact. */
-    private double ofTranslation(int t, double contact, double least) {
-        double low = 0;
-        double high = contact;
-        if (least < contact) {
-            if (gap(least, t) >= clearance) {
-                return contact;
-            }
-            high = least;
-        }
-        for (int halving = 0; halving < 80 && low < Math.nextDown(high); halving++) {
-            double middle = low / 2 + high / 2;
-            if (gap(middle, t) >= clearance) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
+    /** How much of the gap a whole leg in the direction of the nearest points would take. */
+    private double closing(int k, double share) {
+        pairs.contact(k, share, contact);
+        return -ahead();
     }
 
-    /** Back from contact, each time by as little as the missing gap could be made up in. */
-    private double ofTurn(int t, double contact) {
-        double way = way();
-        double free = contact;
-        for (int step = 0; step < STEPS && free > 0; step++) {
-            double missing = clearance - gap(free, t);
-            if (missing <= 0) {
+    /** Conservative advancement (Mirtich 1996): by steps in none of which the gap can be used up. */
+    private double ofTurn(int k, double limit) {
+        double path = leg.longestPath();
+        double free = 0;
+        double gap = pairs.gap(k);
+        for (int step = 0; step < TURN_STEPS; step++) {
+            double next = free + SHORTER * (gap - clearance) / path;
+            if (next >= limit) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (!(next > free)) {
                 return free;
             }
-            free -= Math.max(missing / way, 0x1p-52);
+            gap = pairs.gap(k, next);
+            if (gap < clearance) {
+                return free;
+            }
+            free = next;
         }
-        return 0;
-    }
-
-    /** The length of the way of every point of the mover, or more. */
-    private double way() {
-        if (!leg.turns()) {
-            double dx = leg.displacement(0);
-            double dy = leg.dimension() == Dimension.PLANAR ? 0 : leg.displacement(1);
-            double dz = leg.displacement(2);
-            return VectorMath.anyLength(dx, dy, dz);
-        }
-        leg.atStart.bounds(0, leg.atStart.size(), box);
-        return VectorMath.anyLength(farthest(0), farthest(1), farthest(2)) * leg.angle() * (Math.PI / 180);
-    }
-
-    /** How far the bounds extend along an axis from the centre at the start. */
-    private double farthest(int axis) {
-        return Math.max(Math.abs(box[axis] - leg.start[axis]), Math.abs(box[3 + axis] - leg.start[axis]));
-    }
-
-    private double wholeGap(double share, int part) {
-        Distance all = wholeDistance;
-        if (all == null) {
-            all = new Distance(new Scratch());
-            wholeDistance = all;
-        }
-        return all.between(leg.dimension(), leg.after(share), part, other, 0, Double.POSITIVE_INFINITY);
-    }
-
-    private double gap(double share, int t) {
-        own.setPiece(leg.after(share), leaf, t);
-        return distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
+        return free;
     }
 }

@@ -6,6 +6,7 @@ import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -114,6 +115,44 @@ public final class Leg {
         return true;
     }
 
+    /** Makes this leg one that stays at its start. */
+    void stay() {
+        dx = 0;
+        dy = 0;
+        dz = 0;
+        axis = NO_TURN;
+        degrees = 0;
+        probed = Double.NaN;
+        form.place(view.dimension, start[0], start[1], start[2], start, 3, atStart, 0);
+        sweep.translation(view.dimension, 0, 0, 0);
+    }
+
+    /** The length of the path of every point of the mover, or more. */
+    double longestPath() {
+        if (!turns()) {
+            return VectorMath.anyLength(dx, dimension() == Dimension.PLANAR ? 0 : dy, dz);
+        }
+        atStart.bounds(0, atStart.size(), part);
+        double radius = VectorMath.anyLength(farthest(0), farthest(1), farthest(2));
+        double more = isRigid() ? 1 : 2; // what stands for it changes with the turn
+        return more * radius * Math.abs(degrees) * (Math.PI / 180);
+    }
+
+    /** How far the bounds in {@link #part} extend along an axis from the centre at the start. */
+    private double farthest(int along) {
+        return Math.max(Math.abs(part[along] - start[along]), Math.abs(part[3 + along] - start[along]));
+    }
+
+    /** The sum of the magnitudes of the bounds at the start: what rounding is proportional to. */
+    double size() {
+        atStart.bounds(0, atStart.size(), part);
+        double size = 0;
+        for (double bound : part) {
+            size += Math.abs(bound);
+        }
+        return size;
+    }
+
     /** Makes the end of this leg the start of the next. */
     void advance() {
         System.arraycopy(end, 0, start, 0, PLACE);
@@ -174,11 +213,6 @@ public final class Leg {
 
     boolean turns() {
         return axis != NO_TURN;
-    }
-
-    /** Degrees of the turn, unsigned. */
-    double angle() {
-        return Math.abs(degrees);
     }
 
     /** Displacement along an axis (0 to 2) of the world. */
@@ -280,13 +314,15 @@ public final class Leg {
     /**
      * Widens the bounds of a whole leg to hold every place on it as it is stored: enclosures are rounded outward by more
      * where coordinates are larger, and parts of groups and corners of meshes are rounded when they are placed.
+     *
+     * @param more how much more to widen them, for a clearance
      */
-    void around(double[] box, double[] out) {
+    void around(double[] box, double[] out, double more) {
         double size = Math.abs(start[0]) + Math.abs(start[1]) + Math.abs(start[2]);
         for (double bound : box) {
             size += Math.abs(bound);
         }
-        double slack = STORED * size + Double.MIN_NORMAL;
+        double slack = more + STORED * size + Double.MIN_NORMAL;
         for (int k = 0; k < 3; k++) {
             out[k] = box[k] - slack;
             out[3 + k] = box[3 + k] + slack;

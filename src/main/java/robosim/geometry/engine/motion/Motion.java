@@ -75,9 +75,9 @@ public final class Motion {
         leg = new Leg(scratch);
         enclosure = new EnclosureTurn(leg);
         exit = new BoundsExit(worldBounds, leg);
-        search = new ClearanceSearch(leg, scratch);
         standing = new StartContacts(scratch);
         distance = new Distance(scratch);
+        search = new ClearanceSearch(leg, objects, distance);
     }
 
     /** What blocks: an id, {@link #NOTHING} or {@link #BORDER}. */
@@ -180,7 +180,7 @@ public final class Motion {
             return true;
         }
         leg.sweptBox(1, box);
-        leg.around(box, around);
+        leg.around(box, around, clearance);
         candidates.find(view, around, id);
         standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
         isStandingKnown = false;
@@ -193,13 +193,60 @@ public final class Motion {
             return true;
         }
         double least = leastFree();
-        if (least == Double.POSITIVE_INFINITY) {
+        share = least == Double.POSITIVE_INFINITY ? 1 : backOff(least);
+        if (clearance > 0) {
+            keepClear();
+        }
+        if (share == 1) {
             leg.advance();
             return true;
         }
-        share = backOff(least);
         leg.endAt(share);
         return false;
+    }
+
+    /** Lessens the share to where the mover keeps its clearance, at the place as it is stored. */
+    private void keepClear() {
+        stands();
+        double kept = search.share(view, candidates, standing, clearance, share);
+        double free = kept;
+        double step = FIRST_STEP;
+        while (free > 0 && (search.isCloser(free) || (free < share && !isFreeAfter(free)))) {
+            free = kept - step;
+            step *= 2;
+        }
+        free = Math.max(0, free);
+        if (free < share && search.first() >= 0) {
+            block(search.first());
+        }
+        share = free;
+    }
+
+    private void block(int pair) {
+        NearPairs pairs = search.pairs();
+        obstacle = pairs.object(pair);
+        obstacleLeaf = pairs.leaf(pair);
+        obstaclePiece = pairs.piece(pair);
+        ownLeaf = pairs.ownLeaf(pair);
+        ownPiece = pairs.ownPiece(pair);
+    }
+
+    /** The sum of the magnitudes of the bounds of a mover at its place. */
+    double size(AccuracyView inView, int mover) {
+        begin(inView, mover, 0, true);
+        leg.stay();
+        return leg.size();
+    }
+
+    /** Finds the pieces within a distance of a mover at its place. */
+    NearPairs near(AccuracyView inView, int mover, double within) {
+        begin(inView, mover, 0, true);
+        leg.stay();
+        leg.atStart.bounds(0, leg.atStart.size(), box);
+        leg.around(box, around, within);
+        candidates.find(view, around, id);
+        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
+        return search.near(view, candidates, standing, within);
     }
 
     private boolean isBlockedAnywhere() {
@@ -209,7 +256,7 @@ public final class Motion {
                 return true;
             }
         }
-        return !worldBounds.clearlyHolds(box) && exit.share(clearance) != Double.POSITIVE_INFINITY;
+        return !worldBounds.clearlyHolds(box) && exit.share(0) != Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -234,7 +281,8 @@ public final class Motion {
                 obstaclePiece = metPiece;
             }
         }
-        double leaves = worldBounds.clearlyHolds(box) ? Double.POSITIVE_INFINITY : exit.share(clearance);
+        boolean isInside = worldBounds.clearlyHolds(clearance > 0 ? around : box);
+        double leaves = isInside ? Double.POSITIVE_INFINITY : exit.share(clearance);
         if (leaves != Double.POSITIVE_INFINITY) {
             double free = backOff(BORDER, Math.min(leaves, MOST));
             if (free < least) {
@@ -266,13 +314,10 @@ public final class Motion {
             for (int i = 0; i < atStart.size(); i++) {
                 boolean isOnFloor = hasPieces(of, other, i, j) && stands(); // whose planes spare most of a sweep
                 double free = isOnFloor
-                        ? leg.sweep.free(atStart, i, of.leaves(), j, standing, null)
+                        ? leg.sweep.free(atStart, i, of.leaves(), j, standing)
                         : leg.sweep.free(atStart, i, of.leaves(), j);
-                boolean isDone = isOnFloor && clearance == 0;
-                if (free != Double.POSITIVE_INFINITY && !isDone && (clearance > 0 || (free <= least && stands()))) {
-                    ClearanceSearch stop = clearance > 0 ? search.of(of, i, j, clearance) : null;
-                    stands();
-                    free = leg.sweep.free(atStart, i, of.leaves(), j, standing, stop);
+                if (free != Double.POSITIVE_INFINITY && !isOnFloor && free <= least && stands()) {
+                    free = leg.sweep.free(atStart, i, of.leaves(), j, standing);
                 }
                 if (free < least || (free == least && isLowerCell(of.leaves(), j))) {
                     least = free;

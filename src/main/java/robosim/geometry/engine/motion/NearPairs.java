@@ -1,0 +1,150 @@
+package robosim.geometry.engine.motion;
+
+import java.util.Arrays;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.Candidates;
+import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.StartContacts;
+import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/**
+ * The pairs of a piece of a mover and a piece of another object that come within a distance of each other on a leg, or may:
+ * those whose gap at the start is at most that distance and the length of the longest path of any point of the mover.
+ *
+ * <p>Left out are pieces that an exact contact at the start holds off ({@link StartContacts}).
+ */
+final class NearPairs {
+    private final Leg leg;
+    private final Distance distance;
+    private final Sweep.Pairs collect = this::collect;
+    private final LeafColumn own = new LeafColumn(1);
+    private final LeafColumn other = new LeafColumn(1);
+
+    private int count;
+    private int[] objects = new int[8];
+    private int[] leaves = new int[8];
+    private int[] pieces = new int[8];
+    private int[] ownLeaves = new int[8];
+    private int[] ownPieces = new int[8];
+    private double[] gaps = new double[8];
+
+    private AccuracyView view;
+    private double reach;
+
+    // Whose pieces are being collected.
+    private int object;
+    private int leaf;
+    private int ownLeaf;
+
+    @SuppressWarnings("NullAway.Init") // a search sets its view
+    NearPairs(Leg leg, Distance distance) {
+        this.leg = leg;
+        this.distance = distance;
+    }
+
+    /** Finds all pairs among the candidates, whose bounds meet those of the leg widened by the distance. */
+    void find(AccuracyView in, Candidates candidates, StartContacts standing, double within) {
+        view = in;
+        count = 0;
+        reach = within + leg.longestPath();
+        for (int k = 0; k < candidates.count(); k++) {
+            object = candidates.id(k);
+            LeafTable table = in.table(object);
+            int first = table.first(object);
+            for (leaf = first; leaf < first + table.count(object); leaf++) {
+                for (ownLeaf = 0; ownLeaf < leg.atStart.size(); ownLeaf++) {
+                    leg.sweep.nearby(leg.atStart, ownLeaf, table.leaves(), leaf, standing, within, collect);
+                }
+            }
+        }
+    }
+
+    private double collect(int ownPiece, int piece, double least) {
+        own.setPiece(leg.atStart, ownLeaf, ownPiece);
+        other.setPiece(view.table(object).leaves(), leaf, piece);
+        double gap = distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
+        if (gap <= reach) {
+            add(ownPiece, piece, gap);
+        }
+        return Double.POSITIVE_INFINITY;
+    }
+
+    private void add(int ownPiece, int piece, double gap) {
+        if (count == objects.length) {
+            objects = Arrays.copyOf(objects, 2 * count);
+            leaves = Arrays.copyOf(leaves, 2 * count);
+            pieces = Arrays.copyOf(pieces, 2 * count);
+            ownLeaves = Arrays.copyOf(ownLeaves, 2 * count);
+            ownPieces = Arrays.copyOf(ownPieces, 2 * count);
+            gaps = Arrays.copyOf(gaps, 2 * count);
+        }
+        objects[count] = object;
+        leaves[count] = leaf;
+        pieces[count] = piece;
+        ownLeaves[count] = ownLeaf;
+        ownPieces[count] = ownPiece;
+        gaps[count] = gap;
+        count++;
+    }
+
+    int count() {
+        return count;
+    }
+
+    /** The id of the other object of a pair. */
+    int object(int k) {
+        return objects[k];
+    }
+
+    int leaf(int k) {
+        return leaves[k];
+    }
+
+    int piece(int k) {
+        return pieces[k];
+    }
+
+    int ownLeaf(int k) {
+        return ownLeaves[k];
+    }
+
+    int ownPiece(int k) {
+        return ownPieces[k];
+    }
+
+    /** The gap at the start of the leg. */
+    double gap(int k) {
+        return gaps[k];
+    }
+
+    /** The gap after a share of the leg. */
+    double gap(int k, double share) {
+        load(k, share);
+        return distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
+    }
+
+    /** Contact point and normal after a share of the leg, six numbers. */
+    void contact(int k, double share, double[] out) {
+        load(k, share);
+        distance.contact(leg.dimension(), own, 0, other, 0, out);
+    }
+
+    /** The largest n.x of the other's piece, where n is at a place of an array. */
+    double level(int k, double[] n, int at) {
+        other.setPiece(view.table(objects[k]).leaves(), leaves[k], pieces[k]);
+        return distance.extent(leg.dimension(), other, 0, n[at], n[at + 1], n[at + 2]);
+    }
+
+    /** The least n.x of the mover's piece at the start. */
+    double ownLevel(int k, double[] n, int at) {
+        own.setPiece(leg.atStart, ownLeaves[k], ownPieces[k]);
+        return -distance.extent(leg.dimension(), own, 0, -n[at], -n[at + 1], -n[at + 2]);
+    }
+
+    private void load(int k, double share) {
+        own.setPiece(share == 0 ? leg.atStart : leg.after(share), ownLeaves[k], ownPieces[k]);
+        other.setPiece(view.table(objects[k]).leaves(), leaves[k], pieces[k]);
+    }
+}
