@@ -257,7 +257,7 @@ public final class Sweep {
     public double nearby(LeafColumn a, int i, LeafColumn b, int j, StartContacts on, double distance, Pairs decide) {
         pairs = decide;
         margin = distance;
-        double share = free(a, i, b, j, on);
+        double share = on.isEmpty() ? free(a, i, b, j) : free(a, i, b, j, on);
         pairs = null;
         margin = 0;
         return share;
@@ -443,10 +443,8 @@ public final class Sweep {
             return Double.POSITIVE_INFINITY;
         }
         double share = pairs == null ? convex(kindA, a, i, kindB, b, j) : 0;
-        if (standing == null || share == Double.POSITIVE_INFINITY || (pairs == null && share > before)) {
-            return share;
-        }
-        if (standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
+        boolean matters = standing != null && share != Double.POSITIVE_INFINITY && share <= before;
+        if (matters && standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
         return pairs == null ? share : pairs.share(own, u, before);

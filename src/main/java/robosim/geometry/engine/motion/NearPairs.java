@@ -16,6 +16,9 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  * <p>Left out are pieces that an exact contact at the start holds off ({@link StartContacts}).
  */
 final class NearPairs {
+    /** More than the error of gaps and paths, as a share of them and of what the places are made of. */
+    private static final double ROUNDING = 0x1p-40;
+
     private final Leg leg;
     private final Distance distance;
     private final Sweep.Pairs collect = this::collect;
@@ -48,7 +51,7 @@ final class NearPairs {
     void find(AccuracyView in, Candidates candidates, StartContacts standing, double within) {
         view = in;
         count = 0;
-        reach = within + leg.longestPath();
+        reach = (within + leg.longestPath()) * (1 + ROUNDING) + ROUNDING * leg.size();
         for (int k = 0; k < candidates.count(); k++) {
             object = candidates.id(k);
             LeafTable table = in.table(object);
