@@ -10,6 +10,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.SlideOptions;
 import robosim.geometry.narrow.Scratch;
 
 /**
@@ -300,17 +301,44 @@ public final class Geometry extends GeometryQueries {
     }
 
     /**
-     * Moves an object as {@link #moveToContact} does, and where it is blocked goes on with what is left of the way, along
-     * the plane of the contact or, between two planes, along their edge, but never back against the move asked for; then
-     * turns it as far as that is free. The part of the way into a plane is lost. After it the object overlaps nothing that it did not overlap before. A plane into
-     * which rounding leads again is left by 2<sup>-40</sup> of what is left of the way.
+     * Moves an object with a clearance, as {@link #moveAndSlide(String, Move, SlideOptions)} does, sliding along every surface.
      *
      * @param clearance world units; at least 0
-     * @param bends     at how many contacts the way may go on; it ends at the next. From 0, as
-     *                  {@code moveToContact}, to 64
+     * @param bends     number of contacts after which the motion may go on; from 0, as {@code moveToContact}, to 64
      */
     public SlideResult moveAndSlide(String name, Move move, double clearance, int bends) {
-        return moves.sliding(registry.mover(name), Checks.present("move", move), clearance, bends);
+        return moveAndSlide(name, move, SlideOptions.clearance(clearance).bends(bends));
+    }
+
+    /**
+     * Moves an object and continues along what blocks it, along the plane of a contact or, between two planes, along their edge,
+     * but never back against the displacement asked for; then turns it as far as that is free. The part of the displacement into
+     * a plane is lost.
+     *
+     * <p>The clearance is kept from everything that the object passes or stops beside, and got back first where it was lost and
+     * there is room: a level move (one whose displacement has no height) gets it back from walls only, and keeps the object's
+     * height to the bit while all that it slides along is vertical. Without a clearance the object keeps a gap of
+     * 2<sup>-36</sup> of the magnitudes of its bounds, so that seams of flat walls, which rounding puts an ulp before or behind
+     * each other, do not stop it.
+     *
+     * <p>After it the object overlaps nothing that it did not overlap before.
+     */
+    public SlideResult moveAndSlide(String name, Move move, SlideOptions options) {
+        return moves.sliding(
+                registry.mover(name), Checks.present("move", move), Checks.present("options", options));
+    }
+
+    /**
+     * Frees an object that touches or overlaps others, or is wedged between them: moves it, without turning it, by the smallest
+     * displacement found to a place where it touches nothing. It passes through what it touches at the start, and through nothing
+     * else. A displacement shorter than the one found may exist.
+     *
+     * @param max world units; at least 0. The search takes longer the more objects are within this distance
+     * @return the displacement along the world's axes, zero if the object touches nothing; null, and the object stays where it
+     *     is, if none of at most {@code max} was found
+     */
+    public @Nullable Point separate(String name, double max) {
+        return moves.separate(registry.mover(name), Checks.size("max", max));
     }
 
     /** As in {@code SPATIAL EXACT world of 20.0 x 5.0 x 20.0 with 113 objects, 8 of them moveable}. */

@@ -5,6 +5,7 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.motion.Motion;
+import robosim.geometry.engine.motion.Separation;
 import robosim.geometry.engine.motion.Slide;
 import robosim.geometry.engine.motion.TranslationFastPath;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -12,6 +13,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.SlideOptions;
 import robosim.geometry.narrow.Scratch;
 
 /** Carries out the moves of a world, for an object that has been looked up: the fast path first, then the sweep. */
@@ -23,6 +25,7 @@ final class GeometryMoves {
     private final Motion motion;
     private final TranslationFastPath fastPath;
     private final Slide slide;
+    private final Separation separation;
     private final double[] vector = new double[6];
     private @Nullable Carrier carrier;
 
@@ -34,6 +37,7 @@ final class GeometryMoves {
         view = registry.view;
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
         slide = new Slide(registry, motion);
+        separation = new Separation(registry, motion, slide);
     }
 
     /** What moves objects by their ids, made when it is first asked for. */
@@ -102,13 +106,16 @@ final class GeometryMoves {
         return result;
     }
 
-    /** See {@link Geometry#moveAndSlide}. */
-    SlideResult sliding(int id, Move asked, double clearance, int bends) {
-        Checks.clearance(clearance);
-        Slide.checkBends(bends);
+    /** See {@link Geometry#moveAndSlide(String, Move, SlideOptions)}. */
+    SlideResult sliding(int id, Move asked, SlideOptions options) {
         objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        slide.make(view, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance, bends);
+        slide.make(view, id, vector, asked.rx(), asked.ry(), options);
         return SlideResult.of(slide, objects);
+    }
+
+    /** See {@link Geometry#separate}. */
+    @Nullable Point separate(int id, double max) {
+        return separation.find(view, id, max, vector) ? new Point(vector[0], vector[1], vector[2]) : null;
     }
 
     private MoveResult result(boolean allowed) {

@@ -220,6 +220,11 @@ public final class Leg {
         return along == 0 ? dx : along == 1 ? dy : dz;
     }
 
+    /** Displacement along an axis of the world between the start and the end as they are stored. */
+    double stored(int along) {
+        return end[along] - start[along];
+    }
+
     /** Whether what stands for the object moves with it as one piece. */
     boolean isRigid() {
         return !turns()

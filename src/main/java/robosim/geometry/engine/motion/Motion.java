@@ -238,6 +238,33 @@ public final class Motion {
         return leg.size();
     }
 
+    /** Half the width of the bounds of a mover at its place: the larger of those along X and Z. */
+    double reach(AccuracyView inView, int mover) {
+        begin(inView, mover, 0, true);
+        leg.stay();
+        leg.atStart.bounds(0, leg.atStart.size(), box);
+        return Math.max(box[3] - box[0], box[5] - box[2]) / 2;
+    }
+
+    /** Whether a displacement hits nothing but pieces that the mover touches at the start. */
+    boolean passes(AccuracyView inView, int mover, double[] way) {
+        begin(inView, mover, 0, true);
+        if (!leg.set(way[0], way[1], way[2], Leg.NO_TURN, 0)) {
+            return true;
+        }
+        leg.sweptBox(1, box);
+        leg.around(box, around, 0);
+        candidates.find(view, around, id);
+        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
+        NearPairs pairs = search.near(view, candidates, standing, 0);
+        for (int k = 0; k < pairs.count(); k++) {
+            if (pairs.gap(k) > 0 && pairs.isHit(k)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Finds the pieces within a distance of a mover at its place. */
     NearPairs near(AccuracyView inView, int mover, double within) {
         begin(inView, mover, 0, true);

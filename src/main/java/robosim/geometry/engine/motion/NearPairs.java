@@ -1,10 +1,12 @@
 package robosim.geometry.engine.motion;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -32,6 +34,9 @@ final class NearPairs {
     private int[] ownLeaves = new int[8];
     private int[] ownPieces = new int[8];
     private double[] gaps = new double[8];
+
+    /** Sweeps single pieces; with a scratch of its own. */
+    private @Nullable Sweep pieceSweep;
 
     private AccuracyView view;
     private double reach;
@@ -144,6 +149,15 @@ final class NearPairs {
     double ownLevel(int k, double[] n, int at) {
         own.setPiece(leg.atStart, ownLeaves[k], ownPieces[k]);
         return -distance.extent(leg.dimension(), own, 0, -n[at], -n[at + 1], -n[at + 2]);
+    }
+
+    /** Whether the leg, a translation, goes into the other's piece. */
+    boolean isHit(int k) {
+        load(k, 0);
+        Sweep alone = pieceSweep == null ? new Sweep(new Scratch()) : pieceSweep;
+        pieceSweep = alone;
+        alone.translation(leg.dimension(), leg.stored(0), leg.stored(1), leg.stored(2));
+        return alone.free(own, 0, other, 0) != Double.POSITIVE_INFINITY;
     }
 
     private void load(int k, double share) {

@@ -3,7 +3,10 @@ package robosim.geometry.engine.motion;
 import java.util.Arrays;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SlideOptions;
 
 /**
  * A motion that goes on along what blocks it, and keeps a clearance from everything: each part of it is one {@link Motion}, and
@@ -29,8 +32,8 @@ public final class Slide {
     /** Planes count as left after so much of the whole displacement. */
     private static final double LEFT = 0x1p-30;
 
-    /** Most contacts at which a motion may go on, so that no call takes forever. */
-    private static final int MOST_BENDS = 64;
+    /** What a normal of level ground may be off. */
+    private static final double UPRIGHT = 0x1p-20;
 
     /** Most attempts to get a lost clearance back. */
     private static final int PUSHES = 4;
@@ -58,9 +61,17 @@ public final class Slide {
 
     private AccuracyView view;
     private int id;
+    private SlideOptions options;
     private boolean isLevel;
+    private double whole;
     private double keep;
     private double lean;
+
+    private final double[] start = new double[ObjectTable.PLACE];
+    private final double[] place = new double[ObjectTable.PLACE];
+    private final double[] above = new double[ObjectTable.PLACE];
+    private final double[] landed = new double[ObjectTable.PLACE];
+    private final double[] leftBefore = new double[3];
     private double length;
     private double turnFraction;
 
@@ -71,52 +82,54 @@ public final class Slide {
         planes = new SlidePlanes(registry.objects);
     }
 
-    /** Refuses a number of contacts at which no motion may go on. */
-    public static void checkBends(int bends) {
-        if (bends < 0 || bends > MOST_BENDS) {
-            throw new IllegalArgumentException("bends must be from 0 to " + MOST_BENDS + " (got: " + bends + ")");
-        }
-    }
-
     /** Moves an object by a displacement in the world's axes and then turns it about its own, as far as that is free. */
     public void make(
-            AccuracyView inView,
-            int mover,
-            double x,
-            double y,
-            double z,
-            double turnX,
-            double turnY,
-            double clearance,
-            int bends) {
+            AccuracyView inView, int mover, double[] way, double turnX, double turnY, SlideOptions by) {
         view = inView;
         id = mover;
-        Arrays.fill(made, 0);
-        asked[0] = x;
-        asked[1] = y;
-        asked[2] = z;
+        options = by;
+        System.arraycopy(way, 0, asked, 0, 3);
         System.arraycopy(asked, 0, left, 0, 3);
-        isLevel = y == 0 || isFlat();
+        isLevel = asked[1] == 0 || isFlat();
+        boolean isWalk = isLevel && !isFlat() && by.isWalker();
+        planes.walkOn(isWalk ? StrictMath.cos(StrictMath.toRadians(by.maxSlope())) : -1);
         count = 0;
         length = 0;
         turnFraction = 1;
-        double whole = size(left);
-        if (whole > 0 && bends == 0) {
-            toContact(clearance);
+        savePlace(start);
+        whole = size(left);
+        if (whole > 0 && by.bends() == 0) {
+            toContact();
         } else if (whole > 0) {
-            slide(clearance, bends, whole);
+            measure();
+            slide();
+            if (isWalk && by.stepHeight() > 0 && count > 0) {
+                step();
+            }
+        }
+        if (isWalk && by.snap() > 0) {
+            measure();
+            snap();
         }
         if (size(left) <= NONE * whole) {
             Arrays.fill(left, 0);
         }
+        savePlace(place);
+        for (int k = 0; k < 3; k++) {
+            made[k] = place[k] - start[k] + (place[Pose.LOST + k] - start[Pose.LOST + k]);
+        }
         if (turnX != 0 || turnY != 0) {
-            boolean free = motion.attempt(view, id, 0, 0, 0, turnX, turnY, false, clearance);
-            registry.move(id, motion.end());
-            if (!free) {
-                turnFraction = motion.turnFraction();
-                motion.contact(one);
-                add(motion.obstacle(), one, 0);
-            }
+            turn(turnX, turnY);
+        }
+    }
+
+    private void turn(double turnX, double turnY) {
+        boolean free = motion.attempt(view, id, 0, 0, 0, turnX, turnY, false, options.clearance());
+        registry.move(id, motion.end());
+        if (!free) {
+            turnFraction = motion.turnFraction();
+            motion.contact(one);
+            add(motion.obstacle());
         }
     }
 
@@ -124,19 +137,28 @@ public final class Slide {
         return view.dimension == Dimension.PLANAR;
     }
 
-    private void toContact(double clearance) {
-        if (!advance(left, clearance)) {
+    private void savePlace(double[] out) {
+        System.arraycopy(registry.objects.places(), registry.objects.place(id), out, 0, ObjectTable.PLACE);
+    }
+
+    private void toContact() {
+        if (!advance(left, options.clearance())) {
             motion.contact(one);
-            add(motion.obstacle(), one, 0);
+            add(motion.obstacle());
         } else {
             Arrays.fill(left, 0);
         }
     }
 
-    private void slide(double clearance, int bends, double whole) {
+    private void measure() {
         double size = motion.size(view, id);
-        keep = Math.max(clearance, SKIN * size);
+        keep = Math.max(options.clearance(), SKIN * size);
         lean = LEAN * size;
+    }
+
+    /** Makes what is left, along what is in its path. */
+    private void slide() {
+        int bends = options.bends();
         stopCount = 0;
         findPlanes();
         for (int k = 0; k < PUSHES && planes.push(keep, 2 * lean, next); k++) {
@@ -169,6 +191,82 @@ public final class Slide {
         }
     }
 
+    /**
+     * Tries the same displacement a step higher, and then down onto ground, and goes there if that is farther. A landing on an
+     * edge too steep to be ground counts if there is ground at that height half an object's width ahead.
+     */
+    private void step() {
+        savePlace(place);
+        double farBefore = progress(place);
+        double lengthBefore = length;
+        System.arraycopy(left, 0, leftBefore, 0, 3);
+        int countBefore = count;
+        registry.move(id, start);
+        length = 0;
+        count = 0;
+        set(0, options.stepHeight(), 0);
+        boolean isWhole = advance(next, keep);
+        double rise = (isWhole ? 1 : motion.fraction()) * options.stepHeight();
+        System.arraycopy(asked, 0, left, 0, 3);
+        slide();
+        savePlace(above);
+        set(0, -rise, 0);
+        boolean isAir = advance(next, keep);
+        savePlace(landed);
+        boolean isFarther = progress(landed) > farBefore + NONE * whole;
+        if (isFarther && (isAir || isOnGround() || hasGroundAhead(rise))) {
+            registry.move(id, landed);
+            return;
+        }
+        registry.move(id, place);
+        length = lengthBefore;
+        count = countBefore;
+        System.arraycopy(leftBefore, 0, left, 0, 3);
+    }
+
+    /** How far a place is from the start in the direction that was asked for, times the length of that. */
+    private double progress(double[] at) {
+        double far = 0;
+        for (int k = 0; k < 3; k++) {
+            far += (at[k] - start[k]) * asked[k];
+        }
+        return far / whole;
+    }
+
+    private boolean isOnGround() {
+        motion.contact(one);
+        return one[4] >= StrictMath.cos(StrictMath.toRadians(options.maxSlope())) - UPRIGHT;
+    }
+
+    private boolean hasGroundAhead(double rise) {
+        double reach = motion.reach(view, id) / whole;
+        double before = length;
+        registry.move(id, above);
+        set(reach * asked[0], 0, reach * asked[2]);
+        advance(next, keep);
+        set(0, -rise, 0);
+        boolean isGround = !advance(next, keep) && isOnGround();
+        length = before;
+        return isGround;
+    }
+
+    /** Puts the object down on ground that is near below it. */
+    private void snap() {
+        set(0, -options.snap(), 0);
+        double before = length;
+        savePlace(place);
+        if (advance(next, keep) || !isOnGround()) {
+            registry.move(id, place);
+            length = before;
+        }
+    }
+
+    private void set(double x, double y, double z) {
+        next[0] = x;
+        next[1] = y;
+        next[2] = z;
+    }
+
     /** Finds the planes at the object's place, with those at which it was stopped there. */
     private void findPlanes() {
         planes.find(motion.near(view, id, keep + 4 * lean), isLevel, isFlat(), lean / LEAN);
@@ -198,7 +296,7 @@ public final class Slide {
                 for (int k = 0; k < CONTACT; k++) {
                     one[k] = planes.contact(p, k);
                 }
-                add(planes.obstacle(p), one, 0);
+                add(planes.obstacle(p));
             }
         }
     }
@@ -216,15 +314,12 @@ public final class Slide {
     private boolean advance(double[] way, double clearance) {
         boolean free = motion.attempt(view, id, way[0], way[1], way[2], 0, 0, false, clearance);
         registry.move(id, motion.end());
-        double share = free ? 1 : motion.fraction();
-        length += share * size(way);
-        for (int k = 0; k < 3; k++) {
-            made[k] += share * way[k];
-        }
+        length += (free ? 1 : motion.fraction()) * size(way);
         return free;
     }
 
-    private void add(int obstacle, double[] contact, int at) {
+    /** Lists the contact that was found last. */
+    private void add(int obstacle) {
         if (count == obstacles.length) {
             obstacles = Arrays.copyOf(obstacles, 2 * count);
             contacts = Arrays.copyOf(contacts, 2 * count * CONTACT);
@@ -232,7 +327,7 @@ public final class Slide {
         }
         obstacles[count] = obstacle;
         isNear[count] = true;
-        System.arraycopy(contact, at, contacts, CONTACT * count, CONTACT);
+        System.arraycopy(one, 0, contacts, CONTACT * count, CONTACT);
         count++;
     }
 

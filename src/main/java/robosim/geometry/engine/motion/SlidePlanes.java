@@ -37,14 +37,23 @@ final class SlidePlanes {
     private final double[] gaps = new double[MOST];
     private final double[] spreads = new double[MOST];
     private int count;
-    private int[] hidden = new int[16];
+    private final int[] pairOf = new int[MOST];
+    private final HalfSpaces spaces = new HalfSpaces();
     private final double[] one = new double[PLANE];
     private final double[] tried = new double[3];
     private boolean isLevel;
     private boolean isFlat;
 
+    /** The least height of a normal of ground; what is below counts as a vertical wall for a level displacement. */
+    private double ground = -1;
+
     SlidePlanes(ObjectTable objects) {
         this.objects = objects;
+    }
+
+    /** Makes all surfaces steeper than those of normals this high vertical walls for level displacements; -1 for none. */
+    void walkOn(double leastHeight) {
+        ground = leastHeight;
     }
 
     /**
@@ -87,7 +96,7 @@ final class SlidePlanes {
         }
         int kept = 0;
         for (int p = 0; p < count; p++) {
-            int pair = hidden[p];
+            int pair = pairOf[p];
             boolean isBehind = pairs.level(pair, one, NORMAL) <= one[LEVEL] + slack
                     && pairs.ownLevel(pair, one, NORMAL) >= one[LEVEL] - slack;
             if (!isBehind) {
@@ -96,7 +105,7 @@ final class SlidePlanes {
         }
         count = kept;
         put(pairs.object(k), pairs.gap(k));
-        hidden[count - 1] = k;
+        pairOf[count - 1] = k;
     }
 
     private void copy(int from, int to) {
@@ -104,7 +113,7 @@ final class SlidePlanes {
         obstacles[to] = obstacles[from];
         gaps[to] = gaps[from];
         spreads[to] = spreads[from];
-        hidden[to] = hidden[from];
+        pairOf[to] = pairOf[from];
     }
 
     private void put(int obstacle, double gap) {
@@ -113,9 +122,6 @@ final class SlidePlanes {
         gaps[count] = gap;
         spreads[count] = 0;
         count++;
-        if (count >= hidden.length) {
-            hidden = Arrays.copyOf(hidden, 2 * count);
-        }
     }
 
     private void merge(int p, int obstacle, double gap) {
@@ -156,9 +162,9 @@ final class SlidePlanes {
 
     private void straighten() {
         double ny = one[NORMAL + 1];
-        if (isLevel && ny != 0 && Math.abs(ny) < UPRIGHT) {
+        double length = Math.sqrt(one[NORMAL] * one[NORMAL] + one[NORMAL + 2] * one[NORMAL + 2]);
+        if (isLevel && ny != 0 && (Math.abs(ny) < UPRIGHT || (ny < ground && length > UPRIGHT))) {
             one[NORMAL + 1] = 0;
-            double length = Math.sqrt(one[NORMAL] * one[NORMAL] + one[NORMAL + 2] * one[NORMAL + 2]);
             one[NORMAL] /= length;
             one[NORMAL + 2] /= length;
         }
@@ -272,62 +278,16 @@ final class SlidePlanes {
      * one leaves floors, ceilings and slopes where they are.
      */
     boolean push(double clearance, double more, double[] out) {
-        double least = Double.POSITIVE_INFINITY;
+        spaces.clear();
+        boolean isNeeded = false;
         for (int p = 0; p < count; p++) {
-            if (need(p, clearance, 0) > 0) {
-                for (int axis = 0; axis < 3; axis++) {
-                    tried[axis] = need(p, clearance, more) * normal(p, axis);
-                }
-                least = takePush(clearance, least, out);
-                for (int q = 0; q < count; q++) {
-                    if (q != p && counts(q) && between(p, q, clearance, more)) {
-                        least = takePush(clearance, least, out);
-                    }
-                }
+            if (!isLevel || isFlat || normal(p, 1) == 0) {
+                double need = clearance - gaps[p];
+                isNeeded |= need > 0;
+                spaces.add(normal(p, 0), normal(p, 1), normal(p, 2), need > 0 ? need + more : need);
             }
         }
-        return least < Double.POSITIVE_INFINITY;
-    }
-
-    private boolean counts(int p) {
-        return !isLevel || isFlat || normal(p, 1) == 0;
-    }
-
-    /** How far a plane's obstacle has to be left. */
-    private double need(int p, double clearance, double more) {
-        return counts(p) ? clearance - gaps[p] + more : 0;
-    }
-
-    private double takePush(double clearance, double least, double[] out) {
-        double length = size(tried);
-        if (!(length < least)) {
-            return least;
-        }
-        for (int p = 0; p < count; p++) {
-            double need = Math.max(0, need(p, clearance, 0));
-            if (counts(p) && gapRate(p, tried) < need - ALONG * (need + length)) {
-                return least;
-            }
-        }
-        System.arraycopy(tried, 0, out, 0, 3);
-        return length;
-    }
-
-    /** Tries the least displacement that leaves both of two planes. */
-    private boolean between(int p, int q, double clearance, double more) {
-        double cosine = normal(p, 0) * normal(q, 0) + normal(p, 1) * normal(q, 1) + normal(p, 2) * normal(q, 2);
-        double square = 1 - cosine * cosine;
-        if (square < SAME) {
-            return false;
-        }
-        double a = need(p, clearance, more);
-        double b = Math.max(0, need(q, clearance, more));
-        double byP = (a - cosine * b) / square;
-        double byQ = (b - cosine * a) / square;
-        for (int axis = 0; axis < 3; axis++) {
-            tried[axis] = byP * normal(p, axis) + byQ * normal(q, axis);
-        }
-        return true;
+        return isNeeded && spaces.least(out);
     }
 
     private double normal(int p, int axis) {
