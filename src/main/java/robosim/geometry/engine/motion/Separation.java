@@ -23,8 +23,11 @@ public final class Separation {
     /** How far beyond a plane, as a share of the magnitudes of the bounds. */
     private static final double BEYOND = 0x1p-36;
 
-    private static final double DIAGONAL = Math.sqrt(0.5);
-    private static final double CORNER = Math.sqrt(1.0 / 3);
+    /** Directions along which free places are looked for. */
+    private static final int DIRECTIONS = 48;
+
+    /** The golden angle, in radians: points at multiples of it, on equal steps of height, cover a sphere evenly. */
+    private static final double GOLDEN = Math.PI * (3 - Math.sqrt(5));
 
     private final ObjectRegistry registry;
     private final Motion motion;
@@ -58,13 +61,8 @@ public final class Separation {
         size = motion.size(view, id);
         least = Double.POSITIVE_INFINITY;
         outOfPlanes(max);
-        int high = view.dimension == Dimension.PLANAR ? 0 : 1;
-        for (int x = -1; x <= 1; x++) {
-            for (int y = -high; y <= high; y++) {
-                for (int z = -1; z <= 1; z++) {
-                    along(x, y, z, max);
-                }
-            }
+        for (int k = 0; k < DIRECTIONS; k++) {
+            along(k, max);
         }
         if (least == Double.POSITIVE_INFINITY) {
             registry.move(id, start);
@@ -115,17 +113,19 @@ public final class Separation {
     }
 
     /** Tries places along a direction, the nearest first, and slides back from the first one that is free. */
-    private void along(int x, int y, int z, double max) {
-        int axes = Math.abs(x) + Math.abs(y) + Math.abs(z);
-        if (axes == 0) {
-            return;
-        }
-        double unit = axes == 1 ? 1 : axes == 2 ? DIAGONAL : CORNER;
-        for (double far = max * Math.pow(0.5, HALVINGS); far <= max; far *= 2) {
-            way[0] = far * unit * x;
-            way[1] = far * unit * y;
-            way[2] = far * unit * z;
+    private void along(int k, double max) {
+        boolean isFlat = view.dimension == Dimension.PLANAR;
+        double y = isFlat ? 0 : 1 - 2 * (k + 0.5) / DIRECTIONS;
+        double across = Math.sqrt(1 - y * y);
+        double around = isFlat ? 2 * Math.PI * k / DIRECTIONS : GOLDEN * k;
+        double x = across * StrictMath.cos(around);
+        double z = across * StrictMath.sin(around);
+        for (double far = max / (1 << HALVINGS); far <= max; far *= 2) {
+            way[0] = far * x;
+            way[1] = far * y;
+            way[2] = far * z;
             if (isFree(way)) {
+                take(max);
                 slideBack();
                 take(max);
                 return;
@@ -134,6 +134,7 @@ public final class Separation {
     }
 
     private void slideBack() {
+        placeAt(way);
         registry.move(id, place);
         double[] back = {-way[0], -way[1], -way[2]};
         slide.make(view, id, back, 0, 0, SlideOptions.clearance(0));
