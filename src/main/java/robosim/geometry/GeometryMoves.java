@@ -24,8 +24,7 @@ final class GeometryMoves {
     private final AccuracyView view;
     private final Motion motion;
     private final TranslationFastPath fastPath;
-    private final Slide slide;
-    private final Separation separation;
+    private @Nullable Slide slide;
     private final double[] vector = new double[6];
     private @Nullable Carrier carrier;
 
@@ -36,8 +35,6 @@ final class GeometryMoves {
         objects = registry.objects;
         view = registry.view;
         fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
-        slide = new Slide(registry, motion);
-        separation = new Separation(registry, motion, slide);
     }
 
     /** What moves objects by their ids, made when it is first asked for. */
@@ -106,16 +103,24 @@ final class GeometryMoves {
         return result;
     }
 
+    /** Made when it is first asked for, as many worlds slide nothing. */
+    private Slide slide() {
+        Slide made = slide == null ? new Slide(registry, motion) : slide;
+        slide = made;
+        return made;
+    }
+
     /** See {@link Geometry#moveAndSlide(String, Move, SlideOptions)}. */
     SlideResult sliding(int id, Move asked, SlideOptions options) {
         objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        slide.make(view, id, vector, asked.rx(), asked.ry(), options);
-        return SlideResult.of(slide, objects);
+        Slide made = slide();
+        made.make(view, id, vector, asked.rx(), asked.ry(), options);
+        return SlideResult.of(made, objects);
     }
 
     /** See {@link Geometry#separate}. */
     @Nullable Point separate(int id, double max) {
-        return separation.find(view, id, max, vector) ? new Point(vector[0], vector[1], vector[2]) : null;
+        return new Separation(registry, motion, slide()).find(view, id, max, vector) ? new Point(vector[0], vector[1], vector[2]) : null;
     }
 
     private MoveResult result(boolean allowed) {
