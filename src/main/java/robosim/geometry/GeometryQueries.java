@@ -60,7 +60,7 @@ abstract class GeometryQueries {
         sensor = new PatternSensor(dimension, objects, ranging, scratch);
         rays = new RayBatch(dimension, objects, ranging);
         proximity = new ProximityQuery(objects, scratch);
-        motion = new Motion(objects, registry.worldBounds, scratch);
+        motion = new Motion(registry, scratch);
         places = new FreePlaces(registry, motion, scratch);
     }
 

@@ -2,7 +2,8 @@ package robosim.geometry.model;
 
 /**
  * What stands for an object in a query. Any accuracy other than {@link #EXACT} replaces each object by an enclosure: it
- * may add collisions and shorten distances, but never misses a collision.
+ * may add collisions and shorten distances, but never misses a collision. Whatever {@link #EXACT} refuses, a move included,
+ * is refused at every accuracy, at the same fraction or before, also from a start where the enclosures already overlap.
  */
 public enum Accuracy {
     /** A sphere around the object. */

@@ -8,6 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -15,6 +16,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
 
 /** A coarser level never allows what the exact one refuses: things that stand apart, and then turn or tip. */
 class CoarseMovesTest {
@@ -92,6 +94,48 @@ class CoarseMovesTest {
         }
         assertThat(refused).isGreaterThan(count / 55);
         assertThat(allowed).isGreaterThan(count / 4);
+    }
+
+    /** A mover beside a wall, where its enclosure and that of the wall overlap, crosses the wall or turns into it. */
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void noLevelGoesThroughAWallFromWithinItsEnclosure(Accuracy accuracy) {
+        BoxObject wall = new BoxObject(new Point(), 10, 1, 0.2);
+        BoxObject cart = new BoxObject(new Point(3, 0, -0.5), 0.3, 0.3, 0.3);
+        BoxObject beam = new BoxObject(new Point(0, 0, 0.4), 2, 1, 0.2);
+        SphereObject ball = new SphereObject(new Point(), 0.1);
+        for (Dimension dimension : DIMENSIONS) {
+            refuses(dimension, accuracy, wall, ball.movedTo(new Point(4.5, 0, 0.6)), new Move(0.2, 0, -1.2, 0, 0));
+            refuses(dimension, accuracy, wall, beam, new Move(0, 0, 0, 0, 90));
+            refuses(dimension, accuracy, wall.turned(0, 30), cart, new Move(0, 0, -4, 0, 0));
+            refuses(
+                    dimension,
+                    accuracy,
+                    wall.turned(0, 45),
+                    ball.movedTo(new Point(3, 0, -1)),
+                    new Move(0, 0, -4, 0, 0));
+        }
+    }
+
+    private static void refuses(
+            Dimension dimension, Accuracy accuracy, GeometryObject wall, GeometryObject mover, Move move) {
+        Geometry coarse = new Geometry(100, 100, 100, dimension, accuracy);
+        Geometry exact = new Geometry(100, 100, 100, dimension, Accuracy.EXACT);
+        for (Geometry world : List.of(coarse, exact)) {
+            world.addObjectUnchecked(wall);
+            assertThat(world.testObject(mover, Accuracy.EXACT)).isFalse();
+            world.addObjectUnchecked(mover.moveable("mover"));
+        }
+        MoveResult result = coarse.move("mover", move);
+        MoveResult truth = exact.move("mover", move);
+        String as = "%s %s: %s by %s".formatted(dimension, accuracy, mover, move);
+        assertThat(truth.allowed() || result.allowed()).as(as).isFalse();
+        assertThat(result.fraction()).as(as).isLessThanOrEqualTo(truth.fraction());
+        assertThat(result.turnFraction()).as(as).isLessThanOrEqualTo(truth.turnFraction());
+        assertThat(result.obstacle()).as(as).isEqualTo(wall);
+        if (result.fraction() == truth.fraction() && result.turnFraction() == truth.turnFraction()) {
+            assertThat(result.normal()).as(as).isEqualTo(truth.normal());
+        }
     }
 
     private static GeometryObject thing(SplittableRandom random, int k) {

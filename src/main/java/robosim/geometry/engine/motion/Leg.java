@@ -42,6 +42,9 @@ public final class Leg {
     /** More than a place loses when it is stored, and than an enclosure is widened by, as a share of its coordinates. */
     private static final double STORED = 0x1p-42;
 
+    /** More than a sweep of the objects themselves may stop early, as a share of their coordinates; see docs/numerics.md. */
+    private static final double EARLY = 0x1p-19;
+
     private static final int PLACE = ObjectTable.PLACE;
 
     final double[] start = new double[PLACE];
@@ -318,7 +321,8 @@ public final class Leg {
 
     /**
      * Widens the bounds of a whole leg to hold every place on it as it is stored: enclosures are rounded outward by more
-     * where coordinates are larger, and parts of groups and corners of meshes are rounded when they are placed.
+     * where coordinates are larger, and parts of groups and corners of meshes are rounded when they are placed. At an
+     * accuracy below EXACT they also hold whatever a sweep of the objects themselves may stop before.
      *
      * @param more how much more to widen them, for a clearance
      */
@@ -327,7 +331,7 @@ public final class Leg {
         for (double bound : box) {
             size += Math.abs(bound);
         }
-        double slack = more + STORED * size + Double.MIN_NORMAL;
+        double slack = more + (view.accuracy == Accuracy.EXACT ? STORED : EARLY) * size + Double.MIN_NORMAL;
         for (int k = 0; k < 3; k++) {
             out[k] = box[k] - slack;
             out[3 + k] = box[3 + k] + slack;

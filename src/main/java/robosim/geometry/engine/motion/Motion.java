@@ -1,10 +1,13 @@
 package robosim.geometry.engine.motion;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
@@ -16,6 +19,9 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  *
  * <p>A leg is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
  * behind a plane of a contact at the start ({@link StartContacts}) counts for neither.
+ *
+ * <p>At an accuracy below EXACT, a leg with anything near is swept twice, for the enclosures and for the objects themselves,
+ * and the smaller share counts: enclosures that overlap at the start prove nothing about the objects in them.
  */
 public final class Motion {
     static final int NOTHING = -1;
@@ -27,8 +33,10 @@ public final class Motion {
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
 
+    private final ObjectRegistry registry;
     private final ObjectTable objects;
     private final WorldBounds worldBounds;
+    private final Scratch scratch;
     private final Candidates candidates;
     private final Leg leg;
     private final EnclosureTurn enclosure;
@@ -67,10 +75,18 @@ public final class Motion {
     private double fraction;
     private double turnFraction;
 
+    /** Sweeps the objects themselves; null until a leg at an accuracy below EXACT first needs it. */
+    private @Nullable Motion exact;
+
+    /** Whether the objects themselves block before their enclosures, so that the contact is theirs. */
+    private boolean isBlockedExactly;
+
     @SuppressWarnings("NullAway.Init") // an attempt sets its view
-    public Motion(ObjectTable objects, WorldBounds worldBounds, Scratch scratch) {
-        this.objects = objects;
-        this.worldBounds = worldBounds;
+    public Motion(ObjectRegistry registry, Scratch scratch) {
+        this.registry = registry;
+        this.scratch = scratch;
+        objects = registry.objects;
+        worldBounds = registry.worldBounds;
         candidates = new Candidates(objects);
         leg = new Leg(scratch);
         enclosure = new EnclosureTurn(leg);
@@ -179,6 +195,57 @@ public final class Motion {
             leg.advance();
             return true;
         }
+        boolean free = isLegFree();
+        // Where no enclosure is near, no object is; where the enclosures block, that is enough for a verdict.
+        if (view.accuracy != Accuracy.EXACT && (free || isEndWanted) && candidates.count() > 0) {
+            Motion shapes = exact;
+            if (shapes == null) {
+                shapes = new Motion(registry, scratch);
+                exact = shapes;
+            }
+            shapes.begin(registry.at(Accuracy.EXACT), id, clearance, isEndWanted, leg.start, 0);
+            shapes.leg.set(x, y, z, about, byDegrees);
+            free &= shapes.isLegFree();
+            if (!free && isEndWanted) {
+                takeLesser(shapes);
+            }
+        }
+        if (free) {
+            leg.advance();
+        } else if (isEndWanted) {
+            leg.endAt(share);
+        }
+        return free;
+    }
+
+    /**
+     * Takes the smaller share of the enclosures' and the objects' own, reduced to a place that is verified for both. If they
+     * are equal, the obstacle that was added first is named.
+     */
+    private void takeLesser(Motion shapes) {
+        isBlockedExactly = shapes.share < share || (shapes.share == share && !isEarlier(obstacle, shapes.obstacle));
+        double least = Math.min(share, shapes.share);
+        int blocking = isBlockedExactly ? shapes.obstacle : obstacle;
+        obstacle = NOTHING; // every candidate is verified
+        shapes.obstacle = NOTHING;
+        share = least;
+        double step = FIRST_STEP;
+        while (share > 0 && !(isClearAfter(share) && shapes.isClearAfter(share))) {
+            share = Math.max(0, least - step);
+            step *= 2;
+        }
+        obstacle = blocking;
+        shapes.obstacle = blocking;
+    }
+
+    private boolean isEarlier(int one, int two) {
+        return one != BORDER && (two == BORDER || objects.isEarlier(one, two));
+    }
+
+    /** Sweeps the leg, from which {@link #share} and the obstacle follow. */
+    private boolean isLegFree() {
+        isBlockedExactly = false;
+        share = Double.POSITIVE_INFINITY;
         leg.sweptBox(1, box);
         leg.around(box, around, clearance);
         candidates.find(view, around, id);
@@ -186,11 +253,7 @@ public final class Motion {
         isStandingKnown = false;
         leg.after(1).bounds(0, leg.atStart.size(), endBox);
         if (!isEndWanted) {
-            if (isBlockedAnywhere()) {
-                return false;
-            }
-            leg.advance();
-            return true;
+            return !isBlockedAnywhere();
         }
         double least = leastFree();
         share = least == Double.POSITIVE_INFINITY ? 1 : backOff(least);
@@ -198,10 +261,9 @@ public final class Motion {
             keepClear();
         }
         if (share == 1) {
-            leg.advance();
+            share = Double.POSITIVE_INFINITY;
             return true;
         }
-        leg.endAt(share);
         return false;
     }
 
@@ -211,7 +273,7 @@ public final class Motion {
         double kept = search.share(view, candidates, standing, clearance, share);
         double free = kept;
         double step = FIRST_STEP;
-        while (free > 0 && (search.isCloser(free) || (free < share && !isFreeAfter(free)))) {
+        while (free > 0 && (free < share ? !isClearAfter(free) : search.isCloser(free))) {
             free = kept - step;
             step *= 2;
         }
@@ -220,6 +282,10 @@ public final class Motion {
             block(search.first());
         }
         share = free;
+    }
+
+    private boolean isClearAfter(double share) {
+        return isFreeAfter(share) && (clearance == 0 || !search.isCloser(share));
     }
 
     private void block(int pair) {
@@ -463,6 +529,12 @@ public final class Motion {
 
     /** Contact point and normal at the end of what is free, six numbers. */
     public void contact(double[] out) {
+        Motion shapes = exact;
+        if (isBlockedExactly && shapes != null) {
+            System.arraycopy(leg.end, 0, shapes.leg.end, 0, leg.end.length);
+            shapes.contact(out);
+            return;
+        }
         if (obstacle == BORDER) {
             exit.contact(out);
             return;
