@@ -5,7 +5,6 @@ import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
-import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -35,7 +34,7 @@ public final class Motion {
     private final BoundsExit exit;
     private final ClearanceSearch search;
     private final StartContacts standing;
-    private final Distance distance;
+    private final StopContact stop;
     private final double[] box = new double[6];
     private final double[] part = new double[6];
 
@@ -62,8 +61,7 @@ public final class Motion {
     private int obstaclePiece;
     private int ownPiece;
     private boolean isStandingKnown;
-    private final LeafColumn touching = new LeafColumn(1);
-    private final LeafColumn touched = new LeafColumn(1);
+    private int touched;
     private double fraction;
     private double turnFraction;
 
@@ -77,7 +75,7 @@ public final class Motion {
         exit = new BoundsExit(worldBounds, leg);
         search = new ClearanceSearch(leg, scratch);
         standing = new StartContacts(scratch);
-        distance = new Distance(scratch);
+        stop = new StopContact(objects, candidates, leg, scratch);
     }
 
     /** What blocks: an id, {@link #NOTHING} or {@link #BORDER}. */
@@ -225,6 +223,7 @@ public final class Motion {
                 continue;
             }
             double free = backOff(other, Math.min(met, MOST));
+            stop.note(other, free, least);
             if (free < least || (free == least && objects.isEarlier(other, obstacle))) {
                 least = free;
                 obstacle = other;
@@ -389,14 +388,22 @@ public final class Motion {
         return Math.max(0, free);
     }
 
-    /** Contact point and normal at the end of what is free, six numbers. */
+    /**
+     * Contact point and normal at the end of what is free, six numbers. Of several objects with the same free share, that is
+     * written whose normal opposes the motion most; {@link #touched} tells which.
+     */
     public void contact(double[] out) {
+        touched = obstacle;
         if (obstacle == BORDER) {
             exit.contact(out);
-            return;
+        } else {
+            stop.set(ownLeaf, ownPiece, obstacleLeaf, obstaclePiece);
+            touched = stop.contact(view, obstacle, out);
         }
-        touching.setPiece(leg.atEnd(), ownLeaf, ownPiece);
-        touched.setPiece(view.table(obstacle).leaves(), obstacleLeaf, obstaclePiece);
-        distance.contact(view.dimension, touching, 0, touched, 0, out);
+    }
+
+    /** The object whose contact was written last, or {@link #BORDER}. */
+    public int touched() {
+        return touched;
     }
 }

@@ -134,7 +134,7 @@ public final class Slide {
             }
         }
         int last = count - 1;
-        if (near == count && last >= 0 && obstacles[last] == motion.obstacle() && isPlane(last)) {
+        if (near == count && last >= 0 && obstacles[last] == motion.touched() && isPlane(last)) {
             near = last;
             return true;
         }
@@ -154,7 +154,7 @@ public final class Slide {
             obstacles = Arrays.copyOf(obstacles, 2 * count);
             contacts = Arrays.copyOf(contacts, 2 * count * CONTACT);
         }
-        obstacles[count] = motion.obstacle();
+        obstacles[count] = motion.touched();
         System.arraycopy(one, 0, contacts, CONTACT * count, CONTACT);
         count++;
     }
