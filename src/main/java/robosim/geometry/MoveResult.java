@@ -35,8 +35,11 @@ import robosim.geometry.model.Point;
  * @param obstacle     the object that blocks the move, at its present place; of several that block at the same fraction
  *                     the one added first; null if nothing blocks, or if the world's bounds block before any object
  * @param contact      where the moved object touches what blocks it: a point on the blocking face of a mesh or member
- *                     of a group; null if nothing blocks
- * @param normal       the unit normal at the contact, from what blocks towards the moved object; null if nothing blocks
+ *                     of a group; of several contacts at the same fraction, that whose normal opposes the motion most,
+ *                     which may be on another object than the one added first; null if nothing blocks
+ * @param normal       the unit normal at the contact, from what blocks towards the moved object; it never points along
+ *                     the motion (of a turn, the motion of the contact point). Where tiles or faces meet without an edge,
+ *                     it is the normal of the surface that they form. Null if nothing blocks
  */
 public record MoveResult(
         boolean allowed,

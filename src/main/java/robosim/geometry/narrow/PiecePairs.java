@@ -21,11 +21,18 @@ final class PiecePairs {
     }
 
     private final Scratch s;
+    private double margin;
     private final double[] own = new double[6];
     private final double[] other = new double[6];
 
     PiecePairs(Scratch scratch) {
         s = scratch;
+    }
+
+    /** Also visits pieces that are apart by up to a margin along an axis. */
+    PiecePairs within(double of) {
+        margin = of;
+        return this;
     }
 
     /** Visits pairs until the visitor stops; returns whether it did. */
@@ -79,7 +86,13 @@ final class PiecePairs {
         return false;
     }
 
-    private static void widen(Dimension dimension, double[] box) {
+    private void widen(Dimension dimension, double[] box) {
+        if (margin > 0) {
+            for (int k = 0; k < 3; k++) {
+                box[k] -= margin;
+                box[3 + k] += margin;
+            }
+        }
         if (dimension == Dimension.PLANAR) {
             box[1] = Double.NEGATIVE_INFINITY;
             box[4] = Double.POSITIVE_INFINITY;

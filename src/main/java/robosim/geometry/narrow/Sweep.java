@@ -128,6 +128,33 @@ public final class Sweep {
         degrees = byDegrees;
     }
 
+    /**
+     * Writes the direction in which a point of the mover goes, a unit vector, horizontal in PLANAR; 0 if it stays, or if heights
+     * do not count but matter, as in PLANAR for turns that tip.
+     */
+    public void direction(double x, double y, double z, double[] out) {
+        if (turns && dimension == Dimension.PLANAR && (wx != 0 || wz != 0)) {
+            Arrays.fill(out, 0, 3, 0);
+            return;
+        }
+        out[0] = dx;
+        out[1] = dy;
+        out[2] = dz;
+        if (turns) {
+            double sign = Math.signum(degrees);
+            out[0] = sign * (wy * (z - pz) - wz * (y - py));
+            out[1] = sign * (wz * (x - px) - wx * (z - pz));
+            out[2] = sign * (wx * (y - py) - wy * (x - px));
+        }
+        if (dimension == Dimension.PLANAR) {
+            out[1] = 0;
+        }
+        double length = VectorMath.anyLength(out[0], out[1], out[2]);
+        for (int k = 0; k < 3; k++) {
+            out[k] = length > 0 ? out[k] / length : 0;
+        }
+    }
+
     /** Bounds, rounded outward, of all places of a leaf during the motion. */
     public void bounds(LeafColumn column, int leaf, double[] out) {
         LeafKind kind = column.kind(leaf);

@@ -41,6 +41,8 @@ final class PlainList {
     private final List<Geometry> unused = new ArrayList<>();
 
     /** The world's border alone. */
+    private int equals;
+
     private final Geometry empty;
 
     PlainList(double size, Dimension dimension, Accuracy accuracy) {
@@ -274,7 +276,12 @@ final class PlainList {
             return new Free(allowed, allowed ? 1 : 0, allowed ? 1 : 0, null, null, null, end);
         }
 
-        private int compareTo(Free other) {
+        /** The same with another contact. */
+        Free withContactOf(Free other) {
+            return new Free(allowed, fraction, turnFraction, obstacle, other.contact, other.normal, end);
+        }
+
+        int compareTo(Free other) {
             int order = Boolean.compare(allowed, other.allowed);
             order = order != 0 ? order : Double.compare(fraction, other.fraction);
             return order != 0 ? order : Double.compare(turnFraction, other.turnFraction);
@@ -290,6 +297,11 @@ final class PlainList {
         return move(own, way(own, move), 0, (world, name) -> Free.of(world.move(name, move), world.getObject(name)));
     }
 
+    /** How many objects blocked the last {@link #move} at the least fraction. */
+    int equals() {
+        return equals;
+    }
+
     /**
      * The least that is free beside each other object alone; of equal ones the first, and any before the border.
      *
@@ -297,11 +309,13 @@ final class PlainList {
      * @param clearance how far it stays away from things
      */
     Free move(int own, Point way, double clearance, Motion motion) {
+        equals = 0;
         Free least = beside(-1, own, pair -> motion.in(pair, name(own)));
         for (int k = 0; k < objects.size(); k++) {
             if (k != own && isNear(objects.get(own), way, objects.get(k), clearance)) {
                 Free one = beside(k, own, pair -> motion.in(pair, name(own)));
                 int order = one.compareTo(least);
+                equals = order < 0 ? 1 : order == 0 && one.obstacle() != null ? equals + 1 : equals;
                 if (order < 0 || (order == 0 && least.obstacle() == null && one.obstacle() != null)) {
                     least = one;
                 }

@@ -437,6 +437,9 @@ final class WorldFuzz {
         BitSet before = list.touched(start, accuracy, own);
         Free truth = list.move(own, way, clearance, motion);
         Free answer = motion.in(world, name);
+        if (list.equals() > 1) {
+            truth = truth.withContactOf(answer); // of several objects the one whose normal opposes the motion most
+        }
         moves++;
         refusals += answer.allowed() ? 0 : 1;
         GeometryObject end = world.getObject(name);

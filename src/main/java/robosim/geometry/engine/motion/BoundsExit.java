@@ -78,10 +78,12 @@ final class BoundsExit {
 
     /** Contact point and normal at the end of what is free, six numbers. */
     void contact(double[] out) {
-        LeafColumn exact = leg.exactAtEnd();
-        exact.bounds(0, exact.size(), inside);
-        exact = leg.exactAfter(1);
-        exact.bounds(0, exact.size(), swept);
-        worldBounds.contact(swept, inside, out);
+        if (leg.turns()) {
+            leg.exactlySwept(1, swept);
+        } else {
+            LeafColumn exact = leg.exactAfter(1);
+            exact.bounds(0, exact.size(), swept);
+        }
+        worldBounds.contact(swept, leg.exactAtEnd(), out);
     }
 }

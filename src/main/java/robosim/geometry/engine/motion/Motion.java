@@ -43,7 +43,7 @@ public final class Motion {
     private final BoundsExit exit;
     private final ClearanceSearch search;
     private final StartContacts standing;
-    private final Distance distance;
+    private final StopContact stop;
     private final double[] box = new double[6];
     private final double[] part = new double[6];
 
@@ -70,8 +70,7 @@ public final class Motion {
     private int obstaclePiece;
     private int ownPiece;
     private boolean isStandingKnown;
-    private final LeafColumn touching = new LeafColumn(1);
-    private final LeafColumn touched = new LeafColumn(1);
+    private int touched;
     private double fraction;
     private double turnFraction;
 
@@ -92,8 +91,8 @@ public final class Motion {
         enclosure = new EnclosureTurn(leg);
         exit = new BoundsExit(worldBounds, leg);
         standing = new StartContacts(scratch);
-        distance = new Distance(scratch);
-        search = new ClearanceSearch(leg, objects, distance);
+        search = new ClearanceSearch(leg, objects, new Distance(scratch));
+        stop = new StopContact(objects, candidates, leg, scratch);
     }
 
     /** What blocks: an id, {@link #NOTHING} or {@link #BORDER}. */
@@ -295,6 +294,7 @@ public final class Motion {
         obstaclePiece = pairs.piece(pair);
         ownLeaf = pairs.ownLeaf(pair);
         ownPiece = pairs.ownPiece(pair);
+        stop.note(obstacle, 0, 1); // the only one
     }
 
     /** The sum of the magnitudes of the bounds of a mover at its place. */
@@ -365,6 +365,7 @@ public final class Motion {
                 continue;
             }
             double free = backOff(other, Math.min(met, MOST));
+            stop.note(other, free, least);
             if (free < least || (free == least && objects.isEarlier(other, obstacle))) {
                 least = free;
                 obstacle = other;
@@ -527,20 +528,29 @@ public final class Motion {
         return Math.max(0, free);
     }
 
-    /** Contact point and normal at the end of what is free, six numbers. */
+    /**
+     * Contact point and normal at the end of what is free, six numbers. Of several objects with the same free share, that is
+     * written whose normal opposes the motion most; {@link #touched} tells which.
+     */
     public void contact(double[] out) {
         Motion shapes = exact;
         if (isBlockedExactly && shapes != null) {
             System.arraycopy(leg.end, 0, shapes.leg.end, 0, leg.end.length);
             shapes.contact(out);
+            touched = shapes.touched;
             return;
         }
+        touched = obstacle;
         if (obstacle == BORDER) {
             exit.contact(out);
-            return;
+        } else {
+            stop.set(ownLeaf, ownPiece, obstacleLeaf, obstaclePiece);
+            touched = stop.contact(view, obstacle, out);
         }
-        touching.setPiece(leg.atEnd(), ownLeaf, ownPiece);
-        touched.setPiece(view.table(obstacle).leaves(), obstacleLeaf, obstaclePiece);
-        distance.contact(view.dimension, touching, 0, touched, 0, out);
+    }
+
+    /** The object whose contact was written last, or {@link #BORDER}. */
+    public int touched() {
+        return touched;
     }
 }

@@ -129,7 +129,7 @@ public final class Slide {
         if (!free) {
             turnFraction = motion.turnFraction();
             motion.contact(one);
-            add(motion.obstacle());
+            add(motion.touched());
         }
     }
 
@@ -144,7 +144,7 @@ public final class Slide {
     private void toContact() {
         if (!advance(left, options.clearance())) {
             motion.contact(one);
-            add(motion.obstacle());
+            add(motion.touched());
         } else {
             Arrays.fill(left, 0);
         }
@@ -186,7 +186,7 @@ public final class Slide {
             stopCount = length - before > LEFT * whole ? 0 : Math.min(stopCount, MOST_STOPS - 1);
             motion.contact(one);
             System.arraycopy(one, 0, stops, CONTACT * stopCount, CONTACT);
-            stoppedBy[stopCount++] = motion.obstacle();
+            stoppedBy[stopCount++] = motion.touched();
             findPlanes();
         }
     }

@@ -26,6 +26,9 @@ public final class WorldBounds {
 
     private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
     private static final double CYLINDER_FILTER = Filter.bound(ROUNDING);
+    /** Shares of a way, and cosines, that differ by less are the same where a contact is described. */
+    private static final double SAME = 0x1p-40;
+
     private static final StageCounters.Counter SUMS = StageCounters.counter("WorldBounds sums");
     private static final StageCounters.Counter EXACT = StageCounters.counter("WorldBounds");
 
@@ -311,20 +314,31 @@ public final class WorldBounds {
     }
 
     /**
-     * Finds where an object that would leave the world touches its bounds.
+     * Finds where an object that would leave the world touches its bounds: on the side that it crosses and is nearest to, of
+     * several on the one that it would cross most.
      *
-     * @param beyond the object's bounds where it would be outside
-     * @param within its bounds before that
+     * @param beyond the bounds of all places of the object on the motion
+     * @param column the object where it stops
      * @param out    a point of the world's bounds, then the unit normal there, inward
      */
-    public void contact(double[] beyond, double[] within, double[] out) {
+    public void contact(double[] beyond, LeafColumn column, double[] out) {
+        double[] within = box;
+        column.bounds(0, column.size(), within);
+        double soonest = Double.POSITIVE_INFINITY;
         double farthest = Double.NEGATIVE_INFINITY;
-        int side = 0;
+        int side = 1;
         int across = 0;
         for (int axis = 0; axis < 3; axis += step()) {
             for (int sign = -1; sign <= 1; sign += 2) {
-                double over = (sign > 0 ? beyond[3 + axis] : -beyond[axis]) - half[axis];
-                if (over > farthest) {
+                double now = sign > 0 ? within[3 + axis] : -within[axis];
+                double over = (sign > 0 ? beyond[3 + axis] : -beyond[axis]) - now;
+                if (!(over > 0)) {
+                    continue;
+                }
+                double share = Math.max(0, (half[axis] - now) / over);
+                boolean isSame = Math.abs(share - soonest) <= SAME;
+                if (isSame ? over > farthest : share < soonest) {
+                    soonest = share;
                     farthest = over;
                     side = sign;
                     across = axis;
@@ -332,8 +346,77 @@ public final class WorldBounds {
             }
         }
         for (int axis = 0; axis < 3; axis++) {
-            out[axis] = axis == across ? side * half[axis] : within[axis] / 2 + within[3 + axis] / 2;
             out[3 + axis] = axis == across ? -side : 0;
+        }
+        farthestPoint(column, across, side, out);
+        out[across] = side * half[across];
+    }
+
+    /** Writes a point of an object that is foremost along an axis; of a flat side its middle. */
+    private static void farthestPoint(LeafColumn column, int axis, int sign, double[] out) {
+        int foremost = 0;
+        for (int leaf = 1; leaf < column.size(); leaf++) {
+            if (reach(column, leaf, axis, sign) > reach(column, foremost, axis, sign)) {
+                foremost = leaf;
+            }
+        }
+        double[] row = column.rows();
+        int at = foremost * Leaf.STRIDE;
+        LeafKind kind = column.kind(foremost);
+        if (kind.isMesh()) {
+            farthestVertex(column.mesh(foremost), row, at, axis, sign, out);
+            return;
+        }
+        System.arraycopy(row, at, out, 0, 3);
+        switch (kind) {
+            case UPRIGHT_BOX, BOX -> {
+                for (int k = 0; k < 3; k++) {
+                    advance(row, at, k, row[at + 3 + k], axis, sign, out);
+                }
+            }
+            case CYLINDER -> {
+                advance(row, at, 1, row[at + 4], axis, sign, out);
+                rim(row, at, axis, sign, out);
+            }
+            case CAPSULE -> advance(row, at, 1, row[at + 4], axis, sign, out);
+            case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE, SPHERE -> {}
+            case TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+        }
+    }
+
+    /** Goes along one of a leaf's own axes, unless that is square to the world's axis. */
+    private static void advance(double[] row, int at, int own, double by, int axis, int sign, double[] out) {
+        double along = row[at + Leaf.ROTATION + 3 * axis + own];
+        if (Math.abs(along) > SAME) {
+            for (int k = 0; k < 3; k++) {
+                out[k] += Math.signum(along) * sign * by * row[at + Leaf.ROTATION + 3 * k + own];
+            }
+        }
+    }
+
+    /** Goes from the middle of a cylinder's cap to the foremost point of its rim, unless the cap lies flat. */
+    private static void rim(double[] row, int at, int axis, int sign, double[] out) {
+        double along = row[at + Leaf.ROTATION + 3 * axis + 1];
+        double across = Math.sqrt(Math.max(0, 1 - along * along));
+        if (across > Math.sqrt(SAME)) {
+            for (int k = 0; k < 3; k++) {
+                double cap = row[at + Leaf.ROTATION + 3 * k + 1];
+                out[k] += sign * row[at + 3] * ((k == axis ? 1 : 0) - along * cap) / across;
+            }
+        }
+    }
+
+    private static void farthestVertex(TriangleMesh mesh, double[] row, int at, int axis, int sign, double[] out) {
+        double farthest = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < 3 * mesh.size(); k++) {
+            int vertex = mesh.vertex(k / 3, k % 3);
+            double along = sign * mesh.placed(vertex, axis, row, at);
+            if (along > farthest) {
+                farthest = along;
+                for (int m = 0; m < 3; m++) {
+                    out[m] = mesh.placed(vertex, m, row, at);
+                }
+            }
         }
     }
 }

@@ -34,6 +34,52 @@ public final class ConvexContact {
         }
     }
 
+    /**
+     * Writes the contact point alone, for a known unit normal from b towards a, the last three of six numbers: half-way
+     * between nearest points, or common to both.
+     *
+     * @param isLevel whether the two meet side to side, so that the point's height does not matter
+     */
+    public static void along(
+            Dimension dimension,
+            boolean isLevel,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            double[] out,
+            DistanceScratch s) {
+        UnderflowScaling m = s.scaling;
+        boolean isFlat = isLevel || dimension == Dimension.PLANAR;
+        if (m.take(dimension, kindA, a, i, kindB, b, j)) {
+            storedPoint(isFlat, kindA, m.a, 0, kindB, m.b, 0, out, s);
+            for (int axis = 0; axis < 3; axis++) {
+                out[axis] = m.down(out[axis]);
+            }
+        } else {
+            storedPoint(isFlat, kindA, a, i, kindB, b, j, out, s);
+        }
+    }
+
+    private static void storedPoint(
+            boolean isFlat,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            double[] out,
+            DistanceScratch s) {
+        if (isFlat) {
+            PlanarContact.point(kindA, a, i, kindB, b, j, out, s);
+        } else {
+            SpatialContact.point(kindA, a, i, kindB, b, j, out, s);
+        }
+    }
+
     private static void storedContact(
             Dimension dimension,
             LeafKind kindA,

@@ -39,6 +39,38 @@ public final class PlanarContact {
         out[4] = 0;
     }
 
+    /** Writes the contact point alone, for a known unit normal from b towards a, the last three of six numbers. */
+    public static void point(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
+        PlanarShape p = s.planarA;
+        PlanarShape q = s.planarB;
+        double nx = out[3];
+        double nz = out[5];
+        double ox = PlanarShape.originX(kindA, a, i);
+        double oz = PlanarShape.originZ(kindA, a, i);
+        p.set(kindA, a, i, ox, oz);
+        q.set(kindB, b, j, ox, oz);
+        point(p, q, nx, nz, ox, oz, out);
+        // The direction between a corner and a curve is known to half the digits, and the corner to all.
+        if (p.outline == PlanarShape.Outline.POLYGON && q.outline != PlanarShape.Outline.POLYGON) {
+            clamp(p, -nx, -nz, ox, oz, out);
+        } else if (q.outline == PlanarShape.Outline.POLYGON && p.outline != PlanarShape.Outline.POLYGON) {
+            clamp(q, nx, nz, ox, oz, out);
+        }
+        out[1] = height(kindA, a, i, kindB, b, j, s);
+    }
+
+    /** Moves a point along the foremost side of a polygon onto it, or to its foremost corner. */
+    private static void clamp(PlanarShape shape, double nx, double nz, double ox, double oz, double[] out) {
+        double slack = SIDE * shape.error;
+        double least = end(shape, nx, nz, -nz, nx, -1, slack);
+        double most = end(shape, nx, nz, -nz, nx, 1, slack);
+        double along = nx * (out[2] - oz) - nz * (out[0] - ox);
+        double by = Math.max(least, Math.min(most, along)) - along;
+        out[0] -= by * nz;
+        out[2] += by * nx;
+    }
+
     private static void ordered(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
         PlanarShape p = s.planarA;
@@ -193,6 +225,14 @@ public final class PlanarContact {
             case DISC -> tx * shape.pointX + tz * shape.pointZ;
             case OVAL -> {
                 boolean isAcross = Math.abs(nx * shape.axisX + nz * shape.axisZ) * (shape.reach + shape.minor) <= slack;
+                boolean isCap =
+                        shape.minor <= slack && Math.abs(nx * shape.axisZ - nz * shape.axisX) * shape.radius <= slack;
+                if (isCap) { // of a cylinder that lies level
+                    double ahead = Math.signum(nx * shape.axisX + nz * shape.axisZ) * shape.reach;
+                    double capX = shape.centerX + ahead * shape.axisX;
+                    double capZ = shape.centerZ + ahead * shape.axisZ;
+                    yield tx * capX + tz * capZ + side * shape.radius;
+                }
                 if (!isAcross) {
                     yield tx * shape.pointX + tz * shape.pointZ;
                 }

@@ -20,15 +20,25 @@ public final class SpatialContact {
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
         Penetration penetration = s.penetration();
         penetration.spatial(kindA, a, i, kindB, b, j);
-        Gjk gjk = penetration.bracket();
+        point(penetration.bracket(), out);
+        out[3] = penetration.nx(0);
+        out[4] = penetration.ny(0);
+        out[5] = penetration.nz(0);
+    }
+
+    /** Writes the point alone. */
+    public static void point(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
+        s.gjk.spatial(kindA, a, i, kindB, b, j);
+        point(s.gjk, out);
+    }
+
+    private static void point(Gjk gjk, double[] out) {
         if (!gjk.isClosed()) {
             gjk.close(); // a simplex too thin for doubles, as at rims that touch, has nearest points that are not near
         }
         out[0] = 0.5 * gjk.ax() + 0.5 * gjk.bx();
         out[1] = 0.5 * gjk.ay() + 0.5 * gjk.by();
         out[2] = 0.5 * gjk.az() + 0.5 * gjk.bz();
-        out[3] = penetration.nx(0);
-        out[4] = penetration.ny(0);
-        out[5] = penetration.nz(0);
     }
 }

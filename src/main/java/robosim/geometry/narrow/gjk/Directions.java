@@ -83,6 +83,16 @@ final class Directions {
         }
     }
 
+    /** Turns all horizontal directions up or down, and gives them a new depth. */
+    void tilt(double cosine, double up, double depth) {
+        for (int k = 0; k < count; k++) {
+            x[k] *= cosine;
+            y[k] = up;
+            z[k] *= cosine;
+            depths[k] = depth;
+        }
+    }
+
     /** Keeps the directions with a depth up to a limit, each once, in the order in which they were added. */
     void keepTies(double limit) {
         int kept = 0;

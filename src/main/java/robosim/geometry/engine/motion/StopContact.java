@@ -1,0 +1,129 @@
+package robosim.geometry.engine.motion;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.Candidates;
+import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.MotionContact;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/**
+ * The contact that is reported where a motion stops: all objects that the mover touches there are compared, and of those with
+ * the least free share the one is chosen whose normal opposes the motion most. Nothing is computed before it is asked for.
+ */
+final class StopContact {
+    private final ObjectTable objects;
+    private final Candidates candidates;
+    private final Leg leg;
+    private final Scratch scratch;
+    private final Distance distance;
+    private @Nullable MotionContact contacts;
+    private final LeafColumn own = new LeafColumn(1);
+    private final LeafColumn other = new LeafColumn(1);
+    private final double[] around = new double[6];
+
+    /** The objects that share the least free share, in no order. */
+    private int[] tied = new int[4];
+
+    private int tiedCount;
+
+    // The pieces that met first.
+    private int ownLeaf;
+    private int ownPiece;
+    private int otherLeaf;
+    private int otherPiece;
+
+    StopContact(ObjectTable objects, Candidates candidates, Leg leg, Scratch scratch) {
+        this.objects = objects;
+        this.candidates = candidates;
+        this.leg = leg;
+        this.scratch = scratch;
+        distance = new Distance(scratch);
+    }
+
+    /** Takes note of an object's free share, the least before it being another one's. */
+    void note(int id, double free, double least) {
+        if (free > least) {
+            return;
+        }
+        tiedCount = free < least ? 0 : tiedCount;
+        if (tiedCount == tied.length) {
+            tied = Arrays.copyOf(tied, 2 * tiedCount);
+        }
+        tied[tiedCount++] = id;
+    }
+
+    /** Sets the leaves and pieces that met first; a piece is -1 if its leaf is not made of pieces. */
+    void set(int inLeaf, int inPiece, int metLeaf, int metPiece) {
+        ownLeaf = inLeaf;
+        ownPiece = inPiece;
+        otherLeaf = metLeaf;
+        otherPiece = metPiece;
+    }
+
+    /** Writes the contact, six numbers; returns whose it is. */
+    int contact(AccuracyView view, int obstacle, double[] out) {
+        LeafColumn at = leg.atEnd();
+        own.setPiece(at, ownLeaf, ownPiece);
+        other.setPiece(view.table(obstacle).leaves(), otherLeaf, otherPiece);
+        MotionContact all = contacts;
+        if (all == null) {
+            all = new MotionContact(scratch);
+            contacts = all;
+        }
+        if (own.kind(0).hasPieces() || other.kind(0).hasPieces()) { // one is inside the other
+            distance.contact(view.dimension, own, 0, other, 0, out);
+            all.lean(leg.sweep, out);
+            return obstacle;
+        }
+        all.begin(view.dimension, leg.sweep, own, other, rank(obstacle));
+        at.bounds(0, at.size(), around);
+        for (int k = 0; k < 3; k++) {
+            around[k] -= all.reach();
+            around[3 + k] += all.reach();
+        }
+        for (int k = 0; k < candidates.count(); k++) {
+            int id = candidates.id(k);
+            if (view.table(id).meets(id, around)) {
+                compare(all, at, view.table(id), id, id == obstacle);
+            }
+        }
+        int chosen = all.choose(out);
+        for (int k = 0; k < tiedCount; k++) {
+            if (rank(tied[k]) == chosen) {
+                return tied[k];
+            }
+        }
+        return obstacle;
+    }
+
+    /** Adds what else of an object the mover touches. */
+    private void compare(MotionContact all, LeafColumn at, LeafTable of, int id, boolean isFirst) {
+        int rank = rank(id);
+        int first = of.first(id);
+        boolean isWhole = ownPiece < 0 && otherPiece < 0;
+        for (int j = first; j < first + of.count(id); j++) {
+            for (int i = 0; i < at.size(); i++) {
+                boolean isKnown = isFirst && isWhole && i == ownLeaf && j == otherLeaf;
+                if (!isKnown) {
+                    all.add(at, i, of.leaves(), j, rank);
+                }
+            }
+        }
+    }
+
+    /** How many of the objects with the least free share were added before one of them; -1 for others. */
+    private int rank(int id) {
+        int rank = -1;
+        int before = 0;
+        for (int k = 0; k < tiedCount; k++) {
+            rank = tied[k] == id ? 0 : rank;
+            before += objects.isEarlier(tied[k], id) ? 1 : 0;
+        }
+        return rank < 0 ? rank : before;
+    }
+}

@@ -1,0 +1,325 @@
+package robosim.geometry.narrow;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.distance.ConvexContact;
+import robosim.geometry.narrow.gjk.ClosingDirections;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
+
+/**
+ * The contact point and normal of a motion that was blocked, from the mover where it stops and the pieces that it meets there.
+ *
+ * <p>Each piece has one or more normals: the separating axes that close where the mover stops ({@link ClosingDirections}). Of
+ * all of them, that is reported which opposes the motion most. Where several pieces are met at once, normals of planes that
+ * part the mover from all of them come first: at the seam of two tiles of a wall, the normal of the wall.
+ *
+ * <p>A piece that is near, but has an axis along which the motion does not close, does not block, and counts for nothing: the
+ * floor below a mover. A normal never points along the motion: if rounding would make it, it is made square to it.
+ */
+public final class MotionContact {
+    /** Numbers of a contact: a point and a normal. */
+    private static final int CONTACT = 6;
+
+    private static final int PAIR = 2 * Leaf.STRIDE;
+
+    /** A motion whose direction has less of a normal than this goes along the plane. */
+    private static final double ALONG = 0x1p-48;
+
+    /** What rounding may make of the product of a normal and a direction square to it, and more. */
+    private static final double ROUNDING = 0x1p-50;
+
+    /** Normals that oppose a motion equally to within this tie. */
+    private static final double EQUAL = 0x1p-40;
+
+    /** How much further away than the first piece others may be, in roundings of the distance. */
+    private static final double TIE = 4;
+
+    /** Most pairs that are compared. */
+    private static final int MOST_PAIRS = 1024;
+
+    private final Scratch s;
+    private final ClosingDirections closing = new ClosingDirections();
+    private final PiecePairs near;
+    private final PiecePairs.Visitor visitor = this::visit;
+    private final double[] way = new double[3];
+    private final double[] point = new double[CONTACT];
+    private final double[] box = new double[6];
+    private final double[] other = new double[6];
+
+    private Dimension dimension = Dimension.SPATIAL;
+    private Sweep motion;
+
+    /** The rows and kinds of each pair that is near, and whether it blocks; the first is the one that was met first. */
+    private double[] rows = new double[4 * PAIR];
+
+    private LeafKind[] kinds = new LeafKind[4 * 2];
+    private boolean[] isBlocking = new boolean[4];
+    private boolean[] isDeep = new boolean[4];
+    private int pairs;
+
+    /** The contacts that may be reported, and how much each opposes the motion: -1 head on. */
+    private double[] contacts = new double[8 * CONTACT];
+
+    private double[] ahead = new double[8];
+    private int[] ranks = new int[8];
+    private int[] pairOf = new int[8];
+
+    /** Whether the plane of a contact parts the mover from all that is near, and from all that blocks. */
+    private boolean[] partsNear = new boolean[8];
+
+    private boolean[] partsBlocking = new boolean[8];
+    private int found;
+
+    /** Pairs further apart do not block. */
+    private double limit;
+
+    /** The pair that was found last; -1 if it was not kept. */
+    private int current;
+
+    // Of the last pair.
+    private double gap;
+    private double slack;
+
+    private int rank;
+
+    @SuppressWarnings("NullAway.Init") // begin sets the motion
+    public MotionContact(Scratch scratch) {
+        s = scratch;
+        near = new PiecePairs(scratch);
+    }
+
+    /**
+     * Begins with the pieces that met first: single ones, unless one is inside of the other.
+     *
+     * @param first the rank of the other piece's object
+     */
+    public void begin(Dimension inDimension, Sweep sweep, LeafColumn own, LeafColumn met, int first) {
+        dimension = inDimension;
+        motion = sweep;
+        pairs = 0;
+        found = 0;
+        rank = first;
+        limit = Double.POSITIVE_INFINITY;
+        visit(own.kind(0), own.rows(), 0, -1, met.kind(0), met.rows(), 0, -1);
+    }
+
+    /** How far away other pieces may be that are met at once. */
+    public double reach() {
+        return limit;
+    }
+
+    /**
+     * Adds the pieces of two leaves that block as well.
+     *
+     * @param of the rank of the second leaf's object: of equal contacts, the one of least rank is reported; -1 if none of its
+     *     contacts may be reported
+     */
+    public void add(LeafColumn own, int i, LeafColumn met, int j, int of) {
+        own.bounds(i, box);
+        met.bounds(j, other);
+        for (int k = 0; k < 3; k++) {
+            boolean counts = k != 1 || dimension == Dimension.SPATIAL;
+            if (counts && (box[k] - other[3 + k] > limit || other[k] - box[3 + k] > limit)) {
+                return;
+            }
+        }
+        rank = of;
+        near.within(limit).any(dimension, own, i, met, j, visitor);
+    }
+
+    private boolean visit(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
+        find(kindA, a, i, kindB, b, j);
+        if (gap > limit || (gap < -limit && rank < 0)) {
+            return false;
+        }
+        int before = found;
+        boolean blocks = true;
+        for (int k = 0; k < closing.count(); k++) {
+            point[3] = closing.x(k);
+            point[4] = closing.y(k);
+            point[5] = closing.z(k);
+            if (motion.isTurn() && (k == 0 || closing.isLevel())) {
+                place(kindA, a, i, kindB, b, j);
+            }
+            blocks &= offer();
+        }
+        if (pairs == 0) {
+            limit = Math.max(0, gap) + TIE * slack;
+            blocks = true;
+        }
+        if (found == before) { // concentric: any direction parts them
+            Arrays.fill(point, 0);
+            place(kindA, a, i, kindB, b, j);
+            offer();
+        }
+        if (rank < 0 || !blocks) {
+            found = before;
+        }
+        keep(a, i, kindA, b, j, kindB);
+        isBlocking[pairs - 1] = blocks;
+        isDeep[pairs - 1] = gap < -limit;
+        current = pairs - 1;
+        return pairs == MOST_PAIRS;
+    }
+
+    /** Finds the closing directions of a pair, its gap and how far that may be off. */
+    private void find(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+        current = -1;
+        boolean isFlat = dimension == Dimension.PLANAR;
+        UnderflowScaling m = s.scaling;
+        if (m.take(dimension, kindA, a, i, kindB, b, j)) {
+            closing.find(isFlat, kindA, m.a, 0, kindB, m.b, 0);
+            gap = m.down(closing.gap());
+            slack = m.down(closing.slack());
+        } else {
+            closing.find(isFlat, kindA, a, i, kindB, b, j);
+            gap = closing.gap();
+            slack = closing.slack();
+        }
+    }
+
+    /** Writes the contact point of the pair, which depends on the normal if they are side to side. */
+    private void place(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+        ConvexContact.along(dimension, closing.isLevel(), kindA, a, i, kindB, b, j, point, s);
+        if (closing.isLevel()) {
+            point[1] = closing.middle();
+        }
+    }
+
+    /** Adds a contact, and answers whether the motion goes against its normal. */
+    private boolean offer() {
+        if (found == ahead.length) {
+            contacts = Arrays.copyOf(contacts, 2 * contacts.length);
+            ahead = Arrays.copyOf(ahead, 2 * found);
+            ranks = Arrays.copyOf(ranks, 2 * found);
+            pairOf = Arrays.copyOf(pairOf, 2 * found);
+            partsNear = Arrays.copyOf(partsNear, 2 * found);
+            partsBlocking = Arrays.copyOf(partsBlocking, 2 * found);
+        }
+        motion.direction(point[0], point[1], point[2], way);
+        System.arraycopy(point, 0, contacts, CONTACT * found, CONTACT);
+        ranks[found] = rank;
+        pairOf[found] = pairs;
+        ahead[found] = point[3] * way[0] + point[4] * way[1] + point[5] * way[2];
+        return ahead[found++] < -ALONG;
+    }
+
+    private void keep(double[] a, int i, LeafKind kindA, double[] b, int j, LeafKind kindB) {
+        if (2 * pairs == kinds.length) {
+            kinds = Arrays.copyOf(kinds, 4 * pairs);
+            isBlocking = Arrays.copyOf(isBlocking, 2 * pairs);
+            isDeep = Arrays.copyOf(isDeep, 2 * pairs);
+            rows = Arrays.copyOf(rows, 2 * rows.length);
+        }
+        System.arraycopy(a, i, rows, pairs * PAIR, Leaf.STRIDE);
+        System.arraycopy(b, j, rows, pairs * PAIR + Leaf.STRIDE, Leaf.STRIDE);
+        kinds[2 * pairs] = kindA;
+        kinds[2 * pairs + 1] = kindB;
+        pairs++;
+    }
+
+    /** Writes the contact that is reported, six numbers; returns the rank of its object. */
+    public int choose(double[] out) {
+        Arrays.fill(partsNear, 0, found, true);
+        Arrays.fill(partsBlocking, 0, found, true);
+        for (int k = 0; k < pairs && pairs > 1; k++) {
+            part(k);
+        }
+        int best = best(partsNear, -ALONG);
+        best = best >= 0 ? best : best(partsNear, ALONG);
+        best = best >= 0 ? best : best(partsBlocking, 0);
+        best = best >= 0 ? best : best(null, 2);
+        System.arraycopy(contacts, CONTACT * best, point, 0, CONTACT);
+        if (!motion.isTurn()) { // else it was needed to know which way it goes
+            int at = PAIR * pairOf[best];
+            LeafKind kindA = kinds[2 * pairOf[best]];
+            LeafKind kindB = kinds[2 * pairOf[best] + 1];
+            if (current != pairOf[best]) {
+                find(kindA, rows, at, kindB, rows, at + Leaf.STRIDE);
+            }
+            place(kindA, rows, at, kindB, rows, at + Leaf.STRIDE);
+        }
+        System.arraycopy(point, 0, out, 0, CONTACT);
+        lean(motion, out);
+        return ranks[best];
+    }
+
+    /** Finds the normals whose planes do not part a pair; no plane parts a deep overlap. */
+    private void part(int pair) {
+        if (isDeep[pair]) {
+            return;
+        }
+        int at = pair * PAIR;
+        LeafKind kindA = kinds[2 * pair];
+        LeafKind kindB = kinds[2 * pair + 1];
+        UnderflowScaling m = s.scaling;
+        boolean flat = dimension == Dimension.PLANAR;
+        double error;
+        if (m.take(dimension, kindA, rows, at, kindB, rows, at + Leaf.STRIDE)) {
+            error = closing.load(flat, kindA, m.a, 0, kindB, m.b, 0);
+        } else {
+            error = closing.load(flat, kindA, rows, at, kindB, rows, at + Leaf.STRIDE);
+        }
+        for (int k = 0; k < found; k++) {
+            int n = CONTACT * k + 3;
+            boolean isParted = closing.gap(contacts[n], contacts[n + 1], contacts[n + 2]) >= -error;
+            partsNear[k] &= isParted;
+            partsBlocking[k] &= isParted || !isBlocking[pair];
+        }
+    }
+
+    /**
+     * The contact that opposes the motion most, of those that have at most so much of its direction; -1 if there is none.
+     *
+     * @param parts which contacts count; null if all do
+     */
+    private int best(boolean @Nullable [] parts, double most) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < found; k++) {
+            if ((parts == null || parts[k]) && ahead[k] <= most) {
+                least = Math.min(least, ahead[k]);
+            }
+        }
+        int best = -1;
+        for (int k = 0; k < found; k++) {
+            boolean counts = (parts == null || parts[k]) && ahead[k] <= Math.min(most, least + EQUAL);
+            if (counts && (best < 0 || isBefore(k, best))) {
+                best = k;
+            }
+        }
+        return best;
+    }
+
+    /** Of equal contacts that of the object of least rank comes first, and then those with greater coordinates of the normal. */
+    private boolean isBefore(int k, int than) {
+        int n = CONTACT * k + 3;
+        int m = CONTACT * than + 3;
+        int order = Integer.compare(ranks[than], ranks[k]);
+        order = order != 0 ? order : Double.compare(contacts[n], contacts[m]);
+        order = order != 0 ? order : Double.compare(contacts[n + 2], contacts[m + 2]);
+        return (order != 0 ? order : Double.compare(contacts[n + 1], contacts[m + 1])) > 0;
+    }
+
+    /** Takes off the part of a normal that points along a motion; if nothing else is left, it becomes the opposite. */
+    public void lean(Sweep sweep, double[] out) {
+        sweep.direction(out[0], out[1], out[2], way);
+        double along = out[3] * way[0] + out[4] * way[1] + out[5] * way[2];
+        double length = VectorMath.length(out[3], out[4], out[5]);
+        boolean isSquare = out[3] * way[0] == 0 && out[4] * way[1] == 0 && out[5] * way[2] == 0;
+        if ((along < -ROUNDING || isSquare) && length > 0) {
+            return;
+        }
+        for (int k = 0; k < 3; k++) {
+            out[3 + k] -= (along + ROUNDING) * way[k];
+        }
+        length = VectorMath.length(out[3], out[4], out[5]);
+        for (int k = 0; k < 3; k++) {
+            out[3 + k] = length > 0x1p-40 ? out[3 + k] / length : 0 - way[k];
+        }
+    }
+}
