@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
@@ -133,10 +134,17 @@ final class NearPairs {
         return distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
     }
 
-    /** Contact point and normal after a share of the leg, six numbers. */
+    /** Contact point and normal after a share of the leg, six numbers. Side to side, upright pieces have level normals. */
     void contact(int k, double share, double[] out) {
         load(k, share);
         distance.contact(leg.dimension(), own, 0, other, 0, out);
+        boolean isUpright = own.kind(0).isVerticalPrism() && other.kind(0).isVerticalPrism();
+        if (isUpright && leg.dimension() == Dimension.SPATIAL && Math.abs(out[4]) < 0.5) {
+            double flat = distance.between(Dimension.PLANAR, own, 0, other, 0, Double.POSITIVE_INFINITY);
+            if (flat > 0 && flat == distance.between(Dimension.SPATIAL, own, 0, other, 0, Double.POSITIVE_INFINITY)) {
+                distance.contact(Dimension.PLANAR, own, 0, other, 0, out);
+            }
+        }
     }
 
     /** The largest n.x of the other's piece, where n is at a place of an array. */

@@ -26,6 +26,14 @@ public final class Slide {
     /** What a step along planes moves away from them, as a share of the same: more than places lose when they are stored. */
     private static final double LEAN = 0x1p-48;
 
+    /** What normals are off: at first, and at most, after steps along planes that were stopped at once. */
+    private static final double OFF = 0x1p-43;
+
+    private static final double MOST_OFF = 0x1p-17;
+
+    /** A step that makes less than this share of its length was stopped at once. */
+    private static final double HARDLY = 0x1p-10;
+
     /** Displacements below this share of the whole are none. */
     private static final double NONE = 0x1p-40;
 
@@ -159,6 +167,7 @@ public final class Slide {
     /** Makes what is left, along what is in its path. */
     private void slide() {
         int bends = options.bends();
+        double off = OFF;
         stopCount = 0;
         findPlanes();
         for (int k = 0; k < PUSHES && planes.push(keep, 2 * lean, next); k++) {
@@ -172,13 +181,14 @@ public final class Slide {
                 return;
             }
             System.arraycopy(next, 0, left, 0, 3);
-            planes.lean(next, lean);
+            planes.lean(next, off, lean);
             double before = length;
             boolean free = advance(next, keep);
             double share = free ? 1 : motion.fraction();
             for (int k = 0; k < 3; k++) {
                 left[k] -= share * left[k];
             }
+            off = share < HARDLY ? Math.min(16 * off, MOST_OFF) : OFF;
             if (free || size(left) <= NONE * whole) {
                 Arrays.fill(left, 0);
                 return;

@@ -254,15 +254,20 @@ final class SlidePlanes {
         return true;
     }
 
-    /** Turns a displacement along planes away from them by what rounding takes it into them. */
-    void lean(double[] way, double least) {
+    /**
+     * Turns a displacement along planes away from them by what rounding takes it into them.
+     *
+     * @param share what the normals are off, at least
+     * @param least the least length to lean by
+     */
+    void lean(double[] way, double share, double least) {
         double length = size(way);
-        double near = 0x1p-30 * length;
+        double near = Math.max(0x1p-30, share) * length;
         double[] sum = tried;
         Arrays.fill(sum, 0);
         for (int p = 0; p < count; p++) {
             if (gapRate(p, way) <= near + spreads[p] * length && !(isLevel && normal(p, 1) != 0 && way[1] == 0)) {
-                double by = (2 * ALONG + 2 * spreads[p]) * length + least;
+                double by = (share + 2 * spreads[p]) * length + least;
                 for (int axis = 0; axis < 3; axis++) {
                     sum[axis] += by * normal(p, axis);
                 }
