@@ -288,11 +288,12 @@ public final class Geometry extends GeometryQueries {
     }
 
     /**
-     * Moves an object as far as the way is free and stops short of what blocks it: every part of the object stays at
-     * least the clearance away from every piece that the whole move would hit. A piece that the move passes without
-     * touching is not an obstacle, however near.
+     * Moves an object as far as it can go while every part of it keeps a clearance from everything, also from what it passes:
+     * for docking. An object that has the clearance at the start has it at the end, by the distance that {@link #getProximity}
+     * returns; on the path it is kept to rounding. From what is nearer at the start the object may move away, or along it, and
+     * so past what lies behind it, such as the next tile of a wall.
      *
-     * @param clearance world units; at least 0
+     * @param clearance world units; at least 0. With 0 it stops just before contact
      * @return {@code allowed} if the whole move was made; else the fractions that were made, with a contact in the gap that
      *     is left: it lies neither on the object nor on what blocks it
      */

@@ -23,7 +23,8 @@ import robosim.geometry.model.Point;
  * }</pre>
  *
  * @param made         the displacement of the centre along the world's axes, from start to end
- * @param length       the length of the way made, world units
+ * @param length       the length of the path, world units. The part that regains a lost clearance, and the rise and descent of a
+ *                     step, count too
  * @param left         the displacement along the world's axes that was still to go where the object stopped, as it was when
  *                     the last contact was met; zero if the way was made to its end, or to within 2<sup>-40</sup> of its
  *                     length. What a contact takes from the way,
