@@ -138,10 +138,12 @@ public final class ClosingDirections {
             gjk.spatial(kindA, a, i, kindB, b, j);
         }
         slack = TIE * gjk.error();
-        if (isCurved && !(gjk.coreReach() > CLOSE * (first.extent + second.extent))) {
-            refine();
-        }
         double sides = directions.count() == 0 ? Double.POSITIVE_INFINITY : directions.least();
+        boolean isSide = sides <= slack && -sides >= gjk.reach() - slack;
+        if (isCurved && !isSide && !(gjk.coreReach() > CLOSE * (first.extent + second.extent))) {
+            refine();
+            sides = directions.least();
+        }
         double length = Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz());
         if (length > 0.5) {
             double depth = search.depth(gjk.nx(), gjk.ny(), gjk.nz());
