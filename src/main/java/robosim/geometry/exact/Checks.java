@@ -50,6 +50,14 @@ public final class Checks {
         return value + 0.0;
     }
 
+    /**
+     * Returns a valid size whose half is a double: it is the size itself, except that below 2<sup>-1021</sup> it is rounded to a
+     * multiple of 2<sup>-1073</sup>.
+     */
+    public static double halved(String argument, double value) {
+        return 2 * (size(argument, value) / 2);
+    }
+
     /** Returns a valid size that is not zero. */
     public static double positive(String argument, double value) {
         if (!(value > 0 && value <= LIMIT)) {

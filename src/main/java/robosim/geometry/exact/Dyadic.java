@@ -100,6 +100,29 @@ public final class Dyadic implements Comparable<Dyadic> {
         return compareTo(other) >= 0 ? this : other;
     }
 
+    /** The square root of a number that is not negative, in so many bits: off by less than 2^(1 - bits) of itself. */
+    public Dyadic root(int bits) {
+        int left = 2 * bits - mantissa.bitLength();
+        left += exponent - left & 1; // the exponent that remains must be even
+        return signum() == 0 ? this : new Dyadic(mantissa.shiftLeft(left).sqrt(), (exponent - left) / 2);
+    }
+
+    /** This number divided by one that is not 0, in so many bits: off by less than 2^(2 - bits) of the quotient. */
+    public Dyadic over(Dyadic divisor, int bits) {
+        Dyadic n = cut(2 * bits);
+        Dyadic d = divisor.cut(bits);
+        return signum() == 0
+                ? this
+                : new Dyadic(n.mantissa.divide(d.mantissa), Math.subtractExact(n.exponent, d.exponent));
+    }
+
+    /** This number with so many bits: the lower ones cut off, or zeros appended. */
+    private Dyadic cut(int bits) {
+        int left = bits - mantissa.abs().bitLength();
+        BigInteger magnitude = mantissa.abs().shiftLeft(left);
+        return new Dyadic(signum() < 0 ? magnitude.negate() : magnitude, exponent - left);
+    }
+
     /** The smallest n with {@code |this| < 2^n}; unless this number is 0, its magnitude is at least half of that. */
     public int magnitude() {
         return exponent + mantissa.abs().bitLength();

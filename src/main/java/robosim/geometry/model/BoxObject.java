@@ -33,9 +33,9 @@ public final class BoxObject implements GeometryObject {
     BoxObject(Tag tag, Pose pose, double width, double height, double length) {
         this.tag = tag;
         this.pose = pose;
-        this.width = Checks.size("width", width);
-        this.height = Checks.size("height", height);
-        this.length = Checks.size("length", length);
+        this.width = Checks.halved("width", width);
+        this.height = Checks.halved("height", height);
+        this.length = Checks.halved("length", length);
     }
 
     /** The same shape with another tag and pose. */

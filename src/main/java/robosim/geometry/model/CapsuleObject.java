@@ -35,7 +35,7 @@ public final class CapsuleObject implements GeometryObject {
         this.tag = tag;
         this.pose = pose;
         this.radius = Checks.size("radius", radius);
-        this.segment = Checks.size("segment", segment);
+        this.segment = Checks.halved("segment", segment);
     }
 
     /** The same shape under another tag and pose. */

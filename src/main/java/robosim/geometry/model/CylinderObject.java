@@ -32,7 +32,7 @@ public final class CylinderObject implements GeometryObject {
         this.tag = tag;
         this.pose = pose;
         this.radius = Checks.size("radius", radius);
-        this.height = Checks.size("height", height);
+        this.height = Checks.halved("height", height);
     }
 
     /** The same shape with another tag and pose. */

@@ -73,7 +73,7 @@ public final class GridObject implements GeometryObject {
         }
         this.tag = tag;
         this.cell = Checks.size("cell", cell);
-        this.height = Checks.size("height", height);
+        this.height = Checks.halved("height", height);
         this.cells = cells;
         this.pose = checked(pose);
     }

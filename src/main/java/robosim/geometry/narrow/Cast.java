@@ -24,6 +24,9 @@ import robosim.geometry.narrow.ray.SpatialRay;
  * instance holds the beam and belongs to one owner of queries.
  */
 public final class Cast {
+    /** How often a normal is tilted at most, as a power of two. */
+    private static final double MOST_TILT = 0x1p20;
+
     private final Scratch s;
     private final Normals normals = new Normals();
 
@@ -341,6 +344,29 @@ public final class Cast {
      * @param piece as {@link #piece} told it
      */
     public void normal(LeafColumn column, int leaf, double distance, int piece, double[] out) {
+        faces(column, leaf, distance, piece, out);
+        if (distance > 0) {
+            face(out);
+        }
+    }
+
+    /**
+     * Turns a normal that points ahead by rounding: its product with the direction, as doubles compute it, is not above 0. Each
+     * time it is tilted by more, as the least may be less than a rounding of the normal.
+     */
+    private void face(double[] normal) {
+        double ahead = normal[0] * dx + normal[1] * dy + normal[2] * dz;
+        double square = dx * dx + dy * dy + dz * dz;
+        for (double times = 1; ahead > 0 && times < MOST_TILT; times *= 2) {
+            double share = times * ahead / square;
+            normal[0] -= share * dx;
+            normal[1] -= share * dy;
+            normal[2] -= share * dz;
+            ahead = normal[0] * dx + normal[1] * dy + normal[2] * dz;
+        }
+    }
+
+    private void faces(LeafColumn column, int leaf, double distance, int piece, double[] out) {
         takeUnit();
         double px = ox + distance * ux;
         double py = oy + distance * uy;

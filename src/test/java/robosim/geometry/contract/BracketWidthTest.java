@@ -2,11 +2,15 @@ package robosim.geometry.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.collision.Budget;
+import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.collision.Verdict;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -47,6 +51,43 @@ class BracketWidthTest {
                         0.007910639129560944)
                 .oriented(new double[] {0.8660254037844387, 0.5, 0.0, 0.0, 0.0, -1.0, -0.5, 0.8660254037844387, 0.0});
         assertNarrow(sphere, cylinder, 6 * 1.4084 + 5 * 0.00791 + 0.00198 + 1.41632 + 0.00343);
+    }
+
+    /** Cylinders, turned, from contact up to a millionth of their sizes away from each other and from capsules. */
+    @Test
+    void aRandomSample() {
+        SplittableRandom random = new SplittableRandom(36752);
+        double widest = 0;
+        int cases = Effort.cases(2_000, 500);
+        for (int k = 0; k < cases; k++) {
+            double p = StrictMath.pow(10, random.nextDouble(-3, 3));
+            double q = StrictMath.pow(10, random.nextDouble(-3, 3));
+            double r = StrictMath.pow(10, random.nextDouble(-3, 3));
+            double half = StrictMath.pow(10, random.nextDouble(-3, 3));
+            GeometryObject a = new CylinderObject(new Point(), p, q).turned(random.nextDouble(-180, 180), 0);
+            GeometryObject b = k % 2 == 0
+                    ? new CylinderObject(new Point(), r, half)
+                            .turned(random.nextDouble(-180, 180), random.nextDouble(90))
+                    : new CapsuleObject(new Point(), r, half)
+                            .turned(random.nextDouble(-180, 180), random.nextDouble(90));
+            double x = random.nextDouble(-1, 1);
+            double y = random.nextDouble(-1, 1);
+            double near = 0;
+            double far = 3 * (p + q + r + half) / Math.max(0.1, Math.abs(x) + Math.abs(y));
+            for (int step = 0; step < 58; step++) {
+                double middle = near / 2 + far / 2;
+                boolean isApart =
+                        !CollisionDetection.intersects(a, b.movedTo(new Point(middle * x, middle * y, middle / 3)));
+                near = isApart ? near : middle;
+                far = isApart ? middle : far;
+            }
+            far *= 1 + (k % 3 == 0 ? 0 : StrictMath.pow(10, -random.nextDouble(6, 15)));
+            GeometryObject there = b.movedTo(new Point(far * x, far * y, far / 3));
+            Verdict verdict = ContactQuery.distance(a, there, Budget.UNLIMITED);
+            double size = 4 * p + q + (k % 2 == 0 ? 4 : 6) * r + half + far * (Math.abs(x) + Math.abs(y) + 1.0 / 3);
+            widest = Math.max(widest, (verdict.high() - verdict.low()) / (0x1p-44 * verdict.high() + 0x1p-45 * size));
+        }
+        assertThat(widest).isBetween(0.1, 0.76);
     }
 
     private static void assertNarrow(GeometryObject a, GeometryObject b, double size) {

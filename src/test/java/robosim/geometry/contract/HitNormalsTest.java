@@ -3,6 +3,7 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
@@ -12,6 +13,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.model.SphereObject;
@@ -62,6 +64,67 @@ class HitNormalsTest {
             }
         }
         assertThat(hits).isGreaterThan(10_000);
+    }
+
+    /** Shapes without thickness, hit at any slant down to that of rounding: the product with the direction is never above 0. */
+    @Test
+    void flatShapesFaceTheRayToTheBit() {
+        int hits = 0;
+        int grazed = 0;
+        for (int k = 0; k < 30_000; k++) {
+            GeometryObject flat = switch (k % 5) {
+                case 0 -> new BoxObject(place(), 2, 0, 2);
+                case 1 -> new BoxObject(place(), 0, 1, 2);
+                case 2 -> new CylinderObject(place(), 1, 0);
+                case 3 -> new CylinderObject(place(), 0, 2);
+                default -> new MeshObject(List.of(place(), place(), place()), new int[][] {{0, 1, 2}});
+            };
+            if (k % 3 > 0) {
+                flat = flat instanceof MeshObject ? flat : turned(flat);
+            }
+            double[] r = flat.rotation();
+            Point along = new Point(r[0], r[3], r[6]);
+            if (flat instanceof MeshObject mesh) {
+                Point a = mesh.vertices().get(0);
+                Point b = mesh.vertices().get(1);
+                along = new Point(b.x() - a.x(), b.y() - a.y(), b.z() - a.z());
+            }
+            double slant =
+                    k % 7 == 0 ? 0 : StrictMath.pow(10, random.nextDouble(-18, 0)) * (random.nextBoolean() ? 1 : -1);
+            Point way = new Point(
+                    along.x() + slant * random.nextDouble(),
+                    along.y() + slant * random.nextDouble(),
+                    along.z() + slant * random.nextDouble());
+            Point to = flat instanceof MeshObject mesh ? mesh.vertices().get(2) : flat.center();
+            Point start = new Point(to.x() - 3 * way.x(), to.y() - 3 * way.y(), to.z() - 3 * way.z());
+            Dimension dimension = Dimension.values()[random.nextInt(2)];
+            if (dimension == Dimension.PLANAR && way.x() == 0 && way.z() == 0) {
+                continue;
+            }
+            Geometry geometry = new Geometry(1e3, 1e3, 1e3, dimension, Accuracy.EXACT);
+            assertThat(geometry.addObjectUnchecked(flat)).isTrue();
+            RayHit hit = geometry.castRay(new Ray(start, way), Double.POSITIVE_INFINITY);
+            if (hit != null && hit.distance() > 0) {
+                Point n = hit.normal();
+                double up = dimension == Dimension.PLANAR ? 0 : n.y() * way.y();
+                double ahead = n.x() * way.x() + up + n.z() * way.z();
+                assertThat(ahead)
+                        .as(dimension + " " + flat + " from " + start + " to " + way + ": " + hit)
+                        .isLessThanOrEqualTo(0);
+                assertThat(Math.sqrt(n.x() * n.x() + n.y() * n.y() + n.z() * n.z()))
+                        .isCloseTo(1, within(1e-14));
+                hits++;
+                grazed += ahead > -1e-12 ? 1 : 0;
+            }
+        }
+        assertThat(hits).isGreaterThan(10_000);
+        assertThat(grazed).isGreaterThan(1_000);
+    }
+
+    private GeometryObject turned(GeometryObject flat) {
+        double ry = random.nextInt(2) == 0 ? 30 * random.nextInt(12) : random.nextDouble(-180, 180);
+        double rx = random.nextInt(3) == 0 ? 0 : random.nextDouble(-180, 180);
+        return flat instanceof BoxObject box ? box.turned(rx, ry) : ((CylinderObject) flat).turned(rx, ry);
     }
 
     private Point place() {

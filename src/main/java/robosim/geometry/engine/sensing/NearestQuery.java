@@ -5,6 +5,7 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.NearestSearch;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
@@ -21,6 +22,7 @@ public final class NearestQuery {
     private final LeafColumn own = new LeafColumn(1);
     private final double[] box = new double[6];
     private Dimension dimension = Dimension.SPATIAL;
+    private boolean isCoarse;
     private double limit;
     private int most;
     private int count;
@@ -55,6 +57,7 @@ public final class NearestQuery {
 
     private int search(AccuracyView view, int wanted, double range, int ignored) {
         dimension = view.dimension;
+        isCoarse = view.accuracy != Accuracy.EXACT;
         most = wanted;
         limit = range;
         count = 0;
@@ -77,10 +80,13 @@ public final class NearestQuery {
     private double meet(LeafTable table, int id, double reach) {
         int first = table.first(id);
         double least = Double.POSITIVE_INFINITY;
+        double sizes = isCoarse ? Distance.sides(box) + ProximityQuery.sides(table, id) : 0;
         for (int i = 0; i < own.size(); i++) {
             for (int j = first; j < first + table.count(id); j++) {
-                double found = distance.between(dimension, own, i, table.leaves(), j, Math.min(reach(), least));
-                least = Math.min(least, found);
+                double most = Math.min(reach(), least);
+                double far = isCoarse ? Distance.reach(most, sizes) : most;
+                double found = distance.between(dimension, own, i, table.leaves(), j, far);
+                least = Math.min(least, isCoarse ? Distance.ofEnclosures(found, sizes) : found);
             }
         }
         if (least <= limit && least < Double.POSITIVE_INFINITY) {

@@ -4,6 +4,7 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.NearestSearch;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
@@ -24,6 +25,7 @@ public final class ProximityQuery {
     private final double[] box = new double[6];
 
     private Dimension dimension = Dimension.SPATIAL;
+    private boolean isCoarse;
     private double best;
 
     public ProximityQuery(ObjectTable objects, Scratch scratch) {
@@ -38,27 +40,31 @@ public final class ProximityQuery {
         own.clear();
         own.appendWhole(home.leaves(), home.first(id), home.count(id));
         dimension = view.dimension;
+        isCoarse = view.accuracy != Accuracy.EXACT;
         best = Double.POSITIVE_INFINITY;
         search.search(view, box, limit, id);
         return best <= limit ? best : Double.POSITIVE_INFINITY;
     }
 
     private double meet(LeafTable table, int other, double reach) {
-        if (boxGap(table, other) > Distance.reach(reach, Distance.sides(box) + sides(table, other))) {
+        double sizes = Distance.sides(box) + sides(table, other);
+        double far = Distance.reach(reach, sizes);
+        if (boxGap(table, other) > far) {
             return reach;
         }
         int first = table.first(other);
         int last = first + table.count(other);
         for (int i = 0; i < own.size(); i++) {
             for (int j = first; j < last; j++) {
-                double found = distance.between(dimension, own, i, table.leaves(), j, Math.min(reach, best));
-                best = Math.min(best, found);
+                double limit = isCoarse ? Math.min(far, Distance.reach(best, sizes)) : Math.min(reach, best);
+                double found = distance.between(dimension, own, i, table.leaves(), j, limit);
+                best = Math.min(best, isCoarse ? Distance.ofEnclosures(found, sizes) : found);
             }
         }
         return Math.min(reach, best);
     }
 
-    private static double sides(LeafTable table, int other) {
+    static double sides(LeafTable table, int other) {
         double[] b = table.bounds();
         int k = table.boundsAt(other);
         return (b[k + 3] - b[k]) + (b[k + 4] - b[k + 1]) + (b[k + 5] - b[k + 2]);

@@ -72,8 +72,17 @@ final class ConeCorners {
     /** The largest coordinate or size. */
     double extent;
 
+    /** The leaf, for exact numbers. */
+    private LeafKind leaf = LeafKind.BOX;
+
+    private double[] rows = new double[0];
+    private int at;
+
     void set(Cone cone, LeafKind kind, double[] row, int j) {
         hasAbsent = false;
+        leaf = kind;
+        rows = row;
+        at = j;
         switch (kind) {
             case TRIANGLE -> triangle(cone, row, j);
             case PRISM -> prism(cone, row, j);
@@ -117,6 +126,11 @@ final class ConeCorners {
         return !hasAbsent || !isAbsent[corner / 4];
     }
 
+    /** Whether they are of an enclosure, not of an object itself. */
+    boolean isEnclosure() {
+        return leaf.isEnclosure();
+    }
+
     /** A side of a prism is present if its edge is; the top and the bottom always are. */
     boolean isFaceThere(int[] face) {
         return face.length > 8 || isThere(face[0]);
@@ -125,6 +139,9 @@ final class ConeCorners {
     /** Prepares a box, of which only some corners will be asked for. */
     void setBox(Cone cone, double[] row, int j) {
         hasAbsent = false;
+        leaf = LeafKind.BOX;
+        rows = row;
+        at = j;
         extent = boxExtent(row, j);
         done = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -291,8 +308,12 @@ final class ConeCorners {
         }
     }
 
-    /** A corner in exact arithmetic, in the ray's scale and not relative to its start. */
-    static ExactVector exact(ExactRay ray, LeafKind kind, double[] row, int j, int corner) {
+    /** A corner in exact arithmetic, in the ray's scale and relative to its start. */
+    ExactVector exact(ExactRay ray, int corner) {
+        return exact(ray, leaf, rows, at, corner).minus(ray.start);
+    }
+
+    private static ExactVector exact(ExactRay ray, LeafKind kind, double[] row, int j, int corner) {
         return switch (kind) {
             case UPRIGHT_BOX, BOX -> exactBox(ray, row, j, corner);
             case TRIANGLE -> ray.point(row, j + 3 * corner);

@@ -3,13 +3,10 @@ package robosim.geometry.narrow.cone;
 import static robosim.geometry.exact.VectorMath.U;
 
 import robosim.geometry.exact.DoubleDoubles;
-import robosim.geometry.exact.Dyadic;
-import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.ray.ExactRay;
 
 /**
  * The distance from a cone's apex to the part of a polytope inside the cone. The nearest point is the nearest point in
@@ -30,6 +27,25 @@ final class ConePolytope {
      * bound spoils.
      */
     private static final double FILTER = Filter.bound(48 * U);
+
+    /**
+     * The share of {@code b^2} down to which {@code b^2 - a c} is taken from pairs of doubles: its root is then off by
+     * 2^-60 of b. It is less if the edge's line passes the apex almost, or the cone.
+     */
+    private static final double CANCELLED = Filter.bound(0x1p-80);
+
+    /**
+     * So many times as far away as the roundoff of its depth, a point's direction is known to 2^-20, and pairs of doubles
+     * find what of an edge that grazes the cone is in it.
+     */
+    private static final double NEAR = 0x1p20;
+
+    /**
+     * If the depth f at the foot, at a distance h, is in doubt by an error, and D at a distance L along the edge is certain,
+     * the cone begins within L error / D of the foot, as depth is concave. That is farther away by its square over 2 h: by
+     * less than an ulp of h where it is less than h / 2^26.
+     */
+    private static final double SQUARE_NEAR = 0x1p26;
 
     /** More than a length loses to underflow. */
     private static final double UNDERFLOW = 0x1p-530;
@@ -56,13 +72,13 @@ final class ConePolytope {
      */
     double distance(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
-        double best = edges(cone, ConeCorners.edges(kind), axis, kind, row, j);
+        double best = edges(cone, ConeCorners.edges(kind), axis);
         if (best == Double.POSITIVE_INFINITY) {
             return best;
         }
         for (int[] face : ConeCorners.faces(kind)) {
             if (corners.isFaceThere(face)) {
-                best = Math.min(best, faces.distance(cone, face, extent));
+                best = Math.min(best, faces.distance(cone, face, extent, best));
             }
         }
         return best;
@@ -80,7 +96,7 @@ final class ConePolytope {
             for (int side = 0; side < 2; side++) {
                 if (plain.isNear(i, side)) {
                     near++;
-                    best = Math.min(best, nearEdges(cone, plain, i, side, kind, row, j));
+                    best = Math.min(best, nearEdges(cone, plain, i, side));
                 }
             }
         }
@@ -90,7 +106,7 @@ final class ConePolytope {
         for (int i = 0; i < 3; i++) {
             for (int side = 0; side < 2; side++) {
                 if (plain.isNear(i, side) && plain.isFootNear(i, side)) {
-                    best = Math.min(best, faces.near(cone, ConeCorners.boxFace(i, side), near == 1, extent));
+                    best = Math.min(best, faces.near(cone, ConeCorners.boxFace(i, side), near == 1, extent, best));
                 }
             }
         }
@@ -98,7 +114,7 @@ final class ConePolytope {
     }
 
     /** The edges of a face and of faces across later axes. */
-    private double nearEdges(Cone cone, PlainConeBox plain, int i, int side, LeafKind kind, double[] row, int j) {
+    private double nearEdges(Cone cone, PlainConeBox plain, int i, int side) {
         double best = Double.POSITIVE_INFINITY;
         for (int other = i + 1; other < 3; other++) {
             for (int otherSide = 0; otherSide < 2; otherSide++) {
@@ -107,7 +123,7 @@ final class ConePolytope {
                     int to = from | 1 << (3 - i - other);
                     corners.take(from);
                     corners.take(to);
-                    best = Math.min(best, edge(cone, from, to, kind, row, j));
+                    best = Math.min(best, edge(cone, from, to));
                 }
             }
         }
@@ -117,7 +133,7 @@ final class ConePolytope {
     /** The same for a leaf that is flat in a plane through the apex and the axis: all faces are edge on and ignored. */
     double flat(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
-        return edges(cone, ConeCorners.flatEdges(kind), axis, kind, row, j);
+        return edges(cone, ConeCorners.flatEdges(kind), axis);
     }
 
     /** The same for one edge of a box. */
@@ -126,21 +142,21 @@ final class ConePolytope {
         corners.take(from);
         corners.take(to);
         extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
-        return edge(cone, from, to, kind, row, j);
+        return edge(cone, from, to);
     }
 
-    private double edges(Cone cone, int[] edges, double axis, LeafKind kind, double[] row, int j) {
+    private double edges(Cone cone, int[] edges, double axis) {
         extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
         double best = axis;
         for (int i = 0; i < edges.length; i += 2) {
             if (corners.isThere(edges[i])) {
-                best = Math.min(best, edge(cone, edges[i], edges[i + 1], kind, row, j));
+                best = Math.min(best, edge(cone, edges[i], edges[i + 1]));
             }
         }
         return best;
     }
 
-    private double edge(Cone cone, int from, int to, LeafKind kind, double[] row, int j) {
+    private double edge(Cone cone, int from, int to) {
         double[] v = corners.hi;
         double px = v[3 * from];
         double py = v[3 * from + 1];
@@ -158,20 +174,31 @@ final class ConePolytope {
         if (depth < -error) {
             return Double.POSITIVE_INFINITY;
         }
-        if (!(depth > error) && !isExactlyMet(cone, from, to, kind, row, j)) {
-            return Double.POSITIVE_INFINITY;
+        if (!(depth > error)) {
+            if (!(distance(px, py, pz, ex, ey, ez, deepest) > NEAR * error)) {
+                return exactly(cone, from, to);
+            }
+            if (!isExactlyMet(cone, from, to)) {
+                return Double.POSITIVE_INFINITY;
+            }
         }
         double nearest = Math.max(0, Math.min(1, foot));
         double there = depth(cone, px, py, pz, ex, ey, ez, nearest);
-        boolean isCorner = nearest == 0 || nearest == 1;
-        // Along the edge, the slope of the distance is 0 at the foot, but not at a corner.
-        boolean isIn = (isCorner && Math.abs(there) <= error)
-                ? isExactlyHeld(cone, nearest == 0 ? from : to, kind, row, j)
-                : there >= 0;
-        if (isIn) {
-            return VectorMath.length(px + nearest * ex, py + nearest * ey, pz + nearest * ez);
+        boolean isIn = there >= 0;
+        if (Math.abs(there) <= error) {
+            if (nearest == 0 || nearest == 1) {
+                // Along the edge, the slope of the distance is 0 at the foot, but not at a corner.
+                isIn = isExactlyHeld(cone, nearest == 0 ? from : to);
+            } else if (!(distance(px, py, pz, ex, ey, ez, nearest) * depth
+                    > SQUARE_NEAR * error * (Math.abs(deepest - nearest) * Math.sqrt(ee)))) {
+                return exactly(cone, from, to);
+            }
         }
-        return entry(cone, from, to, nearest, deepest);
+        return isIn ? distance(px, py, pz, ex, ey, ez, nearest) : entry(cone, from, to, nearest, deepest);
+    }
+
+    private static double distance(double px, double py, double pz, double ex, double ey, double ez, double share) {
+        return VectorMath.length(px + share * ex, py + share * ey, pz + share * ez);
     }
 
     /**
@@ -202,19 +229,20 @@ final class ConePolytope {
         return cone.depth(px + share * ex, py + share * ey, pz + share * ez);
     }
 
-    private boolean isExactlyMet(Cone cone, int from, int to, LeafKind kind, double[] row, int j) {
+    private boolean isExactlyMet(Cone cone, int from, int to) {
         EXACT.count();
-        ExactRay ray = new ExactRay(cone.ox, cone.oy, cone.oz, cone.dx, cone.dy, cone.dz, extent);
-        ExactVector p = ConeCorners.exact(ray, kind, row, j, from).minus(ray.start);
-        ExactVector q = ConeCorners.exact(ray, kind, row, j, to).minus(ray.start);
-        return Cone.meets(p, q, ray.direction, Dyadic.of(cone.cos).square());
+        return new ExactCone(cone, extent).meets(corners, from, to);
     }
 
-    private boolean isExactlyHeld(Cone cone, int corner, LeafKind kind, double[] row, int j) {
+    private boolean isExactlyHeld(Cone cone, int corner) {
         EXACT.count();
-        ExactRay ray = new ExactRay(cone.ox, cone.oy, cone.oz, cone.dx, cone.dy, cone.dz, extent);
-        ExactVector p = ConeCorners.exact(ray, kind, row, j, corner).minus(ray.start);
-        return Cone.holds(p, ray.direction, Dyadic.of(cone.cos).square());
+        return new ExactCone(cone, extent).holds(corners, corner);
+    }
+
+    /** The distance where doubles leave open what of an edge is in the cone, as they do if it all but meets the apex. */
+    private double exactly(Cone cone, int from, int to) {
+        EXACT.count();
+        return new ExactCone(cone, extent).edge(corners, from, to);
     }
 
     /**
@@ -239,6 +267,9 @@ final class ConePolytope {
         p.multiply(D, B, B);
         p.multiply(SHARE, A, C);
         p.subtract(D, D, SHARE);
+        if (!(p.get(D) > CANCELLED * (p.get(B) * p.get(B)))) {
+            return exactly(cone, from, to);
+        }
         p.root(D, D);
         if (p.get(B) <= 0) {
             p.subtract(D, D, B);

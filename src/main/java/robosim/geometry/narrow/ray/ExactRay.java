@@ -35,6 +35,11 @@ public final class ExactRay {
         return Dyadic.of(value).scale(power);
     }
 
+    /** The nearest double to a length in world units, given in this ray's scale. */
+    public double unscaled(Dyadic length) {
+        return length.scale(-power).doubleValue();
+    }
+
     /** A point in this ray's scale: the three numbers from {@code at} on. */
     public ExactVector point(double[] row, int at) {
         return ExactVector.of(row, at, 1).scale(power);

@@ -87,8 +87,12 @@ public final class RayRectangle {
             double far = DiscRectangle.gap(ox, oz, cx, cz, nx, nz, VectorMath.pick(later, hx, hz))
                     / way
                     * Math.sqrt(ux * ux + uz * uz);
-            // Nearer than the centre, so the farthest corner need not be computed.
-            return Math.abs(later) > SURE * pastDoubt && far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz
+            // Nearer than the centre, so the farthest corner need not be computed. Not above 0 where the start is
+            // within
+            // the filter's doubt of the side, on it or beyond it.
+            return far > 0
+                            && Math.abs(later) > SURE * pastDoubt
+                            && far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz
                     ? far
                     : entry(ox, oz, ux, uz, cx, cz, hx, hz, cos, sin);
         }

@@ -123,12 +123,9 @@ final class TranslationAdvancement {
             GjkScratch s) {
         contact = true;
         Penetration ways = s.penetration();
-        if (planar) {
-            ways.planar(kindA, a, i, kindB, b, j);
-        } else {
-            ways.spatial(kindA, a, i, kindB, b, j);
-        }
-        return isAgainst(ways, planar, kindA, a, i, dx, vy, dz, kindB, b, j) ? 0 : Double.POSITIVE_INFINITY;
+        double depth = planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
+        boolean isTouch = depth <= WORTH * error;
+        return isAgainst(ways, isTouch, planar, kindA, a, i, dx, vy, dz, kindB, b, j) ? 0 : Double.POSITIVE_INFINITY;
     }
 
     /** The time until which a direction from the other to the mover proves the two apart; 0 where it proves nothing at t. */
@@ -291,10 +288,14 @@ final class TranslationAdvancement {
 
     /**
      * Whether a move is against all least ways out. What is across one, to rounding, is along it; but where it may be just
-     * against all and the two only touch, and neither is an enclosure, the planes between them decide, without rounding.
+     * against all and the two only touch, and neither is an enclosure, the planes between them decide, without rounding. They
+     * also decide where the two only touch, as they do in a corner, from which there are more least ways out than were found.
+     *
+     * @param isTouch whether they overlap by no more than may be rounding
      */
     private static boolean isAgainst(
             Penetration ways,
+            boolean isTouch,
             boolean planar,
             LeafKind kindA,
             double[] a,
@@ -314,11 +315,13 @@ final class TranslationAdvancement {
             }
             isAlong |= !(out < -slack);
         }
-        if (!isAlong || kindA.isEnclosure() || kindB.isEnclosure()) {
+        if (!(isAlong || isTouch) || kindA.isEnclosure() || kindB.isEnclosure()) {
             return true;
         }
         List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);
         ExactVector way = ExactVector.of(dx, dy, dz);
-        return !parting.isEmpty() && parting.stream().allMatch(n -> n.dot(way).signum() < 0);
+        return parting.isEmpty()
+                ? !isAlong
+                : parting.stream().allMatch(n -> n.dot(way).signum() < 0);
     }
 }

@@ -52,6 +52,24 @@ class PlanarSweepTest {
         assertThat(blocked).isGreaterThan(10);
     }
 
+    /** Of the many directions of least depth at a corner, the one along the disc is free. */
+    @Test
+    void aCornerLeavesTheEndOfADiscSeenEdgeOn() {
+        double[] triangle = {-1, 1, 0, -2, 0.75, -1.25, 0.25, -0.5, 1.5, 0, 0, 0, 0, 0, 0, 0};
+        double[] disc = {-2.75, -2, -1.25, 0.75, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0
+        }; // from x = -3.5 to -2, at z = -1.25
+        for (double[] free : new double[][] {{-1.25, 0.5}, {-1, 0}, {1, 0}, {0, 1}, {1, -1}, {4, -4.5}}) {
+            double time = PlanarSweep.translation(
+                    LeafKind.TRIANGLE, triangle, 0, free[0], 0, free[1], LeafKind.CYLINDER, disc, 0, scratch);
+            assertThat(time).as(Arrays.toString(free)).isInfinite();
+        }
+        for (double[] into : new double[][] {{-1, -0.1}, {-2, -1}}) {
+            double time = PlanarSweep.translation(
+                    LeafKind.TRIANGLE, triangle, 0, into[0], 0, into[1], LeafKind.CYLINDER, disc, 0, scratch);
+            assertThat(time).as(Arrays.toString(into)).isZero();
+        }
+    }
+
     private void assertMix(int count) {
         assertThat(hits + misses + contacts).isEqualTo(count);
         assertThat(hits).isGreaterThan(count / 10);
