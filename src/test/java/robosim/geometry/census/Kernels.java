@@ -26,6 +26,10 @@ final class Kernels {
         spatial(all);
         all.add(new StandingMoves(Dimension.PLANAR));
         all.add(new StandingMoves(Dimension.SPATIAL));
+        for (Dimension dimension : Dimension.values()) {
+            all.add(new NearStart(dimension, true));
+            all.add(new NearStart(dimension, false));
+        }
         return all;
     }
 

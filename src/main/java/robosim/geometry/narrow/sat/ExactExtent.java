@@ -47,6 +47,11 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
         return kind.isTurned() ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
     }
 
+    /** The extent after a displacement by so much along the direction. */
+    public ExactExtent movedBy(Dyadic by) {
+        return new ExactExtent(low.add(by), high.add(by), root, under);
+    }
+
     /** Sign of the gap from the end of this to the start of another: at least 0 where the other lies wholly beyond. */
     public int gapTo(ExactExtent beyond) {
         Dyadic gap = beyond.low.subtract(high);

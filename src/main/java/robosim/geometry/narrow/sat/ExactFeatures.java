@@ -51,6 +51,16 @@ public final class ExactFeatures {
         return isProper;
     }
 
+    /** The directions of straight edges; none in the plane. */
+    public List<ExactVector> edges() {
+        return edges;
+    }
+
+    /** The normals of flat sides; in the plane also the directions of edges. */
+    public List<ExactVector> faces() {
+        return faces;
+    }
+
     private ExactVector level(ExactVector v) {
         return flat ? new ExactVector(v.x(), Dyadic.ZERO, v.z()) : v;
     }

@@ -74,7 +74,9 @@ public final class SpatialSweep {
             return Double.POSITIVE_INFINITY;
         }
         TranslationAdvancement held = s.sweep().move;
-        double time = held.time(false, LeafKind.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
+        double time = exact
+                ? held.roughly(false, LeafKind.SPHERE, a, i, dx, dy, dz, kindB, b, j, s)
+                : held.time(false, LeafKind.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
         if (held.contact) {
             return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
         }

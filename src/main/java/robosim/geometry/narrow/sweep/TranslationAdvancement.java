@@ -2,14 +2,15 @@ package robosim.geometry.narrow.sweep;
 
 import java.util.List;
 import robosim.geometry.exact.ExactVector;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
-import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
@@ -57,6 +58,12 @@ final class TranslationAdvancement {
     private final double[] pose = new double[Leaf.STRIDE];
     private double error;
 
+    private final StartGap startGap = new StartGap();
+    private final double[] towards = new double[3];
+
+    /** Whether the two start nearer to each other than a sweep can resolve, and no sign says otherwise. */
+    private boolean isNear;
+
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
     double time(
             boolean planar,
@@ -69,10 +76,79 @@ final class TranslationAdvancement {
             LeafKind kindB,
             double[] b,
             int j,
-            GjkScratch s) {
+            SweepScratch s) {
+        double time = roughly(planar, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+        return time > 1 ? time : fromNear(planar, kindA, a, i, dx, dy, dz, kindB, b, j, s, time);
+    }
+
+    /**
+     * The time of a motion that {@link #roughly} could not prove free: infinite where it starts nearer than can be resolved
+     * and is proven free without rounding. Where not even the verdict is exact, such a start counts as a contact.
+     */
+    double fromNear(
+            boolean planar,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            SweepScratch s,
+            double time) {
+        if (!isNear || (contact && isTouching(planar, kindA, a, i, kindB, b, j, s))) {
+            return time;
+        }
+        if (!kindA.isEnclosure() && !kindB.isEnclosure()) {
+            startGap.between(planar, kindA, a, i, kindB, b, j);
+            if (startGap.isFree(dx, planar ? 0 : dy, dz, towards)) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        return time == 0 && !contact && !isExact(planar, kindA, kindB)
+                ? fromContact(planar, kindA, a, i, dx, planar ? 0 : dy, dz, kindB, b, j, s)
+                : time;
+    }
+
+    /** Whether the two certainly touch. */
+    private static boolean isTouching(
+            boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, SweepScratch s) {
+        return isExact(planar, kindA, kindB)
+                && ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s);
+    }
+
+    /** Whether it is decided without rounding if two leaves touch. */
+    private static boolean isExact(boolean planar, LeafKind kindA, LeafKind kindB) {
+        if (kindA.isEnclosure() || kindB.isEnclosure()) {
+            return false;
+        }
+        if (planar) {
+            return kindA.fromAbove() != LeafKind.FromAbove.OVAL && kindB.fromAbove() != LeafKind.FromAbove.OVAL;
+        }
+        boolean isLongA = kindA.isCylinder() || kindA.isCapsule();
+        boolean isLongB = kindB.isCylinder() || kindB.isCapsule();
+        return !(isLongA && isLongB) || (kindA.isCapsule() && kindB.isCapsule());
+    }
+
+    /** The same, but for what {@link #fromNear} decides. */
+    double roughly(
+            boolean planar,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            SweepScratch s) {
         Gjk gjk = s.gjk;
         double vy = planar ? 0 : dy;
         contact = false;
+        isNear = false;
         if (dx == 0 && vy == 0 && dz == 0) {
             return Double.POSITIVE_INFINITY;
         }
@@ -89,6 +165,9 @@ final class TranslationAdvancement {
             } else {
                 gjk.spatial(kindA, pose, 0, kindB, b, j);
             }
+            if (step == 0) {
+                begin(gjk, Math.abs(dx) + Math.abs(vy) + Math.abs(dz));
+            }
             double next = 0;
             if (gjk.lower() > 0) {
                 next = until(gjk.nx(), gjk.ny(), gjk.nz(), dx, vy, dz, t);
@@ -102,6 +181,17 @@ final class TranslationAdvancement {
             t = next;
         }
         return t;
+    }
+
+    private void begin(Gjk gjk, double span) {
+        isNear = !gjk.isDeep() && gjk.lower() <= EARLY * (mover.extent + rest.extent + span);
+        if (isNear) {
+            double length = Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz());
+            isNear = length > 0.5;
+            towards[0] = gjk.nx();
+            towards[1] = gjk.ny();
+            towards[2] = gjk.nz();
+        }
     }
 
     /** Whether there is more of a gap than rounding leaves, or a depth where none can be yet. */
@@ -120,7 +210,7 @@ final class TranslationAdvancement {
             LeafKind kindB,
             double[] b,
             int j,
-            GjkScratch s) {
+            SweepScratch s) {
         contact = true;
         Penetration ways = s.penetration();
         double depth = planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);

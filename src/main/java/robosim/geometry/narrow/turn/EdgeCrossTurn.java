@@ -114,6 +114,41 @@ final class EdgeCrossTurn {
         return radius == 0 ? pairsUntil(limit, 0, 0, t) : rimsUntil(t);
     }
 
+    /**
+     * From angle 0, where the two are apart by hardly more than rounding: the angle until which they come no nearer along the
+     * direction; 0 where they do at once.
+     */
+    double notNearer() {
+        double end = 0;
+        for (int bound = 0; bound < (radius == 0 ? 1 : RimReach.BOUNDS); bound++) {
+            reach.bound(bound, 0);
+            double constant = radius == 0 ? 0 : radius * reach.constant;
+            double cosine = radius == 0 ? 0 : radius * reach.cosine;
+            double sine = radius == 0 ? 0 : radius * reach.sine;
+            double gap = first.least(1, 0) + second.least(1, 0) - constant - cosine;
+            if (gap > -limit) {
+                end = Math.max(end, notNearer(gap + constant, cosine, sine));
+            }
+        }
+        return end;
+    }
+
+    private double notNearer(double place, double cosine, double sine) {
+        double end = Double.POSITIVE_INFINITY;
+        for (int m = 0; m < first.count; m++) {
+            for (int n = 0; n < second.count; n++) {
+                double p = first.a[m] + second.a[n] - cosine;
+                double q = first.b[m] + second.b[n] - sine;
+                double c = place - first.k[m] - second.k[n];
+                double free = p - c <= 2 * limit
+                        ? TurningPolygon.rising(p, q, limit)
+                        : TurningPolygon.beyond(p, q, c + limit, 0);
+                end = Math.min(end, free);
+            }
+        }
+        return end;
+    }
+
     private double rimsUntil(double from) {
         double t = from;
         for (int step = 0; step < MOST_STEPS && t - from < 2 * Math.PI; step++) {

@@ -37,9 +37,13 @@ public final class PlanarTurnSweep {
             return Double.POSITIVE_INFINITY;
         }
         if (wx == 0 && wz == 0 && VerticalTurn.isCovered(kindA) && VerticalTurn.isCovered(kindB)) {
-            return s.turns()
-                    .vertical
-                    .free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
+            VerticalTurn vertical = s.turns().vertical;
+            double free = vertical.free(
+                    kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
+            if (free > 0 || !vertical.isApart) {
+                return free;
+            }
+            return s.turns().advancement.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
         }
         return s.turns().advancement.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }

@@ -1,7 +1,9 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Radians;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.gjk.Penetration;
@@ -9,6 +11,8 @@ import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.narrow.overlap.ConvexOverlap;
+import robosim.geometry.narrow.sweep.StartGap;
 
 /**
  * A leaf of any kind turned about any axis, against one at rest: conservative advancement with fixed separating axes.
@@ -38,6 +42,11 @@ final class TurnAdvancement {
 
     private static final double STALLED = 0x1p-16;
 
+    /** A gap up to these shares of the mover's and the other's extent may be left by a turn, and is too small to begin one. */
+    private static final double NEAR = 0x1p-30;
+
+    private static final double NEAR_COORDINATES = 0x1p-42;
+
     /** An edge this close to a direction is not considered perpendicular to it. */
     private static final double SQUARE = 0.5;
 
@@ -53,6 +62,15 @@ final class TurnAdvancement {
     private final FeatureDirections ofRest = new FeatureDirections();
     private final FeatureDirections ofMover = new FeatureDirections();
     private final EdgeCrossTurn across = new EdgeCrossTurn();
+    private final StartGap startGap = new StartGap();
+    private final StartGap.Motion keepsOff = this::notes;
+    private final double[] towards = new double[3];
+    private final double[] axis = new double[3];
+    private double rising;
+
+    /** Whether to go on by the smallest steps while the gap grows. */
+    private boolean isPatient;
+
     private boolean haveFacets;
     private int steps;
 
@@ -77,7 +95,7 @@ final class TurnAdvancement {
             LeafKind kindB,
             double[] b,
             int j,
-            GjkScratch s) {
+            TurnScratch s) {
         Gjk gjk = s.gjk;
         Penetration ways = s.penetration();
         double way = degrees < 0 ? -1 : 1;
@@ -95,14 +113,52 @@ final class TurnAdvancement {
         double depth = 0;
         haveFacets = false;
         ask(gjk, kindA, a, i, kindB, b, j);
-        if (!(gjk.lower() > 0)) {
+        boolean isContact = !(gjk.lower() > 0);
+        boolean isNear = isNear(gjk);
+        if (isContact) {
             depth = Math.max(0, depth(ways, kindA, a, i, kindB, b, j));
             t = fromContact(ways);
-            if (t == 0) {
-                return 0;
+        }
+        if (!isContact || t > 0) {
+            t = advance(kindA, a, i, px, py, pz, kindB, b, j, t, wanted, depth, s);
+        }
+        if (t < wanted && isNear && !(isContact && isTouching(kindA, a, i, kindB, b, j, s))) {
+            double rising = fromNear(kindA, a, i, kindB, b, j);
+            if (rising >= wanted) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (t < STALLED) {
+                isPatient = true;
+                t = Math.max(t, advance(kindA, a, i, px, py, pz, kindB, b, j, Math.max(t, rising), wanted, 0, s));
+                isPatient = false;
             }
         }
+        if (t >= wanted) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+    }
+
+    /** Goes on from an angle that is free up to there, with a depth allowed for; infinite where all that is wanted is free. */
+    private double advance(
+            LeafKind kindA,
+            double[] a,
+            int i,
+            double px,
+            double py,
+            double pz,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            double from,
+            double wanted,
+            double depth,
+            GjkScratch s) {
+        Gjk gjk = s.gjk;
+        Penetration ways = s.penetration();
         LeafKind kind = MovedLeaf.turnedKind(kindA);
+        double t = from;
+        double widest = 0;
         for (steps = 0; steps < MOST_STEPS; steps++) {
             if (t >= wanted || t >= FULL) {
                 return Double.POSITIVE_INFINITY;
@@ -125,12 +181,97 @@ final class TurnAdvancement {
                     next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
                 }
             }
-            if (!(next > t) || (gap + depth < CLOSE * mover.extent && next - t < STALLED)) {
+            boolean isOpening = isPatient && gap > widest;
+            widest = gap;
+            if (!(next > t) || (gap + depth < CLOSE * mover.extent && next - t < STALLED && !isOpening)) {
                 break;
             }
             t = next;
         }
-        return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+        return t;
+    }
+
+    /** Whether the two start nearer to each other than a turn can resolve, or in contact, and notes the direction. */
+    private boolean isNear(Gjk gjk) {
+        towards[0] = gjk.nx();
+        towards[1] = gjk.ny();
+        towards[2] = gjk.nz();
+        boolean isDirection = towards[0] != 0 || towards[1] != 0 || towards[2] != 0;
+        return isDirection && !gjk.isDeep() && gjk.lower() < NEAR * mover.extent + NEAR_COORDINATES * rest.extent;
+    }
+
+    /** Whether the two certainly touch at the start. */
+    private boolean isTouching(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, TurnScratch s) {
+        return kindA.isEnclosure()
+                || kindB.isEnclosure()
+                || (ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s)
+                        && !s.uncertain);
+    }
+
+    /**
+     * A start from a gap too small to resolve, taken as a contact: the angle until which some plane, which certainly separates
+     * the two at the start, is not approached.
+     */
+    private double fromNear(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+        rising = alongEdges(kindA, a, i, kindB, b, j);
+        startGap.between(planar, kindA, a, i, kindB, b, j);
+        axis[0] = wx;
+        axis[1] = wy;
+        axis[2] = wz;
+        startGap.isSettled(towards, axis, keepsOff);
+        return rising;
+    }
+
+    /** The same for the directions across an edge of each, which turn; in the plane the vertical is an edge of the other. */
+    private double alongEdges(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+        ofMover.spatial(kindA, a, i);
+        ofRest.spatial(kindB, b, j);
+        haveFacets = !planar;
+        double best = 0;
+        for (int k = 0; k < (planar ? 1 : ofRest.edges); k++) {
+            double ex = planar ? 0 : ofRest.edgeX[k];
+            double ey = planar ? 1 : ofRest.edgeY[k];
+            double ez = planar ? 0 : ofRest.edgeZ[k];
+            for (int m = 0; m < ofMover.edges; m++) {
+                for (int way = -1; way <= 1; way += 2) {
+                    across.aim(
+                            rest,
+                            ex,
+                            ey,
+                            ez,
+                            mover,
+                            ofMover.edgeX[m],
+                            ofMover.edgeY[m],
+                            ofMover.edgeZ[m],
+                            wx,
+                            wy,
+                            wz,
+                            way);
+                    best = Math.max(best, across.notNearer());
+                }
+            }
+        }
+        return best;
+    }
+
+    /** Notes for how long a plane that separates the two at the start is not approached; never settles the question. */
+    private boolean notes(ExactVector n, double[] u) {
+        double best = rises(u[0], u[1], u[2]);
+        if (best > rising && startGap.isApart(n)) {
+            rising = best;
+        }
+        return false;
+    }
+
+    /** The angle until which neither leaf comes nearer along a direction, fixed in the world or in the mover. */
+    private double rises(double nx, double ny, double nz) {
+        mover.aim(nx, ny, nz, 1);
+        double best = mover.notFurtherBack();
+        if (!planar || mover.level) {
+            rest.aim(-nx, -ny, -nz, -1);
+            best = Math.max(best, rest.notFurtherBack());
+        }
+        return best;
     }
 
     /** How far the axis found, and others near it, separate. */
@@ -279,12 +420,7 @@ final class TurnAdvancement {
     private double fromContact(Penetration ways) {
         double best = 0;
         for (int k = 0; k < ways.count(); k++) {
-            mover.aim(ways.nx(k), ways.ny(k), ways.nz(k), 1);
-            best = Math.max(best, mover.notFurtherBack());
-            if (!planar || mover.level) {
-                rest.aim(-ways.nx(k), -ways.ny(k), -ways.nz(k), -1);
-                best = Math.max(best, rest.notFurtherBack());
-            }
+            best = Math.max(best, rises(ways.nx(k), ways.ny(k), ways.nz(k)));
         }
         return best;
     }

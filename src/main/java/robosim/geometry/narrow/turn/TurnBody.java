@@ -17,6 +17,7 @@ final class TurnBody {
     private static final double ROUNDOFF = 128 * 0x1p-53;
     static final int MOST_POINTS = 8;
     private static final int MOST_STEPS = 12;
+    private static final int MOST_SHORTER = 6;
 
     /** An arc, and the fraction of it that is tried next, for rims that lie almost flat. */
     private static final double SOON = 0x1p-6;
@@ -289,7 +290,16 @@ final class TurnBody {
             }
             end = Math.min(end, rims ? rimRising(m, e) : TurningPolygon.rising(a[m], b[m], e));
         }
-        return end > 0 ? Math.min(end, others(floor, e, end)) : 0;
+        if (!(end > 0)) {
+            return 0;
+        }
+        double free = others(floor, e, end);
+        // Over a shorter arc a rim reaches less far.
+        for (int k = 0; rims && free == 0 && k < MOST_SHORTER; k++) {
+            end = 0.25 * Math.min(end, FULL);
+            free = others(floor, e, end);
+        }
+        return Math.min(end, free);
     }
 
     // The points that are not among the hindmost now, over the arc in question.
@@ -309,7 +319,8 @@ final class TurnBody {
     /**
      * The rim point that is hindmost rises at some speed v. A rim point at the angle psi from it lies r c (1 - cos psi)
      * ahead, c being the sine of the tilt, and rises slower by at most r psi; no point's path bends by more than its
-     * distance d from the axis. So the least is raised by at least v t - (pi^2 r / (8 c) + d / 2) t^2.
+     * distance d from the axis. So the least is raised by at least v t - (pi^2 r / (8 c) + d / 2) t^2. A cap that lies flat, or
+     * almost, has no such point. But no rim reaches further by more than r t times the sine between its axis and the turn's.
      */
     private double rimRising(int m, double e) {
         double tilt = rim.at(1, 0);
@@ -317,14 +328,26 @@ final class TurnBody {
         if (swing <= e) {
             return Double.POSITIVE_INFINITY; // turns about the direction itself
         }
+        double bend = 0.5 * extent;
+        double end = 0;
         // The rim's reach r sqrt(1 - s^2) changes by -r s s' / tilt.
-        double speed = tilt > 0 ? b[m] + radius * (sk + sa) * sb / tilt : 0;
-        double least = tilt > 0 ? speed - e - ROUNDOFF * radius * (1 + 1 / tilt) / tilt : 0;
-        if (!(least > 0)) {
-            return 0;
+        if (tilt > 0) {
+            double speed = b[m] + radius * (sk + sa) * sb / tilt;
+            double least = speed - e - ROUNDOFF * radius * (1 + 1 / tilt) / tilt;
+            end = sure(least, Math.PI * Math.PI * radius / (8 * tilt) + bend);
         }
-        double bend = Math.PI * Math.PI * radius / (8 * tilt) + 0.5 * extent;
-        return least / bend * (1 - 0x1p-40);
+        return end > 0 ? end : sure(b[m] - e - radius * turning() * (1 + ROUNDOFF), bend);
+    }
+
+    /** How long something rises that begins with at least a speed and slows down by at most so much. */
+    private static double sure(double speed, double bend) {
+        return speed > 0 ? speed / bend * (1 - 0x1p-40) : 0;
+    }
+
+    /** The sine between a cylinder's axis and the turn's, at least: at most so fast its direction changes. */
+    private double turning() {
+        double along = wx * ux + wy * uy + wz * uz;
+        return Math.sqrt(Math.max(0, 1 - along * along + ROUNDOFF));
     }
 
     /**

@@ -19,6 +19,9 @@ final class VerticalTurn {
     private final TurningPolygon polygons = new TurningPolygon();
     private final TurningDisc disc = new TurningDisc();
 
+    /** Whether the two were certainly apart when the last turn began. */
+    boolean isApart;
+
     // -1 where the plane is mirrored, so that the turn goes from x towards z.
     private int sign;
 
@@ -44,6 +47,7 @@ final class VerticalTurn {
             int j,
             double heightDepth) {
         double angle = Degrees.toRadians(Math.abs(degrees));
+        isApart = false;
         // From x towards z is clockwise as seen from above.
         sign = degrees > 0 ? -1 : 1;
         load(mover, kindA, a, i, px, pz);
@@ -80,6 +84,7 @@ final class VerticalTurn {
             double wanted, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double heightDepth) {
         polygons.load(mover, rest);
         if (!polygons.near) {
+            isApart = true;
             return polygons.free(wanted);
         }
         boolean apart =
@@ -87,6 +92,7 @@ final class VerticalTurn {
         if (!apart) {
             return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(wanted);
         }
+        isApart = true;
         for (int k = 0; k < polygons.normals(); k++) {
             if (polygons.isLeading(k)
                     && !isBeyond(kindA, a, i, polygons.unitX(k), sign * polygons.unitZ(k), kindB, b, j)) {
@@ -118,10 +124,12 @@ final class VerticalTurn {
         double gap = disc.distance - radius;
         double error = disc.error + 32 * 0x1p-53 * radius;
         if (gap > error) {
+            isApart = true;
             return disc.free(outline, radius, false);
         }
         boolean apart =
                 gap >= -error && !ExactDisc.of(a, i, 0, 0, kindB, b, j, null).touches();
+        isApart = apart;
         if (disc.distance > disc.error || outline.normals == 0) {
             boolean shallow = !apart && -gap >= heightDepth - error;
             return shallow ? Double.POSITIVE_INFINITY : disc.free(outline, disc.distance, true);
