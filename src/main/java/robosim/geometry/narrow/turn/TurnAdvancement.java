@@ -25,7 +25,6 @@ import robosim.geometry.narrow.leaf.MovedLeaf;
  * from the pivot, and 2^-43 of both leaves' distances from it.
  */
 final class TurnAdvancement {
-    private static final double FULL = 2 * Math.PI;
     private static final int MOST_STEPS = 1000;
 
     /**
@@ -90,7 +89,6 @@ final class TurnAdvancement {
         mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
         rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees));
-        double wanted = angle * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         double t = 0;
         double depth = 0;
         haveFacets = false;
@@ -104,19 +102,19 @@ final class TurnAdvancement {
         }
         LeafKind kind = MovedLeaf.turnedKind(kindA);
         for (steps = 0; steps < MOST_STEPS; steps++) {
-            if (t >= wanted || t >= FULL) {
+            if (TurningPolygon.covers(t, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
             pose(kindA, a, i, px, py, pz, t);
             ask(gjk, kind, pose, 0, kindB, b, j);
             double next = t;
             if (gjk.lower() > 0) {
-                next = found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth);
+                next = found(gjk, kindA, a, i, kindB, b, j, t, angle, depth);
             }
             // Without progress there is contact, or a bracket of round shapes that is still open.
             boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
             if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
-                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth));
+                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, angle, depth));
             }
             double gap = gjk.lower() > 0 ? gjk.upper() : 0;
             if (gap == 0 && depth > 0) {
@@ -125,12 +123,13 @@ final class TurnAdvancement {
                     next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
                 }
             }
-            if (!(next > t) || (gap + depth < CLOSE * mover.extent && next - t < STALLED)) {
+            boolean isStalled = gap + depth < CLOSE * mover.extent && next - t < STALLED;
+            if (!(next > t) || (isStalled && !TurningPolygon.covers(next, angle))) {
                 break;
             }
             t = next;
         }
-        return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+        return TurningPolygon.fraction(t, angle);
     }
 
     /** How far the axis found, and others near it, separate. */
@@ -143,10 +142,10 @@ final class TurnAdvancement {
             double[] b,
             int j,
             double t,
-            double wanted,
+            double angle,
             double depth) {
         double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
-        if (next - t < FAR && next < wanted && !planar) {
+        if (next - t < FAR && !TurningPolygon.covers(next, angle) && !planar) {
             if (!haveFacets) {
                 ofMover.spatial(kindA, a, i);
                 ofRest.spatial(kindB, b, j);
