@@ -195,13 +195,15 @@ public final class Geometry extends GeometryQueries {
     }
 
     /**
-     * Places a moveable object upright at a point, without checking a path to it.
+     * Places a moveable object upright at a point, without checking a path to it: a reset, which also sets a tipped object on
+     * its feet. (Poses of {@link #freePoses} keep it tipped.) What the object stands on now does not count, as there.
      *
      * @param heading degrees about the vertical
      * @return false, and nothing changes, if it would touch or overlap another object or leave the world
      */
     public boolean placeObject(String name, Point center, double heading) {
-        return registry.place(registry.mover(name), center, heading);
+        int id = registry.mover(name);
+        return registry.place(id, center, heading) || places.stand(view, id, center, heading);
     }
 
     /** The object with a given name, at its present place. */

@@ -68,11 +68,6 @@ final class GeometryMoves {
         return commitIf(id, motion.allowsTurn(view, id, degrees));
     }
 
-    private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry, boolean isGlobal) {
-        boolean isMade = rx == 0 && ry == 0 && stride(id, dx, dy, dz) == TranslationFastPath.FREE;
-        return isMade || commitIf(id, motion.attempt(view, id, dx, dy, dz, rx, ry, isGlobal, 0));
-    }
-
     private boolean commitIf(int id, boolean free) {
         if (free) {
             registry.move(id, motion.end());
@@ -83,21 +78,25 @@ final class GeometryMoves {
     /** See {@link Geometry#move}. */
     MoveResult own(int id, Move asked) {
         objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false));
+        double rx = asked.rx();
+        double ry = asked.ry();
+        boolean isMade = rx == 0 && ry == 0 && stride(id, vector[0], vector[1], vector[2]) == TranslationFastPath.FREE;
+        return result(isMade || commitIf(id, motion.attemptOwn(view, id, asked.x(), asked.y(), asked.z(), rx, ry, 0)));
     }
 
     /** See {@link Geometry#moveGlobal}. */
     MoveResult global(int id, Move asked) {
         double rx = dimension == Dimension.PLANAR ? 0 : asked.rx();
-        return result(carryOut(id, asked.x(), asked.y(), asked.z(), rx, asked.ry(), true));
+        double ry = asked.ry();
+        boolean isMade = rx == 0 && ry == 0 && stride(id, asked.x(), asked.y(), asked.z()) == TranslationFastPath.FREE;
+        return result(
+                isMade || commitIf(id, motion.attempt(view, id, asked.x(), asked.y(), asked.z(), rx, ry, true, 0)));
     }
 
     /** See {@link Geometry#moveToContact}. */
     MoveResult toContact(int id, Move asked, double clearance) {
         Checks.clearance(clearance);
-        objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        boolean all =
-                motion.attempt(view, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
+        boolean all = motion.attemptOwn(view, id, asked.x(), asked.y(), asked.z(), asked.rx(), asked.ry(), clearance);
         MoveResult result = result(all);
         registry.move(id, motion.end());
         return result;

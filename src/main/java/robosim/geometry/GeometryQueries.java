@@ -16,7 +16,6 @@ import robosim.geometry.engine.sensing.RayBatch;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
@@ -40,7 +39,7 @@ abstract class GeometryQueries {
     private final PatternSensor sensor;
     private final RayBatch rays;
     private final ProximityQuery proximity;
-    private final FreePlaces places;
+    final FreePlaces places;
     private final double[] normal = new double[3];
 
     GeometryQueries(
@@ -277,9 +276,12 @@ abstract class GeometryQueries {
     }
 
     /**
-     * Tells for many upright poses of a moveable object whether it would touch anything there. Nothing is moved, and the
-     * object itself is not in the way. Each bit is set where {@link Geometry#testObject(GeometryObject)} would return false for
-     * the object at that pose; as there, the world's bounds are not asked.
+     * Finds for many poses of a moveable object whether it could be there. Nothing is moved. A pose keeps how the object is
+     * tipped now: the object is turned about the vertical until its heading is that of the pose. Each bit is set if the object
+     * would be within the world and touch nothing there, apart from itself and from what it stands on: where the object is now,
+     * a plane may separate it from a piece that it touches, such as a floor. Pieces that lie wholly behind that plane do not
+     * count at a pose that is on the other side of it, or on it, as for moves. So a robot on a floor may be anywhere on that
+     * floor. Enclosures of coarser accuracies have no such planes.
      *
      * @param poses four numbers each: X, Y and Z of the centre, and the heading in degrees
      * @param free  bit {@code k % 64} of element {@code k / 64} is the answer for pose k, the layout of
@@ -292,11 +294,11 @@ abstract class GeometryQueries {
     }
 
     /**
-     * Tells for many edges, each a straight move from one upright pose to another, whether a moveable object would touch
-     * nothing on the whole way, both ends included. Nothing is moved, and the object itself is not in the way. Each bit is
-     * set where {@link Geometry#placeObject} would put the object at the first pose and {@link Geometry#moveGlobal} would then move it by
-     * the differences of the coordinates, and in place turn it by that of the headings: a turn of 350 degrees is not one of
-     * -10. The way is swept, not sampled.
+     * Finds for many edges, each a straight move from one pose to another, whether a moveable object could make them. Nothing
+     * is moved. Each bit is set if the first pose is free as in {@link #freePoses} and {@link Geometry#moveGlobal} would move
+     * the object from there by the differences of the coordinates, and in place turn it by that of the headings: a turn of 350
+     * degrees is not one of -10. An edge that begins where the object is, with the numbers of its centre and heading, is free
+     * exactly if that move is. The path is swept, not sampled.
      *
      * @param edges eight numbers each: X, Y, Z and heading at the first pose, then at the second
      * @param free  takes the answers as in {@link #freePoses}

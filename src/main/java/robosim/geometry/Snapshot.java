@@ -214,7 +214,7 @@ public final class Snapshot implements Serializable {
     }
 
     /**
-     * Tells for many poses of a moveable object whether it would touch anything there, as {@link Geometry#freePoses} does.
+     * Finds for many poses of a moveable object whether it could be there, as {@link Geometry#freePoses} does.
      * Safe to call from many threads at once.
      *
      * @param threads how many may work on the answer, 1 to 1024; who helps is told at {@link #sense}
@@ -225,8 +225,7 @@ public final class Snapshot implements Serializable {
     }
 
     /**
-     * Tells for many edges whether a moveable object would touch nothing on the whole way, as {@link Geometry#freeEdges}
-     * does. Safe to call from many threads at once.
+     * Finds for many edges whether a moveable object could make them, as {@link Geometry#freeEdges} does. Safe to call from many threads at once.
      *
      * @param threads how many may work on the answer, 1 to 1024; who helps is told at {@link #sense}
      * @return how many edges are free

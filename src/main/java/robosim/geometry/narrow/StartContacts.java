@@ -52,8 +52,10 @@ public final class StartContacts {
 
     private int[] sides = new int[4];
     private int levelCount;
+    private boolean spares;
 
     private boolean isMet;
+    private boolean onlyAnew;
     private int ownPiece;
     private int otherPiece;
 
@@ -71,6 +73,15 @@ public final class StartContacts {
         end = atEnd;
         count = 0;
         levelCount = 0;
+        spares = false;
+    }
+
+    /**
+     * Whether a plane that is not horizontal has spared a piece. Which side of it a place is on depends on how the place is
+     * rounded, unlike with heights, which no rounding takes out of their order.
+     */
+    public boolean spares() {
+        return spares;
     }
 
     /** Whether there are no contacts at the start, except overlaps so deep that no plane separates the two. */
@@ -208,6 +219,7 @@ public final class StartContacts {
             }
             if (planes[k].part(
                     dimension, motion, rows, row, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j, s)) {
+                spares = true;
                 return true;
             }
         }
@@ -286,9 +298,19 @@ public final class StartContacts {
      * at the start and that is not behind the plane of a contact.
      */
     public boolean touchesAnew(LeafColumn at, int i, LeafColumn b, int j) {
+        return touches(at, i, b, j, true);
+    }
+
+    /** The same for a place that is not on the way, where what was touched at the start counts too. */
+    public boolean touchesThere(LeafColumn at, int i, LeafColumn b, int j) {
+        return touches(at, i, b, j, false);
+    }
+
+    private boolean touches(LeafColumn at, int i, LeafColumn b, int j, boolean isAnew) {
         if (!Overlap.test(dimension, at, i, b, j, s)) {
             return false;
         }
+        onlyAnew = isAnew;
         leaf = i;
         ownPiece = -1;
         otherPiece = -1;
@@ -297,7 +319,7 @@ public final class StartContacts {
             return true;
         }
         // Inside a solid, without touching a face.
-        return !isMet && !Overlap.test(dimension, start, i, b, j, s);
+        return !isMet && !(isAnew && Overlap.test(dimension, start, i, b, j, s));
     }
 
     private boolean isAnew(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
@@ -316,7 +338,7 @@ public final class StartContacts {
             from = start.rows(leaf);
             at = start.at(leaf);
         }
-        if (touch(kind, from, at, kindB, b, j) || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
+        if ((onlyAnew && touch(kind, from, at, kindB, b, j)) || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
             return false;
         }
         ownPiece = t;

@@ -11,8 +11,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -69,6 +71,18 @@ class FreePlacesTest {
         return edges;
     }
 
+    /** The object as it is tipped, turned about the vertical to a heading. */
+    private static GeometryObject posed(GeometryObject object, double[] poses, int at) {
+        Point center = point(poses, at);
+        if (object.pose().isUpright()) {
+            return object.at(Pose.of(center, poses[at + 3]));
+        }
+        double[] place = new double[Pose.PLACE];
+        object.pose().place(place, 0);
+        Attitude.turnVertically(place, 3, poses[at + 3] + 0.0 - object.heading());
+        return object.at(Pose.of(center, place, 3));
+    }
+
     private static Point point(double[] numbers, int at) {
         return new Point(numbers[at], numbers[at + 1], numbers[at + 2]);
     }
@@ -99,7 +113,7 @@ class FreePlacesTest {
             without.removeObject(name);
             int truth = 0;
             for (int k = 0; k < COUNT; k++) {
-                boolean isFree = !without.testObject(object.at(Pose.of(point(poses, 4 * k), poses[4 * k + 3])));
+                boolean isFree = !without.testObject(posed(object, poses, 4 * k));
                 truth += isFree ? 1 : 0;
                 assertThat(bit(free, k)).as("%s, pose %d", name, k).isEqualTo(isFree);
             }
@@ -129,7 +143,12 @@ class FreePlacesTest {
         Geometry copy = snapshot.toGeometry();
         for (int k = 0; k < COUNT; k++) {
             int at = 8 * k;
-            boolean isFree = copy.placeObject(name, point(edges, at), edges[at + 3]);
+            GeometryObject there = posed(copy.getObject(name), edges, at);
+            copy.removeObject(name);
+            boolean isFree = copy.addObject(there);
+            if (!isFree) {
+                copy.addObjectUnchecked(there.movedTo(new Point()));
+            }
             if (isFree) {
                 Move move = new Move(
                         edges[at + 4] - edges[at],
@@ -145,7 +164,7 @@ class FreePlacesTest {
         assertThat(found).isEqualTo(truth);
     }
 
-    /** An edge begins where the object touches nothing, and it stays in the world; poses know no border. */
+    /** An edge begins where the object touches nothing, and it stays in the world, as poses do. */
     @Test
     void whatIsTouchedAtTheStartIsInTheWay() {
         Geometry world = new Geometry(20, 5, 20);
@@ -163,9 +182,109 @@ class FreePlacesTest {
         assertThat(world.freeEdges("robot", edges, free)).isEqualTo(1);
         assertThat(free[0]).isEqualTo(0b00010);
         double[] poses = {2.5, 0, 0, 0, 2.4, 0, 0, 0, 9.6, 0, 5, 0};
+        assertThat(world.freePoses("robot", poses, free)).isEqualTo(1);
+        assertThat(free[0]).isEqualTo(0b010);
+        assertThat(world.freePoses("robot", new double[0], new long[0])).isEqualTo(0);
+    }
+
+    /** A robot on a floor of tiles may be anywhere on it, and nowhere lower, nor where a wall stands on it. */
+    @Test
+    void whoStandsOnAFloorMayBeAnywhereOnIt() {
+        Geometry world = new Geometry(20, 6, 20);
+        for (int k = -2; k <= 2; k++) {
+            world.addObject(new BoxObject(new Point(2.5 * k, -1.5, 0), 2, 1, 8));
+        }
+        world.addObjectUnchecked(new BoxObject(new Point(4, 0, 0), 0.2, 2, 4));
+        world.addObjectUnchecked(new CylinderObject(new Point(0, -0.5, 0), 0.5, 1).moveable("robot"));
+        assertThat(world.simpleMove("robot", 1.5, 0, 0)).isTrue();
+        double[] poses = {
+            0, -0.5, 0, 0, 1.5, -0.5, 0, 30, -2.5, -0.5, 2, 0, 0, -0.5 - 0x1p-50, 0, 0, 3.5, -0.5, 0, 0, 0, 0, 0, 0
+        };
+        long[] free = new long[1];
+        assertThat(world.freePoses("robot", poses, free)).isEqualTo(4);
+        assertThat(free[0]).isEqualTo(0b100111);
+        double[] edges = new double[8 * 5];
+        for (int k = 0; k < 5; k++) {
+            System.arraycopy(poses, 0, edges, 8 * k, 4);
+            System.arraycopy(poses, 4 * (k + 1), edges, 8 * k + 4, 4);
+        }
+        assertThat(world.freeEdges("robot", edges, free)).isEqualTo(3);
+        assertThat(free[0]).isEqualTo(0b10011);
+        assertThat(world.placeObject("robot", new Point(0, -0.5 - 0x1p-50, 0), 0))
+                .isFalse();
+        assertThat(world.placeObject("robot", new Point(3.5, -0.5, 0), 0)).isFalse();
+        assertThat(world.placeObject("robot", new Point(-2.5, -0.5, 2), 0)).isTrue();
+        assertThat(world.simpleMove("robot", 0, 1, 0)).isTrue();
+        assertThat(world.freePoses("robot", poses, free)).isEqualTo(1);
+        assertThat(free[0]).isEqualTo(0b100000);
+    }
+
+    /** From where the object is, an edge is free where the move is, whatever it touches there. */
+    @Test
+    void edgesFromThePresentPlaceAnswerAsMovesDo() {
+        int[] counts = new int[2];
+        for (int k = 0; k < 400; k++) {
+            Geometry world = filled(Dimension.values()[k % 2], Accuracy.values()[k % 5], 30, 40);
+            for (String name : new String[] {"disc", "box", "any"}) {
+                GeometryObject object = world.getObject(name);
+                Point c = object.center();
+                double[] edge = {c.x(), c.y(), c.z(), object.heading(), 0, 0, 0, object.heading() + 30 * (k % 3 - 1)};
+                for (int i = 0; i < 3; i++) {
+                    edge[4 + i] = edge[i] + (k % 4 == 0 ? 0 : Math.rint(8 * random.nextDouble(-1, 1)) / 8);
+                }
+                boolean isFree = world.freeEdges(name, edge, new long[1]) == 1;
+                counts[isFree ? 1 : 0]++;
+                Move move = new Move(edge[4] - edge[0], edge[5] - edge[1], edge[6] - edge[2], 0, edge[7] - edge[3]);
+                assertThat(world.moveGlobal(name, move).allowed())
+                        .as("%s by %s in %s", object, move, world.objects())
+                        .isEqualTo(isFree);
+            }
+        }
+        assertThat(counts[0]).isGreaterThan(100);
+        assertThat(counts[1]).isGreaterThan(100);
+    }
+
+    /** A capsule that lies along X, and is as long as it is not wide, keeps lying at a pose. */
+    @Test
+    void whatLiesKeepsLying() {
+        Geometry world = new Geometry(20, 6, 20);
+        world.addObject(new CylinderObject(new Point(3, 0, 0), 0.2, 2));
+        CapsuleObject lying =
+                new CapsuleObject(new Point(), 0.2, 2).oriented(new double[] {0, 1, 0, -1, 0, 0, 0, 0, 1});
+        assertThat(world.addObject(lying.moveable("robot"))).isTrue();
+        double heading = world.getObject("robot").heading();
+        double[] poses = {2, 0, 0, heading, 2, 0, 0, heading + 90, 0, 0, 0, heading};
+        long[] free = new long[1];
         assertThat(world.freePoses("robot", poses, free)).isEqualTo(2);
         assertThat(free[0]).isEqualTo(0b110);
-        assertThat(world.freePoses("robot", new double[0], new long[0])).isEqualTo(0);
+        double[] edges = {
+            0,
+            0,
+            0,
+            heading,
+            2,
+            0,
+            0,
+            heading,
+            2,
+            0,
+            0,
+            heading + 90,
+            2,
+            0,
+            0,
+            heading,
+            0,
+            0,
+            0,
+            heading,
+            1,
+            0,
+            0,
+            heading
+        };
+        assertThat(world.freeEdges("robot", edges, free)).isEqualTo(1);
+        assertThat(free[0]).isEqualTo(0b100);
     }
 
     @Test

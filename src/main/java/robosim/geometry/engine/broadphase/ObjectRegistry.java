@@ -280,6 +280,11 @@ public final class ObjectRegistry {
         return collides(at, id);
     }
 
+    /** Whether what {@link #collidesAt} has just placed is within the world, and not near its border. */
+    public boolean isClearlyInside() {
+        return worldBounds.clearlyHolds(box);
+    }
+
     /** Whether a moveable object would be within the world at another place. */
     public boolean fitsAt(int id, double[] place) {
         LocalLeaves own = view.form(id).own;

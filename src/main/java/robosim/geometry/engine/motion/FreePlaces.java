@@ -2,11 +2,19 @@ package robosim.geometry.engine.motion;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.Candidates;
+import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.StartContacts;
+import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.planar.PlainCells;
 
 /**
@@ -32,11 +40,29 @@ public final class FreePlaces {
     /** The heading of the place as it was given. */
     private double heading = Double.NaN;
 
+    /** Where the object is. */
+    private final double[] present = new double[ObjectTable.PLACE];
+
+    /** Whether the place is where the object is. */
+    private boolean isPresent;
+
+    private final Candidates candidates;
+    private final StartContacts standing;
+    private final Sweep sweep;
+    private final LeafColumn here = new LeafColumn(1);
+    private final LeafColumn there = new LeafColumn(1);
+    private final double[] box = new double[6];
+
+    /** Whether the object touches nothing where it is. */
+    private boolean isAloft;
+
     public FreePlaces(ObjectRegistry registry, Motion motion, Scratch scratch) {
         this.scratch = scratch;
         this.registry = registry;
         this.motion = motion;
-        System.arraycopy(Attitude.identity(), 0, place, 3, Attitude.STRIDE);
+        candidates = new Candidates(registry.objects);
+        standing = new StartContacts(scratch);
+        sweep = new Sweep(scratch);
     }
 
     /**
@@ -97,13 +123,14 @@ public final class FreePlaces {
     }
 
     /**
-     * Sets the bits of poses at which an object touches nothing, and clears the others.
+     * Sets the bits of poses at which an object is free, and clears the others.
      *
      * @param from the first pose, a multiple of 64
      * @param to   behind the last one
      * @return how many are free
      */
     public int poses(AccuracyView view, int id, double[] poses, int from, int to, long[] free) {
+        begin(id);
         int found = 0;
         boolean isSingle = view.isSingle(id);
         double before = Double.NaN; // the heading of the pose before
@@ -115,6 +142,10 @@ public final class FreePlaces {
                 before = heading;
                 boolean collides =
                         isShifted ? registry.collidesShifted(view, id, place) : registry.collidesAt(view, id, place);
+                if (collides ? !isAloft : !registry.isClearlyInside()) {
+                    before = Double.NaN; // as the object is placed again
+                    collides = !registry.fitsAt(id, place) || (collides && !stands(view, id));
+                }
                 bits |= collides ? 0 : 1L << k;
             }
             free[first / Long.SIZE] = bits;
@@ -123,9 +154,10 @@ public final class FreePlaces {
         return found;
     }
 
-    /** The same for edges along which it touches nothing. */
+    /** The same for edges along which it is free. */
     public int edges(AccuracyView view, int id, double[] edges, int from, int to, long[] free) {
         EdgeFastPath quick = fastPath();
+        begin(id);
         int found = 0;
         for (int first = from; first < to; first += Long.SIZE) {
             long bits = 0;
@@ -157,20 +189,102 @@ public final class FreePlaces {
         if (verdict != PlainCells.UNSURE) {
             return verdict == PlainCells.PAST;
         }
-        return registry.fitsAt(id, place)
-                && !registry.collidesAt(view, id, place)
-                && motion.allowsFrom(view, id, place, dx, dy, dz, degrees);
+        return (isPresent || isFreeHere(view, id)) && motion.allowsFrom(view, id, place, dx, dy, dz, degrees);
     }
 
-    /** Makes {@link #place} an upright pose. */
-    private void take(double[] poses, int at) {
-        for (int axis = 0; axis < 3; axis++) {
-            place[axis] = poses[at + axis] + 0.0; // no -0.0
+    /** Whether the place is in the world, and the object touches nothing there but what its contacts spare. */
+    private boolean isFreeHere(AccuracyView view, int id) {
+        return registry.fitsAt(id, place) && (!registry.collidesAt(view, id, place) || (!isAloft && stands(view, id)));
+    }
+
+    /** Puts an object upright at a place that it touches, where it may stand on what it stands on now. */
+    public boolean stand(AccuracyView view, int id, Point center, double headingThere) {
+        begin(id);
+        Pose.of(center, headingThere).place(place, 0);
+        heading = Double.NaN;
+        boolean isFree = registry.fitsAt(id, place) && stands(view, id);
+        if (isFree) {
+            registry.move(id, place);
         }
+        return isFree;
+    }
+
+    private void begin(int id) {
+        System.arraycopy(registry.objects.places(), registry.objects.place(id), present, 0, present.length);
+        heading = Double.NaN;
+        isAloft = false;
+    }
+
+    /**
+     * Makes {@link #place} a pose: the object as it is tipped now, turned about the vertical until its heading is that of the
+     * pose.
+     */
+    private void take(double[] poses, int at) {
         double degrees = poses[at + 3] + 0.0;
         if (degrees != heading) { // planners ask about many places with one heading
-            Attitude.setHeading(place, 3, degrees, 0);
             heading = degrees;
+            System.arraycopy(present, 3, place, 3, Attitude.STRIDE);
+            if (!Attitude.isUpright(present, 3)) {
+                Attitude.turnVertically(place, 3, degrees - Attitude.heading(present, 3));
+            } else if (degrees != Attitude.heading(present, 3)) {
+                Attitude.setHeading(place, 3, degrees, 0);
+            }
         }
+        isPresent = degrees == Attitude.heading(present, 3);
+        for (int axis = 0; axis < 3; axis++) {
+            place[axis] = poses[at + axis] + 0.0; // no -0.0
+            isPresent &= place[axis] == present[axis];
+        }
+        for (int k = Pose.LOST; k < ObjectTable.PLACE; k++) {
+            place[k] = isPresent ? present[k] : 0;
+        }
+    }
+
+    /**
+     * Whether all that the object touches at the place is behind planes of what it touches where it is, such as the floor that
+     * it stands on: see {@link StartContacts}.
+     */
+    private boolean stands(AccuracyView view, int id) {
+        put(view, id, present, here);
+        put(view, id, place, there);
+        sweep.translation(view.dimension, 0, 0, 0);
+        standing.begin(view.dimension, sweep, here, there);
+        find(view, id, here);
+        for (int k = 0; k < candidates.count(); k++) {
+            LeafTable of = view.table(candidates.id(k));
+            int first = of.first(candidates.id(k));
+            for (int j = first; j < first + of.count(candidates.id(k)); j++) {
+                standing.add(of.leaves(), j);
+            }
+        }
+        isAloft = standing.isEmpty();
+        if (isAloft) {
+            return false;
+        }
+        find(view, id, there);
+        for (int k = 0; k < candidates.count(); k++) {
+            LeafTable of = view.table(candidates.id(k));
+            int first = of.first(candidates.id(k));
+            for (int j = first; j < first + of.count(candidates.id(k)); j++) {
+                for (int i = 0; i < there.size(); i++) {
+                    if (standing.touchesThere(there, i, of.leaves(), j)) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    private static void put(AccuracyView view, int id, double[] at, LeafColumn out) {
+        Form form = view.form(id);
+        out.clear();
+        out.append(form.size());
+        form.place(view.dimension, at[0], at[1], at[2], at, 3, out, 0);
+    }
+
+    private void find(AccuracyView view, int id, LeafColumn leaves) {
+        leaves.bounds(0, leaves.size(), box);
+        candidates.find(view, box, id);
     }
 }

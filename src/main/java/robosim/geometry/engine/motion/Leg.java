@@ -71,9 +71,19 @@ public final class Leg {
 
     private AccuracyView view;
     private Form form;
-    private double dx;
-    private double dy;
-    private double dz;
+    private double givenX;
+    private double givenY;
+    private double givenZ;
+    private double givenDegrees;
+    private boolean isOwn;
+
+    /** By what share the leg that was set has been scaled. */
+    private double scaled;
+
+    /** The displacement of the leg along the world's axes, and that of a share of it. */
+    private final double[] whole = new double[3];
+
+    private final double[] way = new double[3];
     private int axis;
     private double degrees;
 
@@ -84,6 +94,7 @@ public final class Leg {
 
     /** Starts a motion of an object from its place. */
     void begin(AccuracyView inView, int mover, double[] places, int at) {
+        isOwn = false;
         view = inView;
         form = inView.form(mover);
         System.arraycopy(places, at, start, 0, PLACE);
@@ -99,17 +110,31 @@ public final class Leg {
 
     /** Sets the next leg, from {@link #start}; false where it goes nowhere, or by less than a coordinate can tell. */
     boolean set(double x, double y, double z, int about, double byDegrees) {
-        dx = x;
-        dy = y;
-        dz = z;
+        givenX = x;
+        givenY = y;
+        givenZ = z;
         axis = about;
-        degrees = byDegrees;
-        probed = Double.NaN;
-        placeAt(1, end);
-        if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
+        givenDegrees = byDegrees;
+        if (!scale(1)) {
             return false;
         }
         form.place(view.dimension, start[0], start[1], start[2], start, 3, atStart, 0);
+        return true;
+    }
+
+    /**
+     * Makes the leg the one that a caller gets who multiplies what was set by a share, in doubles: it ends where the one set
+     * is after that share, and its path differs by roundings. False where it goes nowhere.
+     */
+    boolean scale(double share) {
+        scaled = share;
+        degrees = share * givenDegrees;
+        probed = Double.NaN;
+        placeAt(1, end);
+        System.arraycopy(way, 0, whole, 0, 3);
+        if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
+            return false;
+        }
         if (turns()) {
             turnBy(1);
         } else {
@@ -120,12 +145,12 @@ public final class Leg {
 
     /** Makes this leg one that stays at its start. */
     void stay() {
-        dx = 0;
-        dy = 0;
-        dz = 0;
+        givenX = 0;
+        givenY = 0;
+        givenZ = 0;
+        givenDegrees = 0;
         axis = NO_TURN;
-        degrees = 0;
-        probed = Double.NaN;
+        scale(1);
         form.place(view.dimension, start[0], start[1], start[2], start, 3, atStart, 0);
         sweep.translation(view.dimension, 0, 0, 0);
     }
@@ -133,7 +158,7 @@ public final class Leg {
     /** The length of the path of every point of the mover, or more. */
     double longestPath() {
         if (!turns()) {
-            return VectorMath.anyLength(dx, dimension() == Dimension.PLANAR ? 0 : dy, dz);
+            return VectorMath.anyLength(whole[0], dimension() == Dimension.PLANAR ? 0 : whole[1], whole[2]);
         }
         atStart.bounds(0, atStart.size(), part);
         double radius = VectorMath.anyLength(farthest(0), farthest(1), farthest(2));
@@ -156,6 +181,11 @@ public final class Leg {
         return size;
     }
 
+    /** From now on translations are along the axes of the object as it stands at the start. */
+    void takeOwnAxes() {
+        isOwn = true;
+    }
+
     /** Makes the end of this leg the start of the next. */
     void advance() {
         System.arraycopy(end, 0, start, 0, PLACE);
@@ -169,16 +199,28 @@ public final class Leg {
     /** Where the object stands after a share of the leg. */
     private void placeAt(double share, double[] place) {
         System.arraycopy(start, 0, place, 0, PLACE);
-        advance(place, 0, share * dx);
-        advance(place, 1, share * dy);
-        advance(place, 2, share * dz);
+        toWorld(share);
+        advance(place, 0, way[0]);
+        advance(place, 1, way[1]);
+        advance(place, 2, way[2]);
+        double by = share * degrees;
         switch (axis) {
-            case OWN_X -> Attitude.turn(place, 3, share * degrees, 0);
-            case OWN_Y -> Attitude.turn(place, 3, 0, share * degrees);
-            case VERTICAL -> Attitude.turnVertically(place, 3, share * degrees);
-            case WORLD_X -> Attitude.turnAboutX(place, 3, share * degrees);
+            case OWN_X -> Attitude.turn(place, 3, by, 0);
+            case OWN_Y -> Attitude.turn(place, 3, 0, by);
+            case VERTICAL -> Attitude.turnVertically(place, 3, by);
+            case WORLD_X -> Attitude.turnAboutX(place, 3, by);
             default -> {}
         }
+    }
+
+    /** Finds the {@link #way} for a share of the leg, along the world's axes as {@code ObjectTable.toWorld} does. */
+    private void toWorld(double share) {
+        double x = share * (scaled * givenX);
+        double y = share * (scaled * givenY);
+        double z = share * (scaled * givenZ);
+        way[0] = isOwn ? start[3] * x + start[4] * y + start[5] * z : x;
+        way[1] = isOwn ? start[6] * x + start[7] * y + start[8] * z : y;
+        way[2] = isOwn ? start[9] * x + start[10] * y + start[11] * z : z;
     }
 
     /**
@@ -218,9 +260,14 @@ public final class Leg {
         return axis != NO_TURN;
     }
 
+    /** Degrees of the turn, unsigned. */
+    double angle() {
+        return Math.abs(degrees);
+    }
+
     /** Displacement along an axis (0 to 2) of the world. */
     double displacement(int along) {
-        return along == 0 ? dx : along == 1 ? dy : dz;
+        return whole[along];
     }
 
     /** Displacement along an axis of the world between the start and the end as they are stored. */

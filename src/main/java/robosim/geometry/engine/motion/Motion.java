@@ -8,10 +8,13 @@ import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a leg that is swept
@@ -32,6 +35,28 @@ public final class Motion {
 
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
+
+    /** Less, in degrees, is not turned by to 53 bits. */
+    private static final double LEAST_ANGLE = 0x1p-900;
+
+    /**
+     * How far off a place may be at the end of a share of a translation, of all coordinates: a caller's product and sum, and
+     * the sweep's own difference, are rounded, each by at most an ulp of these. A blocked translation is taken back by so
+     * much.
+     */
+    private static final double ROUNDED = 0x1p-50;
+
+    /** The same in degrees: a caller adds the share of a turn to a heading, and takes the heading off again. */
+    private static final double ROUNDED_HEADING = 0x1p-43;
+
+    /**
+     * A translation that nears its obstacle by at least this share of its length does so all the way, as convex sets do. Taken
+     * back by so much more, it is known not to touch it, however it is rounded, and nothing is swept again.
+     */
+    private static final double LEAST_CLOSING = 0x1p-8;
+
+    /** A larger margin is not taken: a place then has no more than a few digits. */
+    private static final double MOST_MARGIN = 0x1p-20;
 
     private final ObjectRegistry registry;
     private final ObjectTable objects;
@@ -73,6 +98,12 @@ public final class Motion {
     private int touched;
     private double fraction;
     private double turnFraction;
+    private boolean isSecondTurn;
+
+    /** The contact, where it had to be known to find the share. */
+    private final double[] contact = new double[6];
+
+    private boolean isContactKnown;
 
     /** Sweeps the objects themselves; null until a leg at an accuracy below EXACT first needs it. */
     private @Nullable Motion exact;
@@ -130,6 +161,18 @@ public final class Motion {
             boolean isGlobal,
             double gap) {
         begin(inView, mover, gap, true);
+        return attempt(x, y, z, turnX, turnY, isGlobal);
+    }
+
+    /** The same along the object's own axes, and about them. */
+    public boolean attemptOwn(
+            AccuracyView inView, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
+        begin(inView, mover, gap, true);
+        leg.takeOwnAxes();
+        return attempt(x, y, z, turnX, turnY, false);
+    }
+
+    private boolean attempt(double x, double y, double z, double turnX, double turnY, boolean isGlobal) {
         boolean free = isFree(x, y, z, Leg.NO_TURN, 0);
         if (!free) {
             fraction = share;
@@ -141,8 +184,9 @@ public final class Motion {
             turnFraction = each * share;
             return false;
         }
+        isSecondTurn = each < 1;
         if (turnX != 0 && !isFree(0, 0, 0, isGlobal ? Leg.WORLD_X : Leg.OWN_X, turnX)) {
-            turnFraction = Math.min((1 - each) + each * share, MOST); // the sum may have been rounded up
+            turnFraction = (1 - each) + each * share;
             return false;
         }
         return true;
@@ -180,6 +224,8 @@ public final class Motion {
         id = mover;
         clearance = gap;
         obstacle = NOTHING;
+        isSecondTurn = false;
+        isContactKnown = false;
         fraction = 1;
         turnFraction = 1;
         leg.begin(inView, mover, places, at);
@@ -229,10 +275,13 @@ public final class Motion {
         shapes.obstacle = NOTHING;
         share = least;
         double step = FIRST_STEP;
-        while (share > 0 && !(isClearAfter(share) && shapes.isClearAfter(share))) {
+        while (share > 0 && !(isAccepted(share, NOTHING) && shapes.isAccepted(share, NOTHING))) {
             share = Math.max(0, least - step);
+            share = isSecondTurn ? halved(share) : share;
             step *= 2;
         }
+        leg.scale(1);
+        shapes.leg.scale(1);
         obstacle = blocking;
         shapes.obstacle = blocking;
     }
@@ -245,18 +294,18 @@ public final class Motion {
     private boolean isLegFree() {
         isBlockedExactly = false;
         share = Double.POSITIVE_INFINITY;
-        leg.sweptBox(1, box);
-        leg.around(box, around, clearance);
+        enclose();
         candidates.find(view, around, id);
-        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
-        isStandingKnown = false;
-        leg.after(1).bounds(0, leg.atStart.size(), endBox);
         if (!isEndWanted) {
-            return !isBlockedAnywhere();
+            return !isBlockedAnywhere(NOTHING);
         }
         double least = leastFree();
-        share = least == Double.POSITIVE_INFINITY ? 1 : backOff(least);
+        share = 1;
+        if (least != Double.POSITIVE_INFINITY) {
+            settle(isSecondTurn ? halved(least) : least);
+        }
         if (clearance > 0) {
+            enclose();
             keepClear();
         }
         if (share == 1) {
@@ -270,6 +319,7 @@ public final class Motion {
     private void keepClear() {
         stands();
         double kept = search.share(view, candidates, standing, clearance, share);
+        kept = kept < share ? Math.max(0, kept - margin()) : kept;
         double free = kept;
         double step = FIRST_STEP;
         while (free > 0 && (free < share ? !isClearAfter(free) : search.isCloser(free))) {
@@ -295,6 +345,7 @@ public final class Motion {
         ownLeaf = pairs.ownLeaf(pair);
         ownPiece = pairs.ownPiece(pair);
         stop.note(obstacle, 0, 1); // the only one
+        isContactKnown = false;
     }
 
     /** The sum of the magnitudes of the bounds of a mover at its place. */
@@ -342,14 +393,150 @@ public final class Motion {
         return search.near(view, candidates, standing, within);
     }
 
-    private boolean isBlockedAnywhere() {
+    /** Bounds a leg that has been set or scaled; what it touches at its start is to be found again. */
+    private void enclose() {
+        leg.sweptBox(1, box);
+        leg.around(box, around, clearance);
+        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
+        isStandingKnown = false;
+        leg.after(1).bounds(0, leg.atStart.size(), endBox);
+    }
+
+    /** The greatest share, not above the given one, of which half and a half are a number. */
+    private static double halved(double share) {
+        double sum = 0.5 + 0.5 * share;
+        double whole = 2 * sum - 1;
+        return whole > share ? 2 * Math.nextDown(sum) - 1 : whole;
+    }
+
+    /**
+     * Finds the share of a blocked leg that is reported, not above the least of all: one that a caller can use, who multiplies
+     * what was asked for by it, and so asks for another leg, whose path differs by roundings.
+     */
+    private void settle(double least) {
+        if (leg.turns() && isSureTurn()) {
+            share = backOff(least);
+            leg.endAt(share);
+            return;
+        }
+        double free = least;
+        double margin = margin();
+        int sure = NOTHING;
+        if (!leg.turns() && isPlain()) {
+            double closing = closing(least);
+            sure = closing > LEAST_CLOSING ? obstacle : NOTHING;
+            margin /= closing > LEAST_CLOSING ? closing : 1;
+        }
+        if (margin < MOST_MARGIN) {
+            free = Math.max(0, least - margin);
+        } else {
+            sure = NOTHING;
+        }
+        double from = isSecondTurn ? halved(free) : free;
+        double step = FIRST_STEP;
+        free = from;
+        while (free > 0 && !(sure != NOTHING && isAlone(free, sure)) && !isAccepted(free, sure)) {
+            free = from - step;
+            step *= 2;
+            sure = NOTHING;
+        }
+        share = Math.max(0, free);
+        leg.scale(1);
+        leg.endAt(share);
+    }
+
+    /** By what share a blocked leg is taken back, so that it can be asked again with what a caller's rounding makes of it. */
+    private double margin() {
+        return leg.turns() ? ROUNDED_HEADING / leg.angle() : ROUNDED * size() / length();
+    }
+
+    /** Whether a turn that a share of this one is may be used as it is: its sweep takes the same steps, up to there. */
+    private boolean isSureTurn() {
+        return leg.isRigid() && !standing.spares() && worldBounds.clearlyHolds(box) && leg.angle() > LEAST_ANGLE;
+    }
+
+    /** Whether nothing but one object is near a translation up to a share of it. */
+    private boolean isAlone(double share, int but) {
+        leg.atStart.bounds(0, leg.atStart.size(), part);
+        leg.after(share).bounds(0, leg.atStart.size(), endBox);
+        for (int k = 0; k < 3; k++) {
+            part[k] = Math.min(part[k], endBox[k]);
+            part[3 + k] = Math.max(part[3 + k], endBox[3 + k]);
+        }
+        leg.around(part, around, 0);
         for (int k = 0; k < candidates.count(); k++) {
             int other = candidates.id(k);
+            if (other != but && view.table(other).meets(other, around)) {
+                return false;
+            }
+        }
+        return but == BORDER || worldBounds.clearlyHolds(around);
+    }
+
+    private boolean isAccepted(double share, int sure) {
+        if (!leg.scale(share)) {
+            return true;
+        }
+        enclose();
+        return !isBlockedAnywhere(sure);
+    }
+
+    /** By how much of its length a translation nears its obstacle at the end of a share; the contact there is kept. */
+    private double closing(double share) {
+        leg.endAt(share);
+        contact(contact);
+        isContactKnown = true;
+        double nearer = -(leg.displacement(0) * contact[3]
+                + leg.displacement(1) * contact[4]
+                + leg.displacement(2) * contact[5]);
+        return nearer / length();
+    }
+
+    private double length() {
+        return VectorMath.anyLength(leg.displacement(0), leg.displacement(1), leg.displacement(2));
+    }
+
+    /** The sum of all coordinates of the leg's bounds, unsigned. */
+    private double size() {
+        double size = 0;
+        for (double bound : box) {
+            size += Math.abs(bound);
+        }
+        return size;
+    }
+
+    /** Whether one upright prism hits another, or in the plane a disc, each of a single leaf; or the border is hit. */
+    private boolean isPlain() {
+        if (obstacle == BORDER) {
+            return true;
+        }
+        LeafTable of = view.table(obstacle);
+        return leg.atStart.size() == 1
+                && of.count(obstacle) == 1
+                && isExact(leg.atStart.kind(0))
+                && isExact(of.leaves().kind(of.first(obstacle)));
+    }
+
+    private boolean isExact(LeafKind kind) {
+        return (kind.isVerticalPrism() && !kind.isEnclosure()) || (kind.isDisc() && view.dimension == Dimension.PLANAR);
+    }
+
+    /**
+     * Whether anything blocks the whole leg.
+     *
+     * @param sure an object that is known not to, or {@link #NOTHING}
+     */
+    private boolean isBlockedAnywhere(int sure) {
+        for (int k = 0; k < candidates.count(); k++) {
+            int other = candidates.id(k);
+            if (other == sure || !view.table(other).meets(other, around)) {
+                continue;
+            }
             if (met(other) != Double.POSITIVE_INFINITY || endsOn(other)) {
                 return true;
             }
         }
-        return !worldBounds.clearlyHolds(box) && exit.share(0) != Double.POSITIVE_INFINITY;
+        return sure != BORDER && !worldBounds.clearlyHolds(box) && exit.share(0) != Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -538,6 +725,10 @@ public final class Motion {
             System.arraycopy(leg.end, 0, shapes.leg.end, 0, leg.end.length);
             shapes.contact(out);
             touched = shapes.touched;
+            return;
+        }
+        if (isContactKnown) {
+            System.arraycopy(contact, 0, out, 0, contact.length);
             return;
         }
         touched = obstacle;

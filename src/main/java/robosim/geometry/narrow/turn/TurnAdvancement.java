@@ -29,7 +29,6 @@ import robosim.geometry.narrow.sweep.StartGap;
  * from the pivot, and 2^-43 of both leaves' distances from it.
  */
 final class TurnAdvancement {
-    private static final double FULL = 2 * Math.PI;
     private static final int MOST_STEPS = 1000;
 
     /**
@@ -108,7 +107,6 @@ final class TurnAdvancement {
         mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
         rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees));
-        double wanted = angle * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         double t = 0;
         double depth = 0;
         haveFacets = false;
@@ -120,26 +118,23 @@ final class TurnAdvancement {
             t = fromContact(ways);
         }
         if (!isContact || t > 0) {
-            t = advance(kindA, a, i, px, py, pz, kindB, b, j, t, wanted, depth, s);
+            t = advance(kindA, a, i, px, py, pz, kindB, b, j, t, angle, depth, s);
         }
-        if (t < wanted && isNear && !(isContact && isTouching(kindA, a, i, kindB, b, j, s))) {
+        if (!TurningPolygon.covers(t, angle) && isNear && !(isContact && isTouching(kindA, a, i, kindB, b, j, s))) {
             double rising = fromNear(kindA, a, i, kindB, b, j);
-            if (rising >= wanted) {
+            if (TurningPolygon.covers(rising, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
             if (t < STALLED) {
                 isPatient = true;
-                t = Math.max(t, advance(kindA, a, i, px, py, pz, kindB, b, j, Math.max(t, rising), wanted, 0, s));
+                t = Math.max(t, advance(kindA, a, i, px, py, pz, kindB, b, j, Math.max(t, rising), angle, 0, s));
                 isPatient = false;
             }
         }
-        if (t >= wanted) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+        return TurningPolygon.covers(t, angle) ? Double.POSITIVE_INFINITY : TurningPolygon.fraction(t, angle);
     }
 
-    /** Goes on from an angle that is free up to there, with a depth allowed for; infinite where all that is wanted is free. */
+    /** Goes on from an angle that is free up to there, with a depth allowed for; infinite where all that is angle is free. */
     private double advance(
             LeafKind kindA,
             double[] a,
@@ -151,7 +146,7 @@ final class TurnAdvancement {
             double[] b,
             int j,
             double from,
-            double wanted,
+            double angle,
             double depth,
             GjkScratch s) {
         Gjk gjk = s.gjk;
@@ -160,19 +155,19 @@ final class TurnAdvancement {
         double t = from;
         double widest = 0;
         for (steps = 0; steps < MOST_STEPS; steps++) {
-            if (t >= wanted || t >= FULL) {
+            if (TurningPolygon.covers(t, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
             pose(kindA, a, i, px, py, pz, t);
             ask(gjk, kind, pose, 0, kindB, b, j);
             double next = t;
             if (gjk.lower() > 0) {
-                next = found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth);
+                next = found(gjk, kindA, a, i, kindB, b, j, t, angle, depth);
             }
             // Without progress there is contact, or a bracket of round shapes that is still open.
             boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
             if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
-                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth));
+                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, angle, depth));
             }
             double gap = gjk.lower() > 0 ? gjk.upper() : 0;
             if (gap == 0 && depth > 0) {
@@ -183,7 +178,8 @@ final class TurnAdvancement {
             }
             boolean isOpening = isPatient && gap > widest;
             widest = gap;
-            if (!(next > t) || (gap + depth < CLOSE * mover.extent && next - t < STALLED && !isOpening)) {
+            boolean isStalled = gap + depth < CLOSE * mover.extent && next - t < STALLED && !isOpening;
+            if (!(next > t) || (isStalled && !TurningPolygon.covers(next, angle))) {
                 break;
             }
             t = next;
@@ -284,10 +280,10 @@ final class TurnAdvancement {
             double[] b,
             int j,
             double t,
-            double wanted,
+            double angle,
             double depth) {
         double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
-        if (next - t < FAR && next < wanted && !planar) {
+        if (next - t < FAR && !TurningPolygon.covers(next, angle) && !planar) {
             if (!haveFacets) {
                 ofMover.spatial(kindA, a, i);
                 ofRest.spatial(kindB, b, j);

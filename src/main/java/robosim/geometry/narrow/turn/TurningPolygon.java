@@ -21,6 +21,16 @@ final class TurningPolygon {
     /** Radians by which every arc is shortened. */
     static final double MARGIN = 0x1p-48;
 
+    /** A turn asked for may be stored as one that is larger by this factor: its angle is off by a few roundings. */
+    private static final double STORED = 1 + 0x1p-50;
+
+    /**
+     * A fraction is smaller by this factor than an arc allows, so that the product of it and the turn is free: in that
+     * product, in both conversions to radians, in this fraction and in {@link #covers} there are six roundings, and
+     * {@link #STORED} is eight more.
+     */
+    private static final double USABLE = 1 - 0x1p-49;
+
     private static final double ROUNDOFF = 128 * 0x1p-53;
     private static final double FULL = 2 * Math.PI;
     private static final int MOST_NORMALS = 2 * ProjectedPolygon.MOST_CORNERS;
@@ -108,13 +118,26 @@ final class TurningPolygon {
         usable[k] = false;
     }
 
-    /** The free part of a turn, radians up to {@code angle} or slightly more; infinite if all of it is free. */
+    /** Whether a turn, radians, is free if an arc of it is: the arc, less its margin, holds the turn as stored. */
+    static boolean covers(double arc, double turn) {
+        return arc >= FULL || arc - MARGIN >= turn * STORED;
+    }
+
+    /**
+     * The fraction of a turn for which an arc that does not cover it is enough: also where the caller rounds the product
+     * of the two, or adds it to a heading, which is what the second margin is for.
+     */
+    static double fraction(double arc, double turn) {
+        return Math.min(Math.nextDown(1.0), Math.max(0, (arc - 2 * MARGIN) / turn * USABLE));
+    }
+
+    /** The free part of a turn, radians; infinite if it covers the angle. */
     double free(double angle) {
         double t = near ? fromContact() : 0;
         double threshold = near ? Math.min(gap, 0) : 0;
         boolean begun = !near || t > 0;
         for (int step = 0; begun && step < MOST_STEPS; step++) {
-            if (t >= angle || t >= FULL) {
+            if (covers(t, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
             double best = t;

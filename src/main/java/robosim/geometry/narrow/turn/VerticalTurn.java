@@ -52,8 +52,6 @@ final class VerticalTurn {
         sign = degrees > 0 ? -1 : 1;
         load(mover, kindA, a, i, px, pz);
         load(rest, kindB, b, j, px, pz);
-        // The stored end is that angle to rounding.
-        double wanted = angle * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         double free;
         if (kindA.isDisc()) {
             double radius = a[i + 3] + (kindB.isDisc() ? b[j + 3] : 0);
@@ -64,11 +62,9 @@ final class VerticalTurn {
             rest.mirror(-1);
             free = round(rest.x[0], rest.z[0], mover, b[j + 3], b, j, kindA, a, i, heightDepth);
         } else {
-            free = polygons(wanted, kindA, a, i, kindB, b, j, heightDepth);
+            free = polygons(angle, kindA, a, i, kindB, b, j, heightDepth);
         }
-        return free >= wanted
-                ? Double.POSITIVE_INFINITY
-                : Math.min(Math.nextDown(1.0), Math.max(0, free / angle * (1 - 0x1p-50)));
+        return TurningPolygon.covers(free, angle) ? Double.POSITIVE_INFINITY : TurningPolygon.fraction(free, angle);
     }
 
     private void load(ProjectedPolygon outline, LeafKind kind, double[] row, int at, double px, double pz) {
@@ -81,16 +77,16 @@ final class VerticalTurn {
     }
 
     private double polygons(
-            double wanted, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double heightDepth) {
+            double angle, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double heightDepth) {
         polygons.load(mover, rest);
         if (!polygons.near) {
             isApart = true;
-            return polygons.free(wanted);
+            return polygons.free(angle);
         }
         boolean apart =
                 polygons.gap > -polygons.error && !ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
         if (!apart) {
-            return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(wanted);
+            return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(angle);
         }
         isApart = true;
         for (int k = 0; k < polygons.normals(); k++) {
@@ -99,7 +95,7 @@ final class VerticalTurn {
                 polygons.reject(k);
             }
         }
-        return polygons.free(wanted);
+        return polygons.free(angle);
     }
 
     /** Whether a lies wholly beyond b in a direction; (nx, nz) is used as given, of any length. */
