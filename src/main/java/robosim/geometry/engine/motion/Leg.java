@@ -181,6 +181,11 @@ public final class Leg {
         return size;
     }
 
+    /** Whether translations are along the object's own axes. */
+    boolean isOwn() {
+        return isOwn;
+    }
+
     /** From now on translations are along the axes of the object as it stands at the start. */
     void takeOwnAxes() {
         isOwn = true;

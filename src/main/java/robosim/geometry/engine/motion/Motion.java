@@ -66,7 +66,9 @@ public final class Motion {
     private final Leg leg;
     private final EnclosureTurn enclosure;
     private final BoundsExit exit;
-    private final ClearanceSearch search;
+    /** Made for the first motion with a clearance. */
+    private @Nullable ClearanceSearch search;
+
     private final StartContacts standing;
     private final StopContact stop;
     private final double[] box = new double[6];
@@ -122,7 +124,6 @@ public final class Motion {
         enclosure = new EnclosureTurn(leg);
         exit = new BoundsExit(worldBounds, leg);
         standing = new StartContacts(scratch);
-        search = new ClearanceSearch(leg, objects, new Distance(scratch));
         stop = new StopContact(objects, candidates, leg, scratch);
     }
 
@@ -249,6 +250,10 @@ public final class Motion {
                 exact = shapes;
             }
             shapes.begin(registry.at(Accuracy.EXACT), id, clearance, isEndWanted, leg.start, 0);
+            shapes.isSecondTurn = isSecondTurn;
+            if (leg.isOwn()) {
+                shapes.leg.takeOwnAxes();
+            }
             shapes.leg.set(x, y, z, about, byDegrees);
             free &= shapes.isLegFree();
             if (!free && isEndWanted) {
@@ -304,7 +309,7 @@ public final class Motion {
         if (least != Double.POSITIVE_INFINITY) {
             settle(isSecondTurn ? halved(least) : least);
         }
-        if (clearance > 0) {
+        if (clearance > 0 && leg.isRigid()) {
             enclose();
             keepClear();
         }
@@ -318,27 +323,29 @@ public final class Motion {
     /** Lessens the share to where the mover keeps its clearance, at the place as it is stored. */
     private void keepClear() {
         stands();
-        double kept = search.share(view, candidates, standing, clearance, share);
+        ClearanceSearch clear = search();
+        double kept = clear.share(view, candidates, standing, clearance, share);
         kept = kept < share ? Math.max(0, kept - margin()) : kept;
         double free = kept;
         double step = FIRST_STEP;
-        while (free > 0 && (free < share ? !isClearAfter(free) : search.isCloser(free))) {
+        while (free > 0 && (clear.isCloser(free) || (free < share && !isFreeAfter(free)))) {
             free = kept - step;
             step *= 2;
         }
         free = Math.max(0, free);
-        if (free < share && search.first() >= 0) {
-            block(search.first());
+        if (free < share && clear.first() >= 0) {
+            block(clear.pairs(), clear.first());
         }
         share = free;
     }
 
-    private boolean isClearAfter(double share) {
-        return isFreeAfter(share) && (clearance == 0 || !search.isCloser(share));
+    private ClearanceSearch search() {
+        ClearanceSearch made = search == null ? new ClearanceSearch(leg, objects, new Distance(scratch)) : search;
+        search = made;
+        return made;
     }
 
-    private void block(int pair) {
-        NearPairs pairs = search.pairs();
+    private void block(NearPairs pairs, int pair) {
         obstacle = pairs.object(pair);
         obstacleLeaf = pairs.leaf(pair);
         obstaclePiece = pairs.piece(pair);
@@ -373,7 +380,7 @@ public final class Motion {
         leg.around(box, around, 0);
         candidates.find(view, around, id);
         standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
-        NearPairs pairs = search.near(view, candidates, standing, 0);
+        NearPairs pairs = search().near(view, candidates, standing, 0);
         for (int k = 0; k < pairs.count(); k++) {
             if (pairs.gap(k) > 0 && pairs.isHit(k)) {
                 return false;
@@ -390,7 +397,7 @@ public final class Motion {
         leg.around(box, around, within);
         candidates.find(view, around, id);
         standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
-        return search.near(view, candidates, standing, within);
+        return search().near(view, candidates, standing, within);
     }
 
     /** Bounds a leg that has been set or scaled; what it touches at its start is to be found again. */
