@@ -57,9 +57,9 @@ final class ClearanceSearch {
         pairs.find(view, candidates, standing, gap);
         findPlanes();
         double least = limit;
-        first = -1;
+        first = -1; // each is searched up to the limit, so that ties are seen
         for (int k = 0; k < pairs.count(); k++) {
-            double free = isHeldOff(k) ? Double.POSITIVE_INFINITY : free(k, least);
+            double free = isHeldOff(k) ? Double.POSITIVE_INFINITY : free(k, limit);
             if (free < least || (free == least && first >= 0 && isEarlier(k))) {
                 least = free;
                 first = k;

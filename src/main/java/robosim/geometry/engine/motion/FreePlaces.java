@@ -54,6 +54,7 @@ public final class FreePlaces {
     private final double[] box = new double[6];
 
     /** Whether the object touches nothing where it is. */
+    private boolean isStandingKnown;
     private boolean isAloft;
 
     public FreePlaces(ObjectRegistry registry, Motion motion, Scratch scratch) {
@@ -142,7 +143,7 @@ public final class FreePlaces {
                 before = heading;
                 boolean collides =
                         isShifted ? registry.collidesShifted(view, id, place) : registry.collidesAt(view, id, place);
-                if (collides ? !isAloft : !registry.isClearlyInside()) {
+                if (collides ? !(isStandingKnown && isAloft) : !registry.isClearlyInside()) {
                     before = Double.NaN; // as the object is placed again
                     collides = !registry.fitsAt(id, place) || (collides && !stands(view, id));
                 }
@@ -186,15 +187,18 @@ public final class FreePlaces {
         double dz = edges[at + POSE + 2] - place[2];
         double degrees = edges[at + POSE + 3] - edges[at + 3];
         int verdict = quick.ask(view, id, place, dx, dy, dz, degrees);
-        if (verdict != PlainCells.UNSURE) {
-            return verdict == PlainCells.PAST;
+        if (verdict == PlainCells.PAST) {
+            return true;
+        }
+        if (verdict != PlainCells.UNSURE && !isPresent && isAloft(view, id)) {
+            return false; // else contacts at the present place may spare what it meets
         }
         return (isPresent || isFreeHere(view, id)) && motion.allowsFrom(view, id, place, dx, dy, dz, degrees);
     }
 
     /** Whether the place is in the world, and the object touches nothing there but what its contacts spare. */
     private boolean isFreeHere(AccuracyView view, int id) {
-        return registry.fitsAt(id, place) && (!registry.collidesAt(view, id, place) || (!isAloft && stands(view, id)));
+        return registry.fitsAt(id, place) && (!registry.collidesAt(view, id, place) || stands(view, id));
     }
 
     /** Puts an object upright at a place that it touches, where it may stand on what it stands on now. */
@@ -212,7 +216,7 @@ public final class FreePlaces {
     private void begin(int id) {
         System.arraycopy(registry.objects.places(), registry.objects.place(id), present, 0, present.length);
         heading = Double.NaN;
-        isAloft = false;
+        isStandingKnown = false;
     }
 
     /**
@@ -245,22 +249,10 @@ public final class FreePlaces {
      * it stands on: see {@link StartContacts}.
      */
     private boolean stands(AccuracyView view, int id) {
-        put(view, id, present, here);
-        put(view, id, place, there);
-        sweep.translation(view.dimension, 0, 0, 0);
-        standing.begin(view.dimension, sweep, here, there);
-        find(view, id, here);
-        for (int k = 0; k < candidates.count(); k++) {
-            LeafTable of = view.table(candidates.id(k));
-            int first = of.first(candidates.id(k));
-            for (int j = first; j < first + of.count(candidates.id(k)); j++) {
-                standing.add(of.leaves(), j);
-            }
-        }
-        isAloft = standing.isEmpty();
-        if (isAloft) {
+        if (isAloft(view, id)) {
             return false;
         }
+        put(view, id, place, there);
         find(view, id, there);
         for (int k = 0; k < candidates.count(); k++) {
             LeafTable of = view.table(candidates.id(k));
@@ -274,6 +266,28 @@ public final class FreePlaces {
             }
         }
         return true;
+    }
+
+    /** Whether the object touches nothing where it is that could spare anything. */
+    private boolean isAloft(AccuracyView view, int id) {
+        if (isStandingKnown) {
+            return isAloft;
+        }
+        isStandingKnown = true;
+        put(view, id, present, here);
+        sweep.translation(view.dimension, 0, 0, 0);
+        standing.begin(view.dimension, sweep, here, there);
+        find(view, id, here);
+        put(view, id, present, there);
+        for (int k = 0; k < candidates.count(); k++) {
+            LeafTable of = view.table(candidates.id(k));
+            int first = of.first(candidates.id(k));
+            for (int j = first; j < first + of.count(candidates.id(k)); j++) {
+                standing.add(of.leaves(), j);
+            }
+        }
+        isAloft = standing.isEmpty();
+        return isAloft;
     }
 
     private static void put(AccuracyView view, int id, double[] at, LeafColumn out) {

@@ -243,7 +243,7 @@ public final class Motion {
         }
         boolean free = isLegFree();
         // Where no enclosure is near, no object is; where the enclosures block, that is enough for a verdict.
-        if (view.accuracy != Accuracy.EXACT && (free || isEndWanted) && candidates.count() > 0) {
+        if (view.accuracy != Accuracy.EXACT && (free ? candidates.count() > 0 : isEndWanted)) {
             Motion shapes = exact;
             if (shapes == null) {
                 shapes = new Motion(registry, scratch);
