@@ -44,16 +44,10 @@ public final class Motion {
      * the sweep's own difference, are rounded, each by at most an ulp of these. A blocked translation is taken back by so
      * much.
      */
-    private static final double ROUNDED = 0x1p-50;
+    private static final double ROUNDED = 0x1p-46;
 
     /** The same in degrees: a caller adds the share of a turn to a heading, and takes the heading off again. */
     private static final double ROUNDED_HEADING = 0x1p-43;
-
-    /**
-     * A translation that nears its obstacle by at least this share of its length does so all the way, as convex sets do. Taken
-     * back by so much more, it is known not to touch it, however it is rounded, and nothing is swept again.
-     */
-    private static final double LEAST_CLOSING = 0x1p-8;
 
     /** A larger margin is not taken: a place then has no more than a few digits. */
     private static final double MOST_MARGIN = 0x1p-20;
@@ -101,11 +95,6 @@ public final class Motion {
     private double fraction;
     private double turnFraction;
     private boolean isSecondTurn;
-
-    /** The contact, where it had to be known to find the share. */
-    private final double[] contact = new double[6];
-
-    private boolean isContactKnown;
 
     /** Sweeps the objects themselves; null until a leg at an accuracy below EXACT first needs it. */
     private @Nullable Motion exact;
@@ -226,7 +215,6 @@ public final class Motion {
         clearance = gap;
         obstacle = NOTHING;
         isSecondTurn = false;
-        isContactKnown = false;
         fraction = 1;
         turnFraction = 1;
         leg.begin(inView, mover, places, at);
@@ -281,8 +269,7 @@ public final class Motion {
         share = least;
         double step = FIRST_STEP;
         while (share > 0 && !(isAccepted(share, NOTHING) && shapes.isAccepted(share, NOTHING))) {
-            share = Math.max(0, least - step);
-            share = isSecondTurn ? halved(share) : share;
+            share = Math.max(0, representable(least - step));
             step *= 2;
         }
         leg.scale(1);
@@ -307,7 +294,8 @@ public final class Motion {
         double least = leastFree();
         share = 1;
         if (least != Double.POSITIVE_INFINITY) {
-            settle(isSecondTurn ? halved(least) : least);
+            share = leg.turns() && isSureTurn() ? representable(backOff(least)) : accepted(least);
+            leg.endAt(share);
         }
         if (clearance > 0 && leg.isRigid()) {
             enclose();
@@ -352,7 +340,6 @@ public final class Motion {
         ownLeaf = pairs.ownLeaf(pair);
         ownPiece = pairs.ownPiece(pair);
         stop.note(obstacle, 0, 1); // the only one
-        isContactKnown = false;
     }
 
     /** The sum of the magnitudes of the bounds of a mover at its place. */
@@ -417,39 +404,55 @@ public final class Motion {
     }
 
     /**
-     * Finds the share of a blocked leg that is reported, not above the least of all: one that a caller can use, who multiplies
-     * what was asked for by it, and so asks for another leg, whose path differs by roundings.
+     * The greatest share, not above the given one, that a caller can use beside one obstacle alone, or within the border: who
+     * multiplies what was asked for by it asks for another leg, whose path differs by roundings.
      */
-    private void settle(double least) {
-        if (leg.turns() && isSureTurn()) {
-            share = backOff(least);
-            leg.endAt(share);
-            return;
-        }
-        double free = least;
+    private double usable(int of, double least) {
         double margin = margin();
-        int sure = NOTHING;
-        if (!leg.turns() && isPlain()) {
-            double closing = closing(least);
-            sure = closing > LEAST_CLOSING ? obstacle : NOTHING;
-            margin /= closing > LEAST_CLOSING ? closing : 1;
+        if (least == 0 || (leg.turns() && isSureTurn())) {
+            return least;
         }
-        if (margin < MOST_MARGIN) {
-            free = Math.max(0, least - margin);
-        } else {
-            sure = NOTHING;
+        int ownLeafMet = metOwnLeaf;
+        int ownPieceMet = metOwnPiece;
+        int leafMet = metLeaf;
+        int pieceMet = metPiece;
+        double from = margin < MOST_MARGIN ? Math.max(0, least - margin) : least;
+        double free = representable(from);
+        for (double step = FIRST_STEP; free > 0 && isBlockedBy(of, free); step *= 2) {
+            free = representable(from - step);
         }
-        double from = isSecondTurn ? halved(free) : free;
-        double step = FIRST_STEP;
-        free = from;
-        while (free > 0 && !(sure != NOTHING && isAlone(free, sure)) && !isAccepted(free, sure)) {
-            free = from - step;
-            step *= 2;
-            sure = NOTHING;
-        }
-        share = Math.max(0, free);
         leg.scale(1);
-        leg.endAt(share);
+        enclose();
+        meet(ownLeafMet, ownPieceMet, leafMet, pieceMet);
+        return Math.max(0, free);
+    }
+
+    private boolean isBlockedBy(int of, double share) {
+        if (!leg.scale(share)) {
+            return false;
+        }
+        enclose();
+        return of == BORDER ? isLeaving() : met(of) != Double.POSITIVE_INFINITY || endsOn(of);
+    }
+
+    private boolean isLeaving() {
+        return !worldBounds.clearlyHolds(box) && exit.share(0) != Double.POSITIVE_INFINITY;
+    }
+
+    /** The greatest share, not above that beside the obstacle alone, that is accepted beside all others too. */
+    private double accepted(double least) {
+        double free = least;
+        int sure = obstacle;
+        for (double step = FIRST_STEP; free > 0 && !isAccepted(free, sure); step *= 2) {
+            free = representable(least - step);
+            sure = NOTHING;
+        }
+        leg.scale(1);
+        return Math.max(0, free);
+    }
+
+    private double representable(double share) {
+        return isSecondTurn ? halved(share) : share;
     }
 
     /** By what share a blocked leg is taken back, so that it can be asked again with what a caller's rounding makes of it. */
@@ -462,24 +465,6 @@ public final class Motion {
         return leg.isRigid() && !standing.spares() && worldBounds.clearlyHolds(box) && leg.angle() > LEAST_ANGLE;
     }
 
-    /** Whether nothing but one object is near a translation up to a share of it. */
-    private boolean isAlone(double share, int but) {
-        leg.atStart.bounds(0, leg.atStart.size(), part);
-        leg.after(share).bounds(0, leg.atStart.size(), endBox);
-        for (int k = 0; k < 3; k++) {
-            part[k] = Math.min(part[k], endBox[k]);
-            part[3 + k] = Math.max(part[3 + k], endBox[3 + k]);
-        }
-        leg.around(part, around, 0);
-        for (int k = 0; k < candidates.count(); k++) {
-            int other = candidates.id(k);
-            if (other != but && view.table(other).meets(other, around)) {
-                return false;
-            }
-        }
-        return but == BORDER || worldBounds.clearlyHolds(around);
-    }
-
     private boolean isAccepted(double share, int sure) {
         if (!leg.scale(share)) {
             return true;
@@ -488,44 +473,19 @@ public final class Motion {
         return !isBlockedAnywhere(sure);
     }
 
-    /** By how much of its length a translation nears its obstacle at the end of a share; the contact there is kept. */
-    private double closing(double share) {
-        leg.endAt(share);
-        contact(contact);
-        isContactKnown = true;
-        double nearer = -(leg.displacement(0) * contact[3]
-                + leg.displacement(1) * contact[4]
-                + leg.displacement(2) * contact[5]);
-        return nearer / length();
-    }
-
+    /** The length of a translation, without heights that do not count. */
     private double length() {
-        return VectorMath.anyLength(leg.displacement(0), leg.displacement(1), leg.displacement(2));
+        double dy = view.dimension == Dimension.PLANAR ? 0 : leg.displacement(1);
+        return VectorMath.anyLength(leg.displacement(0), dy, leg.displacement(2));
     }
 
-    /** The sum of all coordinates of the leg's bounds, unsigned. */
+    /** The sum of the magnitudes of the bounds of the leg, without heights that do not count. */
     private double size() {
         double size = 0;
-        for (double bound : box) {
-            size += Math.abs(bound);
+        for (int axis = 0; axis < 3; axis += view.dimension == Dimension.PLANAR ? 2 : 1) {
+            size += Math.abs(box[axis]) + Math.abs(box[3 + axis]);
         }
         return size;
-    }
-
-    /** Whether one upright prism hits another, or in the plane a disc, each of a single leaf; or the border is hit. */
-    private boolean isPlain() {
-        if (obstacle == BORDER) {
-            return true;
-        }
-        LeafTable of = view.table(obstacle);
-        return leg.atStart.size() == 1
-                && of.count(obstacle) == 1
-                && isExact(leg.atStart.kind(0))
-                && isExact(of.leaves().kind(of.first(obstacle)));
-    }
-
-    private boolean isExact(LeafKind kind) {
-        return (kind.isVerticalPrism() && !kind.isEnclosure()) || (kind.isDisc() && view.dimension == Dimension.PLANAR);
     }
 
     /**
@@ -543,7 +503,7 @@ public final class Motion {
                 return true;
             }
         }
-        return sure != BORDER && !worldBounds.clearlyHolds(box) && exit.share(0) != Double.POSITIVE_INFINITY;
+        return sure != BORDER && isLeaving();
     }
 
     /**
@@ -558,7 +518,7 @@ public final class Motion {
             if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
                 continue;
             }
-            double free = backOff(other, Math.min(met, MOST));
+            double free = usable(other, backOff(other, Math.min(met, MOST)));
             stop.note(other, free, least);
             if (free < least || (free == least && objects.isEarlier(other, obstacle))) {
                 least = free;
@@ -572,7 +532,7 @@ public final class Motion {
         boolean isInside = worldBounds.clearlyHolds(clearance > 0 ? around : box);
         double leaves = isInside ? Double.POSITIVE_INFINITY : exit.share(clearance);
         if (leaves != Double.POSITIVE_INFINITY) {
-            double free = backOff(BORDER, Math.min(leaves, MOST));
+            double free = usable(BORDER, backOff(BORDER, Math.min(leaves, MOST)));
             if (free < least) {
                 least = free;
                 obstacle = BORDER;
@@ -732,10 +692,6 @@ public final class Motion {
             System.arraycopy(leg.end, 0, shapes.leg.end, 0, leg.end.length);
             shapes.contact(out);
             touched = shapes.touched;
-            return;
-        }
-        if (isContactKnown) {
-            System.arraycopy(contact, 0, out, 0, contact.length);
             return;
         }
         touched = obstacle;
