@@ -203,7 +203,7 @@ public final class Geometry extends GeometryQueries {
      */
     public boolean placeObject(String name, Point center, double heading) {
         int id = registry.mover(name);
-        return registry.place(id, center, heading) || places.stand(view, id, center, heading);
+        return registry.place(id, center, heading) || places().stand(view, id, center, heading);
     }
 
     /** The object with a given name, at its present place. */
@@ -327,8 +327,7 @@ public final class Geometry extends GeometryQueries {
      * <p>After it the object overlaps nothing that it did not overlap before.
      */
     public SlideResult moveAndSlide(String name, Move move, SlideOptions options) {
-        return moves.sliding(
-                registry.mover(name), Checks.present("move", move), Checks.present("options", options));
+        return moves.sliding(registry.mover(name), Checks.present("move", move), Checks.present("options", options));
     }
 
     /**

@@ -118,8 +118,11 @@ final class GeometryMoves {
     }
 
     /** See {@link Geometry#separate}. */
-    @Nullable Point separate(int id, double max) {
-        return new Separation(registry, motion, slide()).find(view, id, max, vector) ? new Point(vector[0], vector[1], vector[2]) : null;
+    @Nullable
+    Point separate(int id, double max) {
+        return new Separation(registry, motion, slide()).find(view, id, max, vector)
+                ? new Point(vector[0], vector[1], vector[2])
+                : null;
     }
 
     private MoveResult result(boolean allowed) {

@@ -39,7 +39,7 @@ abstract class GeometryQueries {
     private final PatternSensor sensor;
     private final RayBatch rays;
     private final ProximityQuery proximity;
-    final FreePlaces places;
+    private @Nullable FreePlaces places;
     private final double[] normal = new double[3];
 
     GeometryQueries(
@@ -60,7 +60,6 @@ abstract class GeometryQueries {
         rays = new RayBatch(dimension, objects, ranging);
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(registry, scratch);
-        places = new FreePlaces(registry, motion, scratch);
     }
 
     /**
@@ -290,7 +289,7 @@ abstract class GeometryQueries {
      */
     public int freePoses(String name, double[] poses, long[] free) {
         int id = registry.mover(name);
-        return places.poses(view, id, poses, 0, FreePlaces.check("poses", poses, FreePlaces.POSE, free), free);
+        return places().poses(view, id, poses, 0, FreePlaces.check("poses", poses, FreePlaces.POSE, free), free);
     }
 
     /**
@@ -306,16 +305,23 @@ abstract class GeometryQueries {
      */
     public int freeEdges(String name, double[] edges, long[] free) {
         int id = registry.mover(name);
-        return places.edges(view, id, edges, 0, FreePlaces.check("edges", edges, FreePlaces.EDGE, free), free);
+        return places().edges(view, id, edges, 0, FreePlaces.check("edges", edges, FreePlaces.EDGE, free), free);
     }
 
     /** Answers some poses. */
     int somePoses(String name, double[] poses, int from, int to, long[] free) {
-        return places.poses(view, registry.mover(name), poses, from, to, free);
+        return places().poses(view, registry.mover(name), poses, from, to, free);
     }
 
     /** Answers some edges. */
     int someEdges(String name, double[] edges, int from, int to, long[] free) {
-        return places.edges(view, registry.mover(name), edges, from, to, free);
+        return places().edges(view, registry.mover(name), edges, from, to, free);
+    }
+
+    /** Made when it is first asked for, as many worlds are asked about none. */
+    final FreePlaces places() {
+        FreePlaces made = places == null ? new FreePlaces(registry, motion, scratch) : places;
+        places = made;
+        return made;
     }
 }

@@ -64,10 +64,12 @@ class DiscsAgainstPairsTest {
             Point to = objects.get(k).center();
             Point near = new Point(to.x() + random.nextInt(-1, 2) * 0.125, 0, to.z());
             boolean isFree = !meetsAny(objects.get(k).movedTo(near), k);
-            assertThat(world.placeObject("mover " + k, near, 0))
-                    .as("mover %d", k)
-                    .isEqualTo(isFree);
-            if (isFree) {
+            boolean isPlaced = world.placeObject("mover " + k, near, 0);
+            // What it touches where it is may spare what it touches there.
+            if (isFree || !meetsAny(objects.get(k), k)) {
+                assertThat(isPlaced).as("mover %d", k).isEqualTo(isFree);
+            }
+            if (isPlaced) {
                 objects.set(k, objects.get(k).movedTo(near));
                 placed++;
             }

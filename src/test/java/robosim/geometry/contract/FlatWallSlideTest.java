@@ -85,7 +85,8 @@ class FlatWallSlideTest {
         GeometryObject at(Point place, double heading) {
             return switch (this) {
                 case BOX -> new BoxObject(place, 0.4, 1, 0.4).moveable("robot");
-                case PARALLEL_BOX -> new BoxObject(place, 0.6, 1, 0.4).turned(0, heading).moveable("robot");
+                case PARALLEL_BOX ->
+                    new BoxObject(place, 0.6, 1, 0.4).turned(0, heading).moveable("robot");
                 case CYLINDER -> new CylinderObject(place, 0.3, 1).moveable("robot");
                 case SPHERE -> new SphereObject(place, 0.3).moveable("robot");
                 case CAPSULE -> new CapsuleObject(place, 0.3, 0.4).moveable("robot");
@@ -189,7 +190,9 @@ class FlatWallSlideTest {
             contacts += result.contacts().isEmpty() ? 0 : 1;
             double gap = world.getProximity("robot", 10);
             boolean isClear = gap >= clearance;
-            assertThat(isClear || !wasClear).as("%s step %d gap %s", what, k, gap).isTrue();
+            assertThat(isClear || !wasClear)
+                    .as("%s step %d gap %s", what, k, gap)
+                    .isTrue();
             wasClear = isClear;
             assertThat(world.getObject("robot").center().y()).as(what).isEqualTo(0.5);
         }

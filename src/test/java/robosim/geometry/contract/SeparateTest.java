@@ -77,7 +77,9 @@ class SeparateTest {
         assertThat(freed).isGreaterThan(WORLDS / 6);
         assertThat(untouched).isGreaterThan(WORLDS / 30);
         assertThat(none).isGreaterThan(WORLDS / 30);
-        assertThat(missed).as("not freed though places are free, if only beyond others").isLessThanOrEqualTo(1 + none / 10);
+        assertThat(missed)
+                .as("not freed though places are free, if only beyond others")
+                .isLessThanOrEqualTo(1 + none / 10);
         assertThat(much).as("much longer than another one").isLessThanOrEqualTo(freed / 10);
     }
 

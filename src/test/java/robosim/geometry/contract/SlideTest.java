@@ -77,7 +77,10 @@ class SlideTest {
                 double before = gap(dimension, start, result.obstacle());
                 assertThat(gap).as("step " + k).isGreaterThanOrEqualTo(Math.min(before, CLEARANCE) * (1 - 1e-9));
                 if (before > CLEARANCE) {
-                    assertThat(gap).as("step " + k+" "+start+" "+result+" before "+before+" now "+world.getObject("robot")).isLessThanOrEqualTo(CLEARANCE * (1 + 1e-6));
+                    assertThat(gap)
+                            .as("step " + k + " " + start + " " + result + " before " + before + " now "
+                                    + world.getObject("robot"))
+                            .isLessThanOrEqualTo(CLEARANCE * (1 + 1e-6));
                 }
                 slides += slideAlong(world, result, dx, dz, k) ? 1 : 0;
                 heading += random.nextDouble(0.5, 1.5);

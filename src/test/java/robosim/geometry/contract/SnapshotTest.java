@@ -37,7 +37,8 @@ import robosim.geometry.model.Point;
 /** Worlds made of a snapshot answer to the bit as the one it is of, share what stands still, and keep changes to themselves. */
 class SnapshotTest {
     private static final double SIZE = 64;
-    private static final int QUESTIONS = Effort.cases(300, 300);
+    private static final int QUESTIONS = Effort.cases(450, 450);
+    private static final int SEED = 12;
 
     /** Of all objects; one in so many moves. */
     private record Kind(Dimension dimension, Accuracy accuracy, int count, double spread, double rise, int movesOneIn) {
@@ -97,15 +98,15 @@ class SnapshotTest {
         Geometry copyOfCopy = copy.snapshot().toGeometry();
         List<Geometry> siblings = snapshot.toGeometries(2);
 
-        List<String> truth = kind.ask(world, QUESTIONS, 5);
+        List<String> truth = kind.ask(world, QUESTIONS, SEED);
         assertThat(truth).anyMatch(line -> line.contains("go true")).anyMatch(line -> line.contains("go false"));
         assertThat(truth).anyMatch(line -> line.contains("test true")).anyMatch(line -> line.contains("test false"));
-        assertThat(kind.ask(anew, QUESTIONS, 5)).as("built anew").isEqualTo(truth);
-        assertThat(kind.ask(copy, QUESTIONS, 5)).as("a copy").isEqualTo(truth);
-        assertThat(kind.ask(copyOfCopy, QUESTIONS, 5)).as("a copy's copy").isEqualTo(truth);
-        assertThat(kind.ask(siblings.get(0), QUESTIONS, 5)).as("one of two").isEqualTo(truth);
-        assertThat(kind.ask(siblings.get(1), QUESTIONS, 5)).as("the other").isEqualTo(truth);
-        assertThat(kind.ask(read.toGeometry(), QUESTIONS, 5))
+        assertThat(kind.ask(anew, QUESTIONS, SEED)).as("built anew").isEqualTo(truth);
+        assertThat(kind.ask(copy, QUESTIONS, SEED)).as("a copy").isEqualTo(truth);
+        assertThat(kind.ask(copyOfCopy, QUESTIONS, SEED)).as("a copy's copy").isEqualTo(truth);
+        assertThat(kind.ask(siblings.get(0), QUESTIONS, SEED)).as("one of two").isEqualTo(truth);
+        assertThat(kind.ask(siblings.get(1), QUESTIONS, SEED)).as("the other").isEqualTo(truth);
+        assertThat(kind.ask(read.toGeometry(), QUESTIONS, SEED))
                 .as("read from a stream")
                 .isEqualTo(truth);
         assertThat(kind.ask(snapshot.toGeometry(), QUESTIONS, 6))
@@ -184,13 +185,13 @@ class SnapshotTest {
                     if (changes) {
                         change(copy, kind, new SplittableRandom(8));
                     }
-                    return kind.ask(copy, QUESTIONS, 5);
+                    return kind.ask(copy, QUESTIONS, SEED);
                 }));
             }
             Geometry changed = snapshot.toGeometry();
             change(changed, kind, new SplittableRandom(8));
-            List<String> ofChanged = kind.ask(changed, QUESTIONS, 5);
-            List<String> truth = kind.ask(world, QUESTIONS, 5);
+            List<String> ofChanged = kind.ask(changed, QUESTIONS, SEED);
+            List<String> truth = kind.ask(world, QUESTIONS, SEED);
             for (int k = 0; k < threads; k++) {
                 assertThat(answers.get(k).get()).as("thread %d", k).isEqualTo(k % 4 == 3 ? ofChanged : truth);
             }

@@ -76,8 +76,10 @@ class WalkerTest {
                 Geometry world = floor();
                 world.addObjectUnchecked(new BoxObject(new Point(2, 0.05, 0), 0.2, 0.1, 10).named("sill"));
                 assertThat(world.addObject(walker.on(0, 0, clearance + 1e-6))).isTrue();
-                SlideOptions options =
-                        SlideOptions.clearance(clearance).stepHeight(0.15).maxSlope(30).snap(0.2);
+                SlideOptions options = SlideOptions.clearance(clearance)
+                        .stepHeight(0.15)
+                        .maxSlope(30)
+                        .snap(0.2);
 
                 SlideResult last = walk(world, (int) Math.round(4 / step), step, options);
 
@@ -94,11 +96,14 @@ class WalkerTest {
         Geometry world = floor();
         world.addObjectUnchecked(new BoxObject(new Point(2, 0.1, 0), 0.2, 0.2, 10).named("sill"));
         assertThat(world.addObject(walker.on(0, 0, 1e-6))).isTrue();
-        SlideOptions options = SlideOptions.clearance(0).stepHeight(0.15).maxSlope(30).snap(0.2);
+        SlideOptions options =
+                SlideOptions.clearance(0).stepHeight(0.15).maxSlope(30).snap(0.2);
 
         SlideResult last = walk(world, 300, 0.02, options);
 
-        assertThat(world.getObject("robot").center().x()).as(walker + ": " + last).isLessThan(1.8);
+        assertThat(world.getObject("robot").center().x())
+                .as(walker + ": " + last)
+                .isLessThan(1.8);
         assertThat(walker.height(world, 0)).as(walker + ": " + last).isCloseTo(0, within(1e-3));
         assertThat(last.contacts().get(0).obstacle().name()).isEqualTo("sill");
     }
@@ -117,7 +122,8 @@ class WalkerTest {
                     new BoxObject(middle, 4.6, 1, 10).oriented(new double[] {cosine, -s, 0, s, cosine, 0, 0, 0, 1}));
         }
         assertThat(world.addObject(walker.on(-2, 0, 1e-6))).isTrue();
-        SlideOptions options = SlideOptions.clearance(0).stepHeight(0.1).maxSlope(30).snap(0.3);
+        SlideOptions options =
+                SlideOptions.clearance(0).stepHeight(0.1).maxSlope(30).snap(0.3);
         double highest = 0;
         for (int k = 0; k < 700; k++) {
             world.moveAndSlide("robot", new Move(0.02, 0, 0, 0, 0), options);
@@ -140,7 +146,8 @@ class WalkerTest {
                 .named("slope")
                 .oriented(new double[] {cosine, -sine, 0, sine, cosine, 0, 0, 0, 1}));
         assertThat(world.addObject(walker.on(0, 0, 1e-6))).isTrue();
-        SlideOptions options = SlideOptions.clearance(0).stepHeight(0.1).maxSlope(30).snap(0.2);
+        SlideOptions options =
+                SlideOptions.clearance(0).stepHeight(0.1).maxSlope(30).snap(0.2);
 
         for (int k = 0; k < 200; k++) {
             world.moveAndSlide("robot", new Move(0.02, 0, 0.01, 0, 0), options);
@@ -160,7 +167,8 @@ class WalkerTest {
             world.addObjectUnchecked(new BoxObject(new Point(4, high / 2, 0), 6 - k, high, 10));
         }
         assertThat(world.addObject(walker.on(-1, 0, 1e-6))).isTrue();
-        SlideOptions options = SlideOptions.clearance(0.01).stepHeight(0.15).maxSlope(30).snap(0.2);
+        SlideOptions options =
+                SlideOptions.clearance(0.01).stepHeight(0.15).maxSlope(30).snap(0.2);
         double highest = 0;
         for (int k = 0; k < 450; k++) {
             world.moveAndSlide("robot", new Move(0.02, 0, 0, 0, 0), options);

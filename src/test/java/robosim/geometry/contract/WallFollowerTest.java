@@ -65,7 +65,9 @@ class WallFollowerTest {
         for (int row = 0; row < n; row++) {
             for (int column = 0; column < n; column++) {
                 boolean isWall = row % 60 < 2 || column % 60 < 2 || row == n - 1 || column == n - 1;
-                boolean isDoor = row > 1 && column > 1 && (row % 60 + column % 60) % 60 > 20
+                boolean isDoor = row > 1
+                        && column > 1
+                        && (row % 60 + column % 60) % 60 > 20
                         && (row % 60 + column % 60) % 60 < 40;
                 boolean isEdge = row < 2 || column < 2 || row == n - 1 || column == n - 1;
                 if ((isWall && (isEdge || !isDoor)) || random.nextInt(400) == 0) {
@@ -114,7 +116,9 @@ class WallFollowerTest {
             SlideResult result = world.moveAndSlide("robot", new Move(x, 0, z, 0, 0), options);
             made += result.length();
             if (result.length() < STEP / 10) {
-                assertThat(result.contacts()).as("%s step %d: %s", what, k, result).isNotEmpty();
+                assertThat(result.contacts())
+                        .as("%s step %d: %s", what, k, result)
+                        .isNotEmpty();
                 heading += random.nextDouble(60, 90);
             } else {
                 Point by = result.made();
@@ -149,7 +153,8 @@ class WallFollowerTest {
             for (int step = 0; step < 100; step++) {
                 result = world.moveAndSlide("robot", new Move(in.x(), 0, in.z(), 0, 0), clearance, 8);
             }
-            String what = "%s heading %s half %s clearance %s: %s".formatted(dimension, heading, half, clearance, result);
+            String what =
+                    "%s heading %s half %s clearance %s: %s".formatted(dimension, heading, half, clearance, result);
             assertThat(result.length()).as(what).isLessThan(1e-6);
             List<String> named =
                     result.contacts().stream().map(c -> c.obstacle().name()).toList();

@@ -55,6 +55,7 @@ public final class FreePlaces {
 
     /** Whether the object touches nothing where it is. */
     private boolean isStandingKnown;
+
     private boolean isAloft;
 
     public FreePlaces(ObjectRegistry registry, Motion motion, Scratch scratch) {

@@ -6,8 +6,8 @@ import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.DoubleDouble;
-import robosim.geometry.exact.VectorMath;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
@@ -171,12 +171,12 @@ public final class Leg {
         return Math.max(Math.abs(part[along] - start[along]), Math.abs(part[3 + along] - start[along]));
     }
 
-    /** The sum of the magnitudes of the bounds at the start: what rounding is proportional to. */
+    /** The sum of the magnitudes of the bounds at the start, to which rounding is proportional; of heights if they count. */
     double size() {
         atStart.bounds(0, atStart.size(), part);
         double size = 0;
-        for (double bound : part) {
-            size += Math.abs(bound);
+        for (int along = 0; along < 3; along += dimension() == Dimension.PLANAR ? 2 : 1) {
+            size += Math.abs(part[along]) + Math.abs(part[3 + along]);
         }
         return size;
     }

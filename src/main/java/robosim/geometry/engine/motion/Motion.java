@@ -7,14 +7,13 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
-import robosim.geometry.model.Accuracy;
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a leg that is swept
@@ -220,6 +219,9 @@ public final class Motion {
         leg.begin(inView, mover, places, at);
     }
 
+    /** The share of the leg at which the contact is looked for, before rounding is allowed for; NaN for the end. */
+    private double contactShare;
+
     /** The free share of the leg that was blocked last. */
     private double share;
 
@@ -340,6 +342,7 @@ public final class Motion {
         ownLeaf = pairs.ownLeaf(pair);
         ownPiece = pairs.ownPiece(pair);
         stop.note(obstacle, 0, 1); // the only one
+        contactShare = Double.NaN;
     }
 
     /** The sum of the magnitudes of the bounds of a mover at its place. */
@@ -479,10 +482,11 @@ public final class Motion {
         return VectorMath.anyLength(leg.displacement(0), dy, leg.displacement(2));
     }
 
-    /** The sum of the magnitudes of the bounds of the leg, without heights that do not count. */
+    /** The sum of the magnitudes of the bounds of the leg, without heights where these do not count or do not change. */
     private double size() {
+        boolean isLevel = view.dimension == Dimension.PLANAR || leg.displacement(1) == 0;
         double size = 0;
-        for (int axis = 0; axis < 3; axis += view.dimension == Dimension.PLANAR ? 2 : 1) {
+        for (int axis = 0; axis < 3; axis += isLevel ? 2 : 1) {
             size += Math.abs(box[axis]) + Math.abs(box[3 + axis]);
         }
         return size;
@@ -518,10 +522,12 @@ public final class Motion {
             if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
                 continue;
             }
-            double free = usable(other, backOff(other, Math.min(met, MOST)));
+            double touching = backOff(other, Math.min(met, MOST));
+            double free = usable(other, touching);
             stop.note(other, free, least);
             if (free < least || (free == least && objects.isEarlier(other, obstacle))) {
                 least = free;
+                contactShare = touching;
                 obstacle = other;
                 ownLeaf = metOwnLeaf;
                 ownPiece = metOwnPiece;
@@ -699,7 +705,7 @@ public final class Motion {
             exit.contact(out);
         } else {
             stop.set(ownLeaf, ownPiece, obstacleLeaf, obstaclePiece);
-            touched = stop.contact(view, obstacle, out);
+            touched = stop.contact(view, obstacle, contactShare, out);
         }
     }
 

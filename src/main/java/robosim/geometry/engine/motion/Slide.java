@@ -91,8 +91,7 @@ public final class Slide {
     }
 
     /** Moves an object by a displacement in the world's axes and then turns it about its own, as far as that is free. */
-    public void make(
-            AccuracyView inView, int mover, double[] way, double turnX, double turnY, SlideOptions by) {
+    public void make(AccuracyView inView, int mover, double[] way, double turnX, double turnY, SlideOptions by) {
         view = inView;
         id = mover;
         options = by;

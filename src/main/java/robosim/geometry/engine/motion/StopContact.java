@@ -65,9 +65,13 @@ final class StopContact {
         otherPiece = metPiece;
     }
 
-    /** Writes the contact, six numbers; returns whose it is. */
-    int contact(AccuracyView view, int obstacle, double[] out) {
-        LeafColumn at = leg.atEnd();
+    /**
+     * Writes the contact, six numbers; returns whose it is.
+     *
+     * @param share the share of the leg after which the mover is compared; NaN for its end
+     */
+    int contact(AccuracyView view, int obstacle, double share, double[] out) {
+        LeafColumn at = Double.isNaN(share) ? leg.atEnd() : leg.after(share);
         own.setPiece(at, ownLeaf, ownPiece);
         other.setPiece(view.table(obstacle).leaves(), otherLeaf, otherPiece);
         MotionContact all = contacts;
