@@ -470,8 +470,10 @@ public final class Sweep {
             return Double.POSITIVE_INFINITY;
         }
         double share = pairs == null ? convex(kindA, a, i, kindB, b, j) : 0;
-        boolean matters = standing != null && share != Double.POSITIVE_INFINITY && share <= before;
-        if (matters && standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
+        if (standing != null
+                && share != Double.POSITIVE_INFINITY
+                && share <= before
+                && standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
         return pairs == null ? share : pairs.share(own, u, before);

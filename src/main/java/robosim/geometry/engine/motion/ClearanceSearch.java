@@ -31,7 +31,8 @@ final class ClearanceSearch {
     /** What sticks out of a plane by this share of its place and size was placed there by rounding. */
     private static final double FLUSH = 0x1p-44;
 
-    private static final int PLANE = 4;
+    /** Numbers of a plane: a normal, how far its piece extends along it, and how much nearer than the clearance that is. */
+    private static final int PLANE = 5;
 
     private final Leg leg;
     private final ObjectTable objects;
@@ -59,7 +60,7 @@ final class ClearanceSearch {
         double least = limit;
         first = -1; // each is searched up to the limit, so that ties are seen
         for (int k = 0; k < pairs.count(); k++) {
-            double free = isHeldOff(k) ? Double.POSITIVE_INFINITY : free(k, limit);
+            double free = isHeldOff(k, false) ? Double.POSITIVE_INFINITY : free(k, limit);
             if (free < least || (free == least && first >= 0 && isEarlier(k))) {
                 least = free;
                 first = k;
@@ -78,10 +79,14 @@ final class ClearanceSearch {
         return objects.isEarlier(pairs.object(k), pairs.object(first));
     }
 
-    /** Whether some pair, after a share of the leg, is nearer than the clearance although it was not at the start. */
-    boolean isCloser(double share) {
+    /**
+     * Whether some pair, after a share of the leg, is nearer than the clearance although it was not at the start.
+     *
+     * @param isExact whether pairs count too that the motion passes along at just the clearance, which rounding may lessen
+     */
+    boolean isCloser(double share, boolean isExact) {
         for (int k = 0; k < pairs.count(); k++) {
-            if (pairs.gap(k) >= clearance && !isHeldOff(k) && pairs.gap(k, share) < clearance) {
+            if (pairs.gap(k) >= clearance && !isHeldOff(k, isExact) && pairs.gap(k, share) < clearance) {
                 first = first < 0 ? k : first;
                 return true;
             }
@@ -98,15 +103,16 @@ final class ClearanceSearch {
         return pairs;
     }
 
-    /** Finds the planes of pieces nearer than the clearance that the motion goes along or away from. */
+    /** Finds the planes of pieces no farther than the clearance that the motion goes along or away from. */
     private void findPlanes() {
         planeCount = 0;
+        double most = clearance + FLUSH * (leg.size() + clearance);
         for (int k = 0; k < pairs.count(); k++) {
             double gap = pairs.gap(k);
-            if (gap > 0 && gap < clearance && !leg.turns()) {
+            if (gap > 0 && gap <= most && !leg.turns()) {
                 pairs.contact(k, 0, contact);
                 if (ahead() >= -ALONG * leg.longestPath()) {
-                    addPlane(pairs.level(k, contact, 3));
+                    addPlane(pairs.level(k, contact, 3), clearance - gap);
                 }
             }
         }
@@ -116,19 +122,27 @@ final class ClearanceSearch {
         return leg.displacement(0) * contact[3] + leg.displacement(1) * contact[4] + leg.displacement(2) * contact[5];
     }
 
-    private void addPlane(double level) {
+    private void addPlane(double level, double nearer) {
         if (PLANE * planeCount == planes.length) {
             planes = Arrays.copyOf(planes, 2 * planes.length);
         }
         System.arraycopy(contact, 3, planes, PLANE * planeCount, 3);
         planes[PLANE * planeCount + 3] = level;
+        planes[PLANE * planeCount + 4] = nearer;
         planeCount++;
     }
 
-    /** Whether the pair's pieces are on two sides of a plane that the motion does not cross. */
-    private boolean isHeldOff(int k) {
+    /**
+     * Whether the pair's pieces are on two sides of a plane that the motion does not cross.
+     *
+     * @param isNearer whether only planes of pieces nearer than the clearance count
+     */
+    private boolean isHeldOff(int k, boolean isNearer) {
         for (int plane = 0; plane < planeCount; plane++) {
             int at = PLANE * plane;
+            if (isNearer && planes[at + 4] <= 0) {
+                continue;
+            }
             double level = planes[at + 3];
             double above = pairs.ownLevel(k, planes, at);
             double below = pairs.level(k, planes, at);

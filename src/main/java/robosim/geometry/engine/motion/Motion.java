@@ -32,6 +32,9 @@ public final class Motion {
     /** A share is taken back by so much first, then by twice as much each time. */
     private static final double FIRST_STEP = 0x1p-52;
 
+    /** A share that is taken back by more was not refused by rounding. */
+    private static final double FAR_BACK = 0x1p-30;
+
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
 
@@ -318,8 +321,13 @@ public final class Motion {
         kept = kept < share ? Math.max(0, kept - margin()) : kept;
         double free = kept;
         double step = FIRST_STEP;
-        while (free > 0 && (clear.isCloser(free) || (free < share && !isFreeAfter(free)))) {
-            free = kept - step;
+        boolean isExact = true;
+        while (free > 0 && (clear.isCloser(free, isExact) || (free < share && !isFreeAfter(free)))) {
+            if (isExact && step > FAR_BACK) { // what it passes along is no nearer anywhere, but for rounding
+                isExact = false;
+                step = FIRST_STEP / 2;
+            }
+            free = isExact || step > FIRST_STEP / 2 ? kept - step : kept;
             step *= 2;
         }
         free = Math.max(0, free);
@@ -372,7 +380,7 @@ public final class Motion {
         standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
         NearPairs pairs = search().near(view, candidates, standing, 0);
         for (int k = 0; k < pairs.count(); k++) {
-            if (pairs.gap(k) > 0 && pairs.isHit(k)) {
+            if (pairs.gap(k) > 0 && pairs.isHit(k) && !pairs.isFromInside(k)) {
                 return false;
             }
         }

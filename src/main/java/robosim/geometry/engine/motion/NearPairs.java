@@ -168,6 +168,24 @@ final class NearPairs {
         return alone.free(own, 0, other, 0) != Double.POSITIVE_INFINITY;
     }
 
+    /**
+     * Whether the mover starts within the other's leaf, which is a mesh, and so may leave it through faces that it does not
+     * touch: inside a solid one, or in the plane over any.
+     */
+    boolean isFromInside(int k) {
+        LeafColumn of = view.table(objects[k]).leaves();
+        if (!of.kind(leaves[k]).isMesh()) {
+            return false;
+        }
+        boolean isTouching = false;
+        for (int other = 0; other < count && !isTouching; other++) {
+            isTouching = objects[other] == objects[k] && leaves[other] == leaves[k] && gaps[other] == 0;
+        }
+        return isTouching
+                ? leg.dimension() == Dimension.PLANAR
+                : distance.between(leg.dimension(), leg.atStart, ownLeaves[k], of, leaves[k], 0) == 0;
+    }
+
     private void load(int k, double share) {
         own.setPiece(share == 0 ? leg.atStart : leg.after(share), ownLeaves[k], ownPieces[k]);
         other.setPiece(view.table(objects[k]).leaves(), leaves[k], pieces[k]);

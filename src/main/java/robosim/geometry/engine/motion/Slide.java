@@ -220,7 +220,7 @@ public final class Slide {
         slide();
         savePlace(above);
         set(0, -rise, 0);
-        boolean isAir = advance(next, keep);
+        boolean isAir = advance(next, keep + 4 * lean);
         savePlace(landed);
         boolean isFarther = progress(landed) > farBefore + NONE * whole;
         if (isFarther && (isAir || isOnGround() || hasGroundAhead(rise))) {
@@ -264,7 +264,9 @@ public final class Slide {
         set(0, -options.snap(), 0);
         double before = length;
         savePlace(place);
-        if (advance(next, keep) || !isOnGround()) {
+        boolean isAir = advance(next, keep + 4 * lean); // so that level steps have room for rounding
+        boolean isDown = motion.fraction() * options.snap() > 8 * lean;
+        if (isAir || !isDown || !isOnGround()) {
             registry.move(id, place);
             length = before;
         }

@@ -28,6 +28,9 @@ final class SlidePlanes {
     /** What a displacement may go into a plane by rounding, as a share of its length. */
     private static final double ALONG = 0x1p-44;
 
+    /** What rounding leaves of the part of a displacement that is taken off, as a share of the whole. */
+    private static final double CLIPPED = 0x1p-50;
+
     /** What sticks out of a plane by this share of the sizes was placed there by rounding. */
     private static final double FLUSH = 0x1p-44;
 
@@ -41,17 +44,23 @@ final class SlidePlanes {
     private final HalfSpaces spaces = new HalfSpaces();
     private final double[] one = new double[PLANE];
     private final double[] tried = new double[3];
+    /** What the displacement clipped last may go into a plane by. */
+    private double clipped;
+
     private boolean isLevel;
     private boolean isFlat;
 
-    /** The least height of a normal of ground; what is below counts as a vertical wall for a level displacement. */
+    /** The least height of a normal of ground; below 0 there is none. */
     private double ground = -1;
 
     SlidePlanes(ObjectTable objects) {
         this.objects = objects;
     }
 
-    /** Makes all surfaces steeper than those of normals this high vertical walls for level displacements; -1 for none. */
+    /**
+     * For level displacements surfaces are vertical walls, so that they stay level, except ground: surfaces with normals at
+     * least this high; -1 for no ground.
+     */
     void walkOn(double leastHeight) {
         ground = leastHeight;
     }
@@ -163,7 +172,8 @@ final class SlidePlanes {
     private void straighten() {
         double ny = one[NORMAL + 1];
         double length = Math.sqrt(one[NORMAL] * one[NORMAL] + one[NORMAL + 2] * one[NORMAL + 2]);
-        if (isLevel && ny != 0 && (Math.abs(ny) < UPRIGHT || (ny < ground && length > UPRIGHT))) {
+        boolean isGround = ground >= 0 && ny >= ground;
+        if (isLevel && ny != 0 && length > UPRIGHT && (Math.abs(ny) < UPRIGHT || !isGround)) {
             one[NORMAL + 1] = 0;
             one[NORMAL] /= length;
             one[NORMAL + 2] /= length;
@@ -200,6 +210,7 @@ final class SlidePlanes {
     /** The displacement nearest to another one that goes into none of the planes; zero if there is none. */
     void clip(double[] way, double[] out) {
         System.arraycopy(way, 0, out, 0, 3);
+        clipped = CLIPPED * size(way);
         if (isFree(way)) {
             return;
         }
@@ -247,7 +258,7 @@ final class SlidePlanes {
 
     private boolean isFree(double[] way) {
         for (int p = 0; p < count; p++) {
-            if (gapRate(p, way) < -(ALONG + 2 * spreads[p]) * size(way)) {
+            if (gapRate(p, way) < -(ALONG + 2 * spreads[p]) * size(way) - clipped) {
                 return false;
             }
         }
@@ -266,8 +277,9 @@ final class SlidePlanes {
         double[] sum = tried;
         Arrays.fill(sum, 0);
         for (int p = 0; p < count; p++) {
-            if (gapRate(p, way) <= near + spreads[p] * length && !(isLevel && normal(p, 1) != 0 && way[1] == 0)) {
-                double by = (share + 2 * spreads[p]) * length + least;
+            if (gapRate(p, way) <= near + spreads[p] * length + clipped
+                    && !(isLevel && normal(p, 1) != 0 && way[1] == 0)) {
+                double by = (share + 2 * spreads[p]) * length + least + 2 * clipped;
                 for (int axis = 0; axis < 3; axis++) {
                     sum[axis] += by * normal(p, axis);
                 }

@@ -4,6 +4,7 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
@@ -86,6 +87,7 @@ public final class SweptBounds {
         TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
+        double lost = lost(kind, row, at, wx, wz);
         // The stored end is at that angle to within rounding.
         double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 3; k++) {
@@ -94,10 +96,21 @@ public final class SweptBounds {
             double z = k == 2 ? 1 : 0;
             double pivot = k == 0 ? px : k == 1 ? py : pz;
             body.aim(x, y, z, sign);
-            out6[k + 3] = body.greatest(angle, pivot, out6[k + 3]);
+            double most = body.greatest(angle, pivot, out6[k + 3]);
+            out6[k + 3] = most > out6[k + 3] ? most + lost : most;
             body.aim(-x, -y, -z, sign);
-            out6[k] = -body.greatest(angle, -pivot, -out6[k]);
+            double least = body.greatest(angle, -pivot, -out6[k]);
+            out6[k] = -(least > -out6[k] ? least + lost : least);
         }
+    }
+
+    /**
+     * What a rim's reach loses in doubles where the cylinder is turned off a direction along its axis by less than can be told
+     * from the cosine; 0 for an upright cylinder that stays upright, and for other leaves.
+     */
+    private static double lost(LeafKind kind, double[] row, int at, double wx, double wz) {
+        boolean hasRims = kind == LeafKind.CYLINDER || (kind == LeafKind.UPRIGHT_CYLINDER && (wx != 0 || wz != 0));
+        return hasRims ? 0x1p-25 * row[at + Leaf.SIZE] : 0;
     }
 
     /**
