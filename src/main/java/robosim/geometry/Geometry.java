@@ -10,7 +10,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SlideOptions;
 import robosim.geometry.narrow.Scratch;
 
 /**

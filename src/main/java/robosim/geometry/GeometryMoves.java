@@ -13,7 +13,6 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SlideOptions;
 import robosim.geometry.narrow.Scratch;
 
 /** Carries out the moves of a world, for an object that has been looked up: the fast path first, then the sweep. */
@@ -113,7 +112,8 @@ final class GeometryMoves {
     SlideResult sliding(int id, Move asked, SlideOptions options) {
         objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         Slide made = slide();
-        made.make(view, id, vector, asked.rx(), asked.ry(), options);
+        made.set(options.clearance(), options.bends(), options.stepHeight(), options.maxSlope(), options.snap());
+        made.make(view, id, vector, asked.rx(), asked.ry());
         return SlideResult.of(made, objects);
     }
 

@@ -98,6 +98,21 @@ public final class Sweep {
         };
     }
 
+    /** Whether translations of two kinds of leaves are decided without rounding; an enclosure's are not. */
+    public static boolean isExact(Dimension dimension, LeafKind a, LeafKind b) {
+        boolean isFlat = dimension == Dimension.PLANAR;
+        return (isFlat ? isExactInPlane(a) && isExactInPlane(b) : isExactInSpace(a) && isExactInSpace(b))
+                || (!isFlat && a.isVerticalPrism() && b.isVerticalPrism() && !a.isEnclosure() && !b.isEnclosure());
+    }
+
+    private static boolean isExactInPlane(LeafKind kind) {
+        return isExactInSpace(kind) || (kind.isDisc() && !kind.isEnclosure());
+    }
+
+    private static boolean isExactInSpace(LeafKind kind) {
+        return kind == LeafKind.SPHERE || ((kind.isPolytope() || kind.hasPieces()) && !kind.isEnclosure());
+    }
+
     /** Sets a straight translation. */
     public void translation(Dimension inDimension, double x, double y, double z) {
         dimension = inDimension;

@@ -18,6 +18,9 @@ final class DriveTrial {
     /** How early a contact may be answered: 4 ulp of the largest number that it was computed from. */
     private static final double EARLY = 0x1p-50;
 
+    /** How many times that a fraction may be early so that it can be used. */
+    private static final double USABLE = 64;
+
     private final HardCase.Drive question;
     private final Variant variant;
     private final GeometryObject mover;
@@ -74,8 +77,9 @@ final class DriveTrial {
             sink.find(fromFile(), true, ours, ours.equals(fromFile()));
             return;
         }
-        // Rounded down, and the stored place there is free: a rounding of the place, measured by the way.
-        double allowed = EARLY * size() / length() + 4 * Math.ulp(1.0);
+        // Rounded down, and so far from contact that a caller can use it, however that rounds: some roundings of the
+        // place.
+        double allowed = USABLE * EARLY * size() / length() + 4 * Math.ulp(1.0);
         if (!variant.name().endsWith("as given")) {
             boolean never = Trial.known(() -> !touchesBy(1));
             if (!never) {

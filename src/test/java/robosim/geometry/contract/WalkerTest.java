@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
+import robosim.geometry.SlideOptions;
 import robosim.geometry.SlideResult;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -19,7 +20,6 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SlideOptions;
 import robosim.geometry.model.SphereObject;
 
 /** Objects that walk on ground: over sills, up and down slopes and steps, and not up what is too steep. */

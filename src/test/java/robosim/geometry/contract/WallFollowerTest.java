@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
+import robosim.geometry.SlideOptions;
 import robosim.geometry.SlideResult;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -22,7 +23,6 @@ import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SlideOptions;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.WorldReader;
 

@@ -129,7 +129,7 @@ public final class Carrier {
      * @param gap how far to stay from what blocks
      */
     public boolean toContact(int id, double dx, double dy, double dz, double degrees, double gap) {
-        boolean all = motion.attempt(registry.view, id, dx, dy, dz, 0, degrees, true, gap);
+        boolean all = motion.attemptBeside(registry.view, id, dx, dy, dz, degrees, gap);
         registry.move(id, motion.end());
         return all;
     }

@@ -52,6 +52,11 @@ final class ClearanceSearch {
         pairs = new NearPairs(leg, distance);
     }
 
+    /** For the next search only one piece of one object counts. */
+    void only(int object, int leaf, int piece) {
+        pairs.only(object, leaf, piece);
+    }
+
     /** The greatest share of the leg, up to a limit, at which the clearance is kept. */
     double share(AccuracyView view, Candidates candidates, StartContacts standing, double gap, double limit) {
         clearance = gap;

@@ -13,6 +13,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
+import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
@@ -48,6 +49,9 @@ public final class Motion {
      */
     private static final double ROUNDED = 0x1p-46;
 
+    /** The same for a place alone, whose coordinates are off by a rounding of a sum and one of a product. */
+    private static final double PLACED = 0x1p-50;
+
     /** The same in degrees: a caller adds the share of a turn to a heading, and takes the heading off again. */
     private static final double ROUNDED_HEADING = 0x1p-43;
 
@@ -67,6 +71,7 @@ public final class Motion {
 
     private final StartContacts standing;
     private final StopContact stop;
+    private final Distance distance;
     private final double[] box = new double[6];
     private final double[] part = new double[6];
 
@@ -97,6 +102,7 @@ public final class Motion {
     private double fraction;
     private double turnFraction;
     private boolean isSecondTurn;
+    private boolean isBesideBlocker;
 
     /** Sweeps the objects themselves; null until a leg at an accuracy below EXACT first needs it. */
     private @Nullable Motion exact;
@@ -115,7 +121,8 @@ public final class Motion {
         enclosure = new EnclosureTurn(leg);
         exit = new BoundsExit(worldBounds, leg);
         standing = new StartContacts(scratch);
-        stop = new StopContact(objects, candidates, leg, scratch);
+        distance = new Distance(scratch);
+        stop = new StopContact(objects, candidates, leg, scratch, distance);
     }
 
     /** What blocks: an id, {@link #NOTHING} or {@link #BORDER}. */
@@ -154,6 +161,13 @@ public final class Motion {
             double gap) {
         begin(inView, mover, gap, true);
         return attempt(x, y, z, turnX, turnY, isGlobal);
+    }
+
+    /** The same with a gap to the piece that blocks alone, and to no other: for bodies, which are near to much that they move along. */
+    boolean attemptBeside(AccuracyView inView, int mover, double x, double y, double z, double turnY, double gap) {
+        begin(inView, mover, gap, true);
+        isBesideBlocker = true;
+        return attempt(x, y, z, 0, turnY, true);
     }
 
     /** The same along the object's own axes, and about them. */
@@ -217,6 +231,7 @@ public final class Motion {
         clearance = gap;
         obstacle = NOTHING;
         isSecondTurn = false;
+        isBesideBlocker = false;
         fraction = 1;
         turnFraction = 1;
         leg.begin(inView, mover, places, at);
@@ -244,6 +259,7 @@ public final class Motion {
             }
             shapes.begin(registry.at(Accuracy.EXACT), id, clearance, isEndWanted, leg.start, 0);
             shapes.isSecondTurn = isSecondTurn;
+            shapes.isBesideBlocker = isBesideBlocker;
             if (leg.isOwn()) {
                 shapes.leg.takeOwnAxes();
             }
@@ -299,10 +315,10 @@ public final class Motion {
         double least = leastFree();
         share = 1;
         if (least != Double.POSITIVE_INFINITY) {
-            share = leg.turns() && isSureTurn() ? representable(backOff(least)) : accepted(least);
+            share = isSureEnd() ? representable(backOff(least)) : accepted(least);
             leg.endAt(share);
         }
-        if (clearance > 0 && leg.isRigid()) {
+        if (clearance > 0 && leg.isRigid() && !(isBesideBlocker && obstacle < 0)) {
             enclose();
             keepClear();
         }
@@ -317,6 +333,9 @@ public final class Motion {
     private void keepClear() {
         stands();
         ClearanceSearch clear = search();
+        if (isBesideBlocker) {
+            clear.only(obstacle, obstacleLeaf, obstaclePiece);
+        }
         double kept = clear.share(view, candidates, standing, clearance, share);
         kept = kept < share ? Math.max(0, kept - margin()) : kept;
         double free = kept;
@@ -338,7 +357,7 @@ public final class Motion {
     }
 
     private ClearanceSearch search() {
-        ClearanceSearch made = search == null ? new ClearanceSearch(leg, objects, new Distance(scratch)) : search;
+        ClearanceSearch made = search == null ? new ClearanceSearch(leg, objects, distance) : search;
         search = made;
         return made;
     }
@@ -419,10 +438,16 @@ public final class Motion {
      * multiplies what was asked for by it asks for another leg, whose path differs by roundings.
      */
     private double usable(int of, double least) {
-        double margin = margin();
         if (least == 0 || (leg.turns() && isSureTurn())) {
             return least;
         }
+        if (!leg.turns() && of != BORDER && isExact(of) && gapAfter(of, 0) > 0) {
+            double apart = apart(of, least);
+            if (apart >= 0) {
+                return apart;
+            }
+        }
+        double margin = margin();
         int ownLeafMet = metOwnLeaf;
         int ownPieceMet = metOwnPiece;
         int leafMet = metLeaf;
@@ -438,12 +463,67 @@ public final class Motion {
         return Math.max(0, free);
     }
 
+    /**
+     * Beside an obstacle whose sweep is exact a share can be used if its place is apart by more than what a caller's product and
+     * sum may be off; -1 if that takes more than rounding, as where the mover passes along what it touches.
+     */
+    private double apart(int of, double least) {
+        double need = PLACED * size();
+        double step = Math.max(FIRST_STEP, need / length());
+        double free = representable(least);
+        for (; free > 0 && gapAfter(of, free) < need; step *= 2) {
+            if (step > Math.max(FAR_BACK, 64 * need / length())) {
+                return -1;
+            }
+            free = representable(least - step);
+        }
+        return Math.max(0, free);
+    }
+
+    /** The gap to an object after a share of the leg. */
+    private double gapAfter(int of, double share) {
+        LeafColumn there = share == 0 ? leg.atStart : leg.after(share);
+        LeafTable table = view.table(of);
+        int first = table.first(of);
+        double gap = Double.POSITIVE_INFINITY;
+        for (int j = first; j < first + table.count(of); j++) {
+            for (int i = 0; i < there.size(); i++) {
+                gap = Math.min(gap, distance.between(view.dimension, there, i, table.leaves(), j, gap));
+            }
+        }
+        return gap;
+    }
+
+    /** Whether a translation of the mover beside an object is decided without rounding. */
+    private boolean isExact(int of) {
+        LeafTable table = view.table(of);
+        int first = table.first(of);
+        for (int j = first; j < first + table.count(of); j++) {
+            for (int i = 0; i < leg.atStart.size(); i++) {
+                if (!Sweep.isExact(
+                        view.dimension, leg.atStart.kind(i), table.leaves().kind(j))) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
     private boolean isBlockedBy(int of, double share) {
         if (!leg.scale(share)) {
             return false;
         }
         enclose();
         return of == BORDER ? isLeaving() : met(of) != Double.POSITIVE_INFINITY || endsOn(of);
+    }
+
+    /** The share after which the world is left, or is nearer to the border than the clearance. */
+    private double leaves() {
+        if (!isBesideBlocker || leg.turns()) {
+            return exit.share(clearance);
+        }
+        double leaves = exit.share(0);
+        return leaves == Double.POSITIVE_INFINITY ? leaves : Math.max(0, leaves - clearance / length());
     }
 
     private boolean isLeaving() {
@@ -460,6 +540,22 @@ public final class Motion {
         }
         leg.scale(1);
         return Math.max(0, free);
+    }
+
+    /** Whether the end of a share need only be verified as a place: its path is free, however a caller rounds the share. */
+    private boolean isSureEnd() {
+        if (leg.turns()) {
+            return isSureTurn();
+        }
+        if (stands()) {
+            return false; // a path along what is touched depends on its rounding
+        }
+        for (int k = 0; k < candidates.count(); k++) {
+            if (!isExact(candidates.id(k))) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private double representable(double share) {
@@ -524,6 +620,7 @@ public final class Motion {
      */
     private double leastFree() {
         double least = Double.POSITIVE_INFINITY;
+        double leastTouching = Double.POSITIVE_INFINITY;
         for (int k = 0; k < candidates.count(); k++) {
             int other = candidates.id(k);
             double met = met(other);
@@ -532,7 +629,8 @@ public final class Motion {
             }
             double touching = backOff(other, Math.min(met, MOST));
             double free = usable(other, touching);
-            stop.note(other, free, least);
+            stop.note(other, touching, leastTouching);
+            leastTouching = Math.min(leastTouching, touching);
             if (free < least || (free == least && objects.isEarlier(other, obstacle))) {
                 least = free;
                 contactShare = touching;
@@ -544,7 +642,7 @@ public final class Motion {
             }
         }
         boolean isInside = worldBounds.clearlyHolds(clearance > 0 ? around : box);
-        double leaves = isInside ? Double.POSITIVE_INFINITY : exit.share(clearance);
+        double leaves = isInside ? Double.POSITIVE_INFINITY : leaves();
         if (leaves != Double.POSITIVE_INFINITY) {
             double free = usable(BORDER, backOff(BORDER, Math.min(leaves, MOST)));
             if (free < least) {

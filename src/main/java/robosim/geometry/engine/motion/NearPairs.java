@@ -42,6 +42,11 @@ final class NearPairs {
     private AccuracyView view;
     private double reach;
 
+    private boolean isOnly;
+    private int onlyObject;
+    private int onlyLeaf;
+    private int onlyPiece;
+
     // Whose pieces are being collected.
     private int object;
     private int leaf;
@@ -51,6 +56,14 @@ final class NearPairs {
     NearPairs(Leg leg, Distance distance) {
         this.leg = leg;
         this.distance = distance;
+    }
+
+    /** For the next search only one piece of one object counts. */
+    void only(int ofObject, int ofLeaf, int ofPiece) {
+        isOnly = true;
+        onlyObject = ofObject;
+        onlyLeaf = ofLeaf;
+        onlyPiece = ofPiece;
     }
 
     /** Finds all pairs among the candidates, whose bounds meet those of the leg widened by the distance. */
@@ -68,9 +81,13 @@ final class NearPairs {
                 }
             }
         }
+        isOnly = false;
     }
 
     private double collect(int ownPiece, int piece, double least) {
+        if (isOnly && (object != onlyObject || leaf != onlyLeaf || piece != onlyPiece)) {
+            return Double.POSITIVE_INFINITY;
+        }
         own.setPiece(leg.atStart, ownLeaf, ownPiece);
         other.setPiece(view.table(object).leaves(), leaf, piece);
         double gap = distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);

@@ -72,7 +72,7 @@ public final class Placer {
      * @return the share that was made: 1 for all
      */
     public double toContact(int id, double dx, double dy, double dz, double gap) {
-        boolean all = motion.attempt(registry.view, id, dx, dy, dz, 0, 0, true, gap);
+        boolean all = motion.attemptBeside(registry.view, id, dx, dy, dz, 0, gap);
         registry.move(id, motion.end());
         return all ? 1 : motion.fraction();
     }

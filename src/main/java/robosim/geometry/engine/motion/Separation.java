@@ -5,7 +5,6 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.model.SlideOptions;
 
 /**
  * Finds a short displacement that frees an object which touches or overlaps others. Candidates are the least displacement out of
@@ -137,7 +136,8 @@ public final class Separation {
         placeAt(way);
         registry.move(id, place);
         double[] back = {-way[0], -way[1], -way[2]};
-        slide.make(view, id, back, 0, 0, SlideOptions.clearance(0));
+        slide.set(0, 4, 0, 90, 0);
+        slide.make(view, id, back, 0, 0);
         int at = registry.objects.place(id);
         for (int k = 0; k < 3; k++) {
             way[k] = registry.objects.places()[at + k] - start[k];

@@ -6,7 +6,6 @@ import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SlideOptions;
 
 /**
  * A motion that goes on along what blocks it, and keeps a clearance from everything: each part of it is one {@link Motion}, and
@@ -69,7 +68,11 @@ public final class Slide {
 
     private AccuracyView view;
     private int id;
-    private SlideOptions options;
+    private double clearance;
+    private int bends;
+    private double stepHeight;
+    private double maxSlope;
+    private double snap;
     private boolean isLevel;
     private double whole;
     private double keep;
@@ -90,31 +93,39 @@ public final class Slide {
         planes = new SlidePlanes(registry.objects);
     }
 
+    /** Sets how the next motions go: see the options of {@code Geometry.moveAndSlide}. */
+    public void set(double toKeep, int mostBends, double highestStep, double steepest, double snapDown) {
+        clearance = toKeep;
+        bends = mostBends;
+        stepHeight = highestStep;
+        maxSlope = steepest;
+        snap = snapDown;
+    }
+
     /** Moves an object by a displacement in the world's axes and then turns it about its own, as far as that is free. */
-    public void make(AccuracyView inView, int mover, double[] way, double turnX, double turnY, SlideOptions by) {
+    public void make(AccuracyView inView, int mover, double[] way, double turnX, double turnY) {
         view = inView;
         id = mover;
-        options = by;
         System.arraycopy(way, 0, asked, 0, 3);
         System.arraycopy(asked, 0, left, 0, 3);
         isLevel = asked[1] == 0 || isFlat();
-        boolean isWalk = isLevel && !isFlat() && by.isWalker();
-        planes.walkOn(isWalk ? StrictMath.cos(StrictMath.toRadians(by.maxSlope())) : -1);
+        boolean isWalk = isLevel && !isFlat() && (stepHeight > 0 || maxSlope < 90 || snap > 0);
+        planes.walkOn(isWalk ? StrictMath.cos(StrictMath.toRadians(maxSlope)) : -1);
         count = 0;
         length = 0;
         turnFraction = 1;
         savePlace(start);
         whole = size(left);
-        if (whole > 0 && by.bends() == 0) {
+        if (whole > 0 && bends == 0) {
             toContact();
         } else if (whole > 0) {
             measure();
             slide();
-            if (isWalk && by.stepHeight() > 0 && count > 0) {
+            if (isWalk && stepHeight > 0 && count > 0) {
                 step();
             }
         }
-        if (isWalk && by.snap() > 0) {
+        if (isWalk && snap > 0) {
             measure();
             snap();
         }
@@ -131,7 +142,7 @@ public final class Slide {
     }
 
     private void turn(double turnX, double turnY) {
-        boolean free = motion.attempt(view, id, 0, 0, 0, turnX, turnY, false, options.clearance());
+        boolean free = motion.attempt(view, id, 0, 0, 0, turnX, turnY, false, clearance);
         registry.move(id, motion.end());
         if (!free) {
             turnFraction = motion.turnFraction();
@@ -149,7 +160,7 @@ public final class Slide {
     }
 
     private void toContact() {
-        if (!advance(left, options.clearance())) {
+        if (!advance(left, clearance)) {
             motion.contact(one);
             add(motion.touched());
         } else {
@@ -159,13 +170,12 @@ public final class Slide {
 
     private void measure() {
         double size = motion.size(view, id);
-        keep = Math.max(options.clearance(), SKIN * size);
+        keep = Math.max(clearance, SKIN * size);
         lean = LEAN * size;
     }
 
     /** Makes what is left, along what is in its path. */
     private void slide() {
-        int bends = options.bends();
         double off = OFF;
         stopCount = 0;
         findPlanes();
@@ -213,9 +223,9 @@ public final class Slide {
         registry.move(id, start);
         length = 0;
         count = 0;
-        set(0, options.stepHeight(), 0);
+        set(0, stepHeight, 0);
         boolean isWhole = advance(next, keep);
-        double rise = (isWhole ? 1 : motion.fraction()) * options.stepHeight();
+        double rise = (isWhole ? 1 : motion.fraction()) * stepHeight;
         System.arraycopy(asked, 0, left, 0, 3);
         slide();
         savePlace(above);
@@ -244,7 +254,7 @@ public final class Slide {
 
     private boolean isOnGround() {
         motion.contact(one);
-        return one[4] >= StrictMath.cos(StrictMath.toRadians(options.maxSlope())) - UPRIGHT;
+        return one[4] >= StrictMath.cos(StrictMath.toRadians(maxSlope)) - UPRIGHT;
     }
 
     private boolean hasGroundAhead(double rise) {
@@ -261,11 +271,11 @@ public final class Slide {
 
     /** Puts the object down on ground that is near below it. */
     private void snap() {
-        set(0, -options.snap(), 0);
+        set(0, -snap, 0);
         double before = length;
         savePlace(place);
         boolean isAir = advance(next, keep + 4 * lean); // so that level steps have room for rounding
-        boolean isDown = motion.fraction() * options.snap() > 8 * lean;
+        boolean isDown = motion.fraction() * snap > 8 * lean;
         if (isAir || !isDown || !isOnGround()) {
             registry.move(id, place);
             length = before;
@@ -322,8 +332,8 @@ public final class Slide {
     }
 
     /** Moves the object by a displacement as far as that is free; whether it is all free. */
-    private boolean advance(double[] way, double clearance) {
-        boolean free = motion.attempt(view, id, way[0], way[1], way[2], 0, 0, false, clearance);
+    private boolean advance(double[] way, double gap) {
+        boolean free = motion.attempt(view, id, way[0], way[1], way[2], 0, 0, false, gap);
         registry.move(id, motion.end());
         length += (free ? 1 : motion.fraction()) * size(way);
         return free;

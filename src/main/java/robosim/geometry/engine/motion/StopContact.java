@@ -37,12 +37,12 @@ final class StopContact {
     private int otherLeaf;
     private int otherPiece;
 
-    StopContact(ObjectTable objects, Candidates candidates, Leg leg, Scratch scratch) {
+    StopContact(ObjectTable objects, Candidates candidates, Leg leg, Scratch scratch, Distance distance) {
         this.objects = objects;
         this.candidates = candidates;
         this.leg = leg;
         this.scratch = scratch;
-        distance = new Distance(scratch);
+        this.distance = distance;
     }
 
     /** Takes note of an object's free share, the least before it being another one's. */
@@ -71,6 +71,9 @@ final class StopContact {
      * @param share the share of the leg after which the mover is compared; NaN for its end
      */
     int contact(AccuracyView view, int obstacle, double share, double[] out) {
+        if (rank(obstacle) < 0) {
+            note(obstacle, 0, 1); // it ends the motion by more than others are touched earlier
+        }
         LeafColumn at = Double.isNaN(share) ? leg.atEnd() : leg.after(share);
         own.setPiece(at, ownLeaf, ownPiece);
         other.setPiece(view.table(obstacle).leaves(), otherLeaf, otherPiece);

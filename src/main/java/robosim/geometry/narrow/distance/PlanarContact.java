@@ -227,7 +227,7 @@ public final class PlanarContact {
                 boolean isAcross = Math.abs(nx * shape.axisX + nz * shape.axisZ) * (shape.reach + shape.minor) <= slack;
                 boolean isCap =
                         shape.minor <= slack && Math.abs(nx * shape.axisZ - nz * shape.axisX) * shape.radius <= slack;
-                if (isCap) { // of a cylinder that lies level
+                if (isCap && !isAcross) { // of a cylinder that lies level
                     double ahead = Math.signum(nx * shape.axisX + nz * shape.axisZ) * shape.reach;
                     double capX = shape.centerX + ahead * shape.axisX;
                     double capZ = shape.centerZ + ahead * shape.axisZ;

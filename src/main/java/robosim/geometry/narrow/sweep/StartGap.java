@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
+import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -270,8 +271,8 @@ public final class StartGap {
                 high = middle;
             }
         }
-        double cos = Math.cos(low);
-        double sin = side * Math.sin(low);
+        double cos = Radians.cos(low);
+        double sin = side * Radians.sin(low);
         nx = cos * fx + sin * gx;
         ny = cos * fy + sin * gy;
         nz = cos * fz + sin * gz;
@@ -280,8 +281,8 @@ public final class StartGap {
 
     /** The slope of the width of the slab along the direction at an angle from f to g. */
     private double slope(double fx, double fy, double fz, double gx, double gy, double gz, double angle) {
-        double cos = Math.cos(angle);
-        double sin = Math.sin(angle);
+        double cos = Radians.cos(angle);
+        double sin = Radians.sin(angle);
         double x = cos * fx + sin * gx;
         double y = cos * fy + sin * gy;
         double z = cos * fz + sin * gz;

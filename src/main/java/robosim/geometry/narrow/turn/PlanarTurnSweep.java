@@ -40,7 +40,7 @@ public final class PlanarTurnSweep {
             VerticalTurn vertical = s.turns().vertical;
             double free = vertical.free(
                     kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
-            if (free > 0 || !vertical.isApart) {
+            if (vertical.arc > 0 || !vertical.isApart) {
                 return free;
             }
             return s.turns().advancement.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);

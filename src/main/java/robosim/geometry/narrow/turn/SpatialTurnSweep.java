@@ -52,7 +52,7 @@ public final class SpatialTurnSweep {
             double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
             VerticalTurn vertical = s.turns().vertical;
             double free = vertical.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
-            if (free > 0 || !vertical.isApart) {
+            if (vertical.arc > 0 || !vertical.isApart) {
                 return free;
             }
             return s.turns().advancement.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);

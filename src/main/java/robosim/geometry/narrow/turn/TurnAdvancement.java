@@ -209,7 +209,7 @@ final class TurnAdvancement {
      * the two at the start, is not approached.
      */
     private double fromNear(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        rising = alongEdges(kindA, a, i, kindB, b, j);
+        rising = planar ? 0 : alongEdges(kindA, a, i, kindB, b, j);
         startGap.between(planar, kindA, a, i, kindB, b, j);
         axis[0] = wx;
         axis[1] = wy;
@@ -218,16 +218,16 @@ final class TurnAdvancement {
         return rising;
     }
 
-    /** The same for the directions across an edge of each, which turn; in the plane the vertical is an edge of the other. */
+    /** The same in space for the directions across an edge of each, which turn. */
     private double alongEdges(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         ofMover.spatial(kindA, a, i);
         ofRest.spatial(kindB, b, j);
-        haveFacets = !planar;
+        haveFacets = true;
         double best = 0;
-        for (int k = 0; k < (planar ? 1 : ofRest.edges); k++) {
-            double ex = planar ? 0 : ofRest.edgeX[k];
-            double ey = planar ? 1 : ofRest.edgeY[k];
-            double ez = planar ? 0 : ofRest.edgeZ[k];
+        for (int k = 0; k < ofRest.edges; k++) {
+            double ex = ofRest.edgeX[k];
+            double ey = ofRest.edgeY[k];
+            double ez = ofRest.edgeZ[k];
             for (int m = 0; m < ofMover.edges; m++) {
                 for (int way = -1; way <= 1; way += 2) {
                     across.aim(

@@ -19,6 +19,9 @@ final class VerticalTurn {
     private final TurningPolygon polygons = new TurningPolygon();
     private final TurningDisc disc = new TurningDisc();
 
+    /** The free arc of the last turn, radians. */
+    double arc;
+
     /** Whether the two were certainly apart when the last turn began. */
     boolean isApart;
 
@@ -64,6 +67,7 @@ final class VerticalTurn {
         } else {
             free = polygons(angle, kindA, a, i, kindB, b, j, heightDepth);
         }
+        arc = free;
         return TurningPolygon.covers(free, angle) ? Double.POSITIVE_INFINITY : TurningPolygon.fraction(free, angle);
     }
 

@@ -1,4 +1,4 @@
-package robosim.geometry.model;
+package robosim.geometry;
 
 import robosim.geometry.exact.Checks;
 
