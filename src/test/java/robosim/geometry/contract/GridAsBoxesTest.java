@@ -135,7 +135,7 @@ class GridAsBoxesTest {
         assertThat(boxes[1]).as(as).isIn("move", "global", "dock");
         assertThat(grid[1] + grid[2] + grid[5]).as(as).isEqualTo(boxes[1] + boxes[2] + boxes[5]);
         for (int k = 3; k < 5; k++) {
-            assertThat(Double.parseDouble(grid[k])).as(as).isCloseTo(Double.parseDouble(boxes[k]), within(0x1p-44));
+            assertThat(Double.parseDouble(grid[k])).as(as).isCloseTo(Double.parseDouble(boxes[k]), within(0x1p-38));
         }
     }
 }

@@ -469,6 +469,9 @@ public final class Motion {
      */
     private double apart(int of, double least) {
         double need = PLACED * size();
+        if (!(need < MOST_MARGIN * length())) {
+            return -1;
+        }
         double step = Math.max(FIRST_STEP, need / length());
         double free = representable(least);
         for (; free > 0 && gapAfter(of, free) < need; step *= 2) {

@@ -34,8 +34,8 @@ public final class Reasons {
                 : share(result.turnFraction()) + " of the turn";
     }
 
-    /** Rounded down to a thousandth, but for what a fraction is less so that it can be used. */
+    /** Rounded down to a thousandth. */
     private static String share(double fraction) {
-        return NumberText.places(Math.floor(1000 * fraction + 0x1p-30) / 1000, 3);
+        return NumberText.places(Math.floor(1000 * fraction) / 1000, 3);
     }
 }
