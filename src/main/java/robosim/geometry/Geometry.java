@@ -291,7 +291,7 @@ public final class Geometry extends GeometryQueries {
     /**
      * Moves an object as far as it can go while every part of it keeps a clearance from everything, also from what it passes:
      * for docking. An object that has the clearance at the start has it at the end, by the distance that {@link #getProximity}
-     * returns; on the path it is kept to rounding. From what is nearer at the start the object may move away, or along it, and
+     * returns; on the path, and beside what it moves along at just the clearance, it is kept to rounding. From what is nearer at the start the object may move away, or along it, and
      * so past what lies behind it, such as the next tile of a wall.
      *
      * @param clearance world units; at least 0. With 0 it stops just before contact

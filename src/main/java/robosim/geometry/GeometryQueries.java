@@ -318,7 +318,7 @@ abstract class GeometryQueries {
         return places().edges(view, registry.mover(name), edges, from, to, free);
     }
 
-    /** Made when it is first asked for, as many worlds are asked about none. */
+    /** Made on first use: many worlds answer no such query. */
     final FreePlaces places() {
         FreePlaces made = places == null ? new FreePlaces(registry, motion, scratch) : places;
         places = made;

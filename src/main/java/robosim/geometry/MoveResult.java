@@ -27,14 +27,15 @@ import robosim.geometry.model.Point;
  *
  * <p>A fraction can be used. Multiply the move by it, in doubles, in the frame and units in which the move was given, and
  * call again: every call accepts the product, because the fraction is what has been verified by that question, or is
- * smaller by more than the rounding of it. That is why it is slightly below the last free one, by about 2<sup>-50</sup>
- * of the coordinates. If {@code fraction} is below 1, the product is a translation alone. Otherwise it is the whole
+ * smaller by more than the rounding of it. That is why it is slightly below the last free one, by 2<sup>-50</sup> of the
+ * coordinates where the sweep is exact and 2<sup>-46</sup> where it is certified. If {@code fraction} is below 1, the product is a translation alone. Otherwise it is the whole
  * translation, then the share of the turn: {@code turnFraction} times a turn about one axis. Of a move that turns about
  * both, below 0.5 it is {@code 2 * turnFraction * ry} alone; from 0.5 on it is all of {@code ry}, and
  * {@code (2 * turnFraction - 1) * rx}.
  *
  * <p>The sum of a coordinate and such a product is rounded again. If the product is not much larger than an ulp of the
- * coordinate, the sum leads in another direction, and a pose or an edge that ends there may not be free.
+ * coordinate, the sum leads in another direction, and a pose or an edge that ends there may not be free. Neither may one be at
+ * an accuracy below EXACT.
  *
  * @param allowed      whether the move was made; a move is all or nothing, a refused one leaves the object where it was
  * @param fraction     the fraction of the translation that is free, from 0 to 1: strictly before contact, rounded down,

@@ -24,7 +24,7 @@ public final class Distance {
      */
     private static final double SHORT = 0x1p-40;
 
-    /** By how much the distance of two enclosures is told shorter, as a share of it and of their sizes. */
+    /** By how much the distance of two enclosures is shortened, as a share of it and of their sizes. */
     private static final double SHORTER = 0x1p-42;
 
     private final Scratch s;
@@ -150,7 +150,7 @@ public final class Distance {
     }
 
     /**
-     * The distance of two enclosures as it is told: never above that of what they enclose, whatever the errors of both, which
+     * The distance of two enclosures that is returned: never above that of what they enclose, whatever the errors of both, which
      * are below 2<sup>-43</sup> of the distance and of the sizes.
      */
     public static double ofEnclosures(double distance, double sizes) {

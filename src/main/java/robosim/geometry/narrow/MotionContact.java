@@ -15,7 +15,7 @@ import robosim.geometry.narrow.leaf.UnderflowScaling;
  * The contact point and normal of a motion that was blocked, from the mover where it stops and the pieces that it meets there.
  *
  * <p>Each piece has one or more normals: the separating axes that close where the mover stops ({@link ClosingDirections}). Of
- * all of them, that is reported which opposes the motion most. Where several pieces are met at once, normals of planes that
+ * all of them, that is reported which opposes the motion most. Where several pieces are hit at once, normals of planes that
  * part the mover from all of them come first: at the seam of two tiles of a wall, the normal of the wall.
  *
  * <p>A piece that is near, but has an axis along which the motion does not close, does not block, and counts for nothing: the
@@ -108,7 +108,7 @@ public final class MotionContact {
         visit(own.kind(0), own.rows(), 0, -1, met.kind(0), met.rows(), 0, -1);
     }
 
-    /** How far away other pieces may be that are met at once. */
+    /** How far away other pieces may be that are hit at once. */
     public double reach() {
         return limit;
     }

@@ -8,7 +8,6 @@ final class BoundsExit {
     private final WorldBounds worldBounds;
     private final Leg leg;
     private final double[] swept = new double[6];
-    private final double[] inside = new double[6];
 
     BoundsExit(WorldBounds worldBounds, Leg leg) {
         this.worldBounds = worldBounds;
@@ -27,10 +26,9 @@ final class BoundsExit {
         double free = translation();
         if (clearance > 0) {
             LeafColumn exact = leg.exactAtStart();
-            exact.bounds(0, exact.size(), inside);
             for (int axis = 0; axis < 3; axis++) {
                 double way = leg.displacement(axis);
-                free = Math.min(free, worldBounds.share(inside, axis, way, clearance));
+                free = Math.min(free, worldBounds.share(exact, axis, way, clearance));
             }
         }
         return free;

@@ -251,7 +251,7 @@ public final class Motion {
         }
         boolean free = isLegFree();
         // Where no enclosure is near, no object is; where the enclosures block, that is enough for a verdict.
-        if (view.accuracy != Accuracy.EXACT && (free ? candidates.count() > 0 : isEndWanted)) {
+        if (view.accuracy != Accuracy.EXACT && (free ? isNearAnything() : isEndWanted)) {
             Motion shapes = exact;
             if (shapes == null) {
                 shapes = new Motion(registry, scratch);
@@ -297,6 +297,10 @@ public final class Motion {
         shapes.leg.scale(1);
         obstacle = blocking;
         shapes.obstacle = blocking;
+    }
+
+    private boolean isNearAnything() {
+        return candidates.count() > 0 || !worldBounds.clearlyHolds(around);
     }
 
     private boolean isEarlier(int one, int two) {
@@ -799,7 +803,7 @@ public final class Motion {
 
     /**
      * Contact point and normal at the end of what is free, six numbers. Of several objects with the same free share, that is
-     * written whose normal opposes the motion most; {@link #touched} tells which.
+     * written whose normal opposes the motion most; {@link #touched} returns its object.
      */
     public void contact(double[] out) {
         Motion shapes = exact;

@@ -36,7 +36,7 @@ public final class Slide {
     /** Displacements below this share of the whole are none. */
     private static final double NONE = 0x1p-40;
 
-    /** Planes count as left after so much of the whole displacement. */
+    /** Planes count as left after this share of the whole displacement. */
     private static final double LEFT = 0x1p-30;
 
     /** What a normal of level ground may be off. */

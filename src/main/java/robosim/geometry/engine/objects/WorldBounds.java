@@ -56,14 +56,17 @@ public final class WorldBounds {
     }
 
     /**
-     * The share of a way along an axis during which a box, six numbers, keeps a clearance from the side of the world that it
+     * The share of a way along an axis during which an object keeps a clearance from the side of the world that it
      * comes nearer to: 0 where it is nearer at the start, +Infinity where it keeps it to the end.
      */
-    public double share(double[] inside, int axis, double way, double clearance) {
+    public double share(LeafColumn column, int axis, double way, double clearance) {
         if (way == 0 || (axis == 1 && step() > 1)) {
             return Double.POSITIVE_INFINITY;
         }
-        double room = way > 0 ? half[axis] - inside[3 + axis] : half[axis] + inside[axis];
+        double room = Double.POSITIVE_INFINITY;
+        for (int leaf = 0; leaf < column.size(); leaf++) {
+            room = Math.min(room, half[axis] - reach(column, leaf, axis, way > 0 ? 1 : -1));
+        }
         double spare = room - clearance - 0x1p-50 * half[axis];
         return spare >= Math.abs(way) ? Double.POSITIVE_INFINITY : Math.max(0, spare / Math.abs(way));
     }
