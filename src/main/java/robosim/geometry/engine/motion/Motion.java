@@ -58,6 +58,9 @@ public final class Motion {
     /** A larger margin is not taken: a place then has no more than a few digits. */
     private static final double MOST_MARGIN = 0x1p-20;
 
+    /** More than a share is taken back beside its obstacle. */
+    private static final double LATER = 2 * MOST_MARGIN;
+
     private final ObjectRegistry registry;
     private final ObjectTable objects;
     private final WorldBounds worldBounds;
@@ -80,6 +83,9 @@ public final class Motion {
 
     /** The bounds of what stands for the object at the end of the leg. */
     private final double[] endBox = new double[6];
+
+    /** The shares after which the candidates are met. */
+    private double[] mets = new double[16];
 
     private AccuracyView view;
     private int id;
@@ -249,7 +255,7 @@ public final class Motion {
             leg.advance();
             return true;
         }
-        boolean free = isLegFree();
+        boolean free = isLegFree(1);
         // Where no enclosure is near, no object is; where the enclosures block, that is enough for a verdict.
         if (view.accuracy != Accuracy.EXACT && (free ? isNearAnything() : isEndWanted)) {
             Motion shapes = exact;
@@ -264,7 +270,7 @@ public final class Motion {
                 shapes.leg.takeOwnAxes();
             }
             shapes.leg.set(x, y, z, about, byDegrees);
-            free &= shapes.isLegFree();
+            free &= shapes.isLegFree(free ? 1 : share + LATER);
             if (!free && isEndWanted) {
                 takeLesser(shapes);
             }
@@ -307,12 +313,24 @@ public final class Motion {
         return one != BORDER && (two == BORDER || objects.isEarlier(one, two));
     }
 
-    /** Sweeps the leg, from which {@link #share} and the obstacle follow. */
-    private boolean isLegFree() {
+    /**
+     * Sweeps the leg, from which {@link #share} and the obstacle follow.
+     *
+     * @param upTo the share of the leg beyond which nothing need be found
+     */
+    private boolean isLegFree(double upTo) {
         isBlockedExactly = false;
         share = Double.POSITIVE_INFINITY;
-        enclose();
-        candidates.find(view, around, id);
+        if (upTo < 1 && leg.scale(upTo)) {
+            leg.sweptBox(1, box);
+            leg.around(box, around, clearance);
+            candidates.find(view, around, id);
+            leg.scale(1);
+            enclose();
+        } else {
+            enclose();
+            candidates.find(view, around, id);
+        }
         if (!isEndWanted) {
             return !isBlockedAnywhere(NOTHING);
         }
@@ -623,17 +641,19 @@ public final class Motion {
 
     /**
      * The least free share of those beside each obstacle alone, and whose it is: that of the one added first, the border's
-     * last. What is free beside one is verified beside that one, so that it does not depend on the others.
+     * last. What is free beside one is verified beside that one, so that it does not depend on the others. Obstacles that are
+     * met later than the first by more than any share is taken back are not asked.
      */
     private double leastFree() {
+        double last = meetAll() + LATER;
         double least = Double.POSITIVE_INFINITY;
         double leastTouching = Double.POSITIVE_INFINITY;
         for (int k = 0; k < candidates.count(); k++) {
-            int other = candidates.id(k);
-            double met = met(other);
-            if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
+            if (!(mets[k] <= last) || mets[k] == Double.POSITIVE_INFINITY) {
                 continue;
             }
+            int other = candidates.id(k);
+            double met = metOrEnd(other);
             double touching = backOff(other, Math.min(met, MOST));
             double free = usable(other, touching);
             stop.note(other, touching, leastTouching);
@@ -658,6 +678,25 @@ public final class Motion {
             }
         }
         return least;
+    }
+
+    /** Finds the share after which each candidate is met, and returns the least. */
+    private double meetAll() {
+        if (mets.length < candidates.count()) {
+            mets = new double[2 * candidates.count()];
+        }
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < candidates.count(); k++) {
+            mets[k] = metOrEnd(candidates.id(k));
+            least = Math.min(least, mets[k]);
+        }
+        return least;
+    }
+
+    /** The share after which an object is met; 1 if only the end, as it is stored, touches it, and infinity for neither. */
+    private double metOrEnd(int other) {
+        double met = met(other);
+        return met == Double.POSITIVE_INFINITY && endsOn(other) ? 1 : met;
     }
 
     /** The share after which an object is met, and the leaves that meet: of several the object's lower one. */
