@@ -24,6 +24,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
@@ -129,16 +130,18 @@ public final class SweepCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Shard part = shard == null ? Shard.ALL : Shard.parse(shard);
         Path file = target != null ? target : Path.of(part.count() == 1 ? "sweep.jsonl" : name(part));
-        Sweep sweep = sweep();
-        SweepRun run =
-                SweepRun.of(sweep, files.output("--out", file)).shard(part).threads(threads);
-        output.check(files);
+        Outputs.file(spec, "--out", file);
         if (!resumed && Files.exists(file)) {
             throw new ParameterException(
                     spec.commandLine(),
                     "--out must be a new file, or --resume must be given to go on with one (got: " + file
                             + ", which exists)");
         }
+        output.check();
+        Sweep sweep = sweep();
+        SweepRun run =
+                SweepRun.of(sweep, files.output("--out", file)).shard(part).threads(threads);
+        output.keep(files);
         if (resumed) {
             run.resume();
         }

@@ -7,9 +7,9 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.sweep.SweepPlot;
 import robosim.geometry.sweep.SweepResults;
@@ -34,19 +34,23 @@ public final class SweepOutput {
 
     private SweepOutput() {}
 
-    /** Refuses to write to a file that was read, or to one of another kind, such as a world. */
-    void check(WorldFiles files) throws IOException {
-        check(files, "--table", table, ".md");
-        check(files, "--plot", plot, ".svg");
+    /** Refuses files that cannot be written, or of another kind, such as a world. */
+    void check() {
+        if (table != null) {
+            Outputs.file(spec, "--table", table, ".md");
+        }
+        if (plot != null) {
+            Outputs.file(spec, "--plot", plot, ".svg");
+        }
     }
 
-    private void check(WorldFiles files, String option, @Nullable Path file, String ending) throws IOException {
-        if (file != null) {
-            files.output(option, file);
-            if (!file.toString().endsWith(ending)) {
-                throw new ParameterException(
-                        spec.commandLine(), option + " must end in " + ending + " (got: " + file + ")");
-            }
+    /** Refuses to write to a file that was read. */
+    void keep(WorldFiles files) throws IOException {
+        if (table != null) {
+            files.output("--table", table);
+        }
+        if (plot != null) {
+            files.output("--plot", plot);
         }
     }
 
