@@ -11,6 +11,7 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.sweep.SweepCsv;
 import robosim.geometry.sweep.SweepPlot;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepSummary;
@@ -28,6 +29,12 @@ public final class SweepOutput {
     private @Nullable Path plot;
 
     @Option(
+            names = "--csv",
+            paramLabel = "FILE.csv",
+            description = "also write a row for each replicate, for spreadsheets and data frames")
+    private @Nullable Path csv;
+
+    @Option(
             names = "--digest",
             description = "print a digest of all results: the same on any number of threads, shards and machines")
     private boolean digest;
@@ -36,6 +43,9 @@ public final class SweepOutput {
 
     /** Refuses files that cannot be written, or of another kind, such as a world. */
     void check() {
+        if (csv != null) {
+            Outputs.file(spec, "--csv", csv, ".csv");
+        }
         if (table != null) {
             Outputs.file(spec, "--table", table, ".md");
         }
@@ -46,6 +56,9 @@ public final class SweepOutput {
 
     /** Refuses to write to a file that was read. */
     void keep(WorldFiles files) throws IOException {
+        if (csv != null) {
+            files.output("--csv", csv);
+        }
         if (table != null) {
             files.output("--table", table);
         }
@@ -69,6 +82,13 @@ public final class SweepOutput {
         }
         if (plot != null) {
             Files.writeString(plot, SweepPlot.svg(results.header(), summary));
+        }
+        if (csv != null) {
+            SweepCsv.write(results, csv);
+        }
+        if (summary.isRepetition()) {
+            out.println("The replicates of each world and combination of values are all the same: nothing random"
+                    + " varied, so one of each says as much");
         }
         failures.tell(out);
         if (digest) {
