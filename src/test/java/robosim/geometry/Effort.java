@@ -2,7 +2,7 @@ package robosim.geometry;
 
 /**
  * How many random cases a test asks. The numbers in the tests are those of a full run, {@code
- * -Dtest.effort=1}; an ordinary build asks a quarter, as the pom says, and {@code .ci/run} half of them on its last JDK.
+ * -Dtest.effort=1}; an ordinary build asks a quarter, as the pom says, and so does {@code .ci/run} on each JDK.
  */
 public final class Effort {
     private static final double TIMES = Double.parseDouble(System.getProperty("test.effort", "1"));

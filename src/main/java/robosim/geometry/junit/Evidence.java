@@ -181,7 +181,8 @@ final class Evidence {
     private static String why(String done, Throwable thrown) {
         String missing = thrown instanceof NoClassDefFoundError ? String.valueOf(thrown.getMessage()) : "";
         if (missing.contains("jackson")) {
-            return "jackson-core is not on the class path, nor added to the modules (" + missing + ")";
+            return "jackson-core is not on the class path, is older than 2.15, or is not added to the modules ("
+                    + missing + ")";
         }
         return missing.contains("java/awt") || missing.contains("javax/imageio")
                 ? "the module java.desktop is not there (" + missing + ")"

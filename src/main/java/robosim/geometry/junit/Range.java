@@ -4,18 +4,17 @@ import robosim.geometry.collision.Verdict;
 import robosim.geometry.protocol.Text;
 
 /**
- * The distance between the surfaces of a robot and another object, to within the last bits. An assertion about it fails
- * only if it is certainly false.
+ * A robot with the distance between its surface and another object's, to within the last bits. It is measured once. An
+ * assertion about it fails only if it is certainly false.
  */
-public final class Range {
-    private final Robot robot;
+public final class Range extends Robot {
     private final String other;
     private final Verdict verdict;
 
-    Range(Robot robot, String other, Verdict verdict) {
-        this.robot = robot;
+    Range(RobotWorld world, String robot, String other) {
+        super(world, robot);
         this.other = other;
-        this.verdict = verdict;
+        this.verdict = world.distance(robot, other);
     }
 
     /** The distance in world units, rounded down; 0 in contact. */
@@ -24,25 +23,25 @@ public final class Range {
     }
 
     /** Fails if they are nearer. */
-    public Robot isAtLeast(double distance) {
-        Robot.check("distance", distance);
+    public Range isAtLeast(double distance) {
+        check("distance", distance);
         if (verdict.high() < distance) {
-            throw failure("at least", distance, verdict.high());
+            throw apart("at least", distance, verdict.high());
         }
-        return robot;
+        return this;
     }
 
     /** Fails if they are farther apart. */
-    public Robot isAtMost(double distance) {
-        Robot.check("distance", distance);
+    public Range isAtMost(double distance) {
+        check("distance", distance);
         if (verdict.low() > distance) {
-            throw failure("at most", distance, verdict.low());
+            throw apart("at most", distance, verdict.low());
         }
-        return robot;
+        return this;
     }
 
-    private AssertionError failure(String relation, double distance, double found) {
-        return robot.failure(" was to be " + relation + " " + Words.number(distance) + " from " + Text.quoted(other)
-                + ", but is " + Words.apart(found, distance) + " from it; it stands " + Words.place(robot.object()));
+    private AssertionError apart(String relation, double distance, double found) {
+        return failure(" was to be " + relation + " " + Words.number(distance) + " from " + Text.quoted(other)
+                + ", but is " + Words.apart(found, distance) + " from it; it stands " + Words.place(object()));
     }
 }

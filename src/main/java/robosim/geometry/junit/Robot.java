@@ -24,8 +24,11 @@ import robosim.geometry.world.SonarRing;
  * A robot of a {@link RobotWorld}, with commands and assertions that read like sentences. Each either succeeds or fails
  * the test with a message that says what is in the way, and where. Distances are in world units; directions in degrees,
  * counter-clockwise from its forward direction.
+ *
+ * <p>A sentence that measures, such as {@link #rangeTo}, goes on with more about what was measured, or with anything else
+ * about the robot: {@code robot.rangeTo("wall").isAtLeast(1).isAtMost(2).drives(0.5)}.
  */
-public final class Robot {
+public sealed class Robot permits Range, Sonar {
     private final RobotWorld world;
     private final String name;
 
@@ -231,7 +234,7 @@ public final class Robot {
         int from = 0;
         for (SonarRing ring : world.sonars(name)) {
             if (number >= from && number - from < ring.count()) {
-                return new Sonar(world, this, number, ring, number - from);
+                return new Sonar(world, name, number, ring, number - from);
             }
             from += ring.count();
         }
@@ -365,7 +368,7 @@ public final class Robot {
     /** The distance between its surface and another object's, for an assertion. */
     public Range rangeTo(String other) {
         Checks.present("other", other);
-        return new Range(this, other, world.distance(name, other));
+        return new Range(world, name, other);
     }
 
     /** Sets what it does in each step of the clock. */

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.Geometry;
@@ -227,13 +226,14 @@ public final class RobotWorld {
     /**
      * A robot.
      *
-     * @throws IllegalArgumentException if there is no moveable object of that name; the message lists those that exist
+     * @throws IllegalArgumentException if there is no moveable object of that name; the message lists those that exist,
+     *     of many the closest
      */
     public Robot robot(String name) {
         Checks.present("name", name);
         if (!geometry.hasObject(name) || !geometry.getObject(name).isMoveable()) {
-            throw new IllegalArgumentException("name must be that of a moveable object, one of " + names(true)
-                    + " (got: " + Text.quoted(name) + ")");
+            throw new IllegalArgumentException("name must be that of a moveable object, "
+                    + Text.choice(name, names(true)) + " (got: " + Text.quoted(name) + ")");
         }
         return robots.computeIfAbsent(name, each -> new Robot(this, each));
     }
@@ -267,17 +267,17 @@ public final class RobotWorld {
         return transcript.scenario(title);
     }
 
-    private String names(boolean moveable) {
+    private List<String> names(boolean moveable) {
         return geometry.objects().stream()
                 .filter(object -> object.name() != null && (!moveable || object.isMoveable()))
-                .map(object -> Text.quoted(String.valueOf(object.name())))
-                .collect(Collectors.joining(", ", "[", "]"));
+                .map(object -> String.valueOf(object.name()))
+                .toList();
     }
 
     GeometryObject known(String name) {
         if (!geometry.hasObject(name)) {
-            throw new IllegalArgumentException(
-                    "name must be that of an object, one of " + names(false) + " (got: " + Text.quoted(name) + ")");
+            throw new IllegalArgumentException("name must be that of an object, " + Text.choice(name, names(false))
+                    + " (got: " + Text.quoted(name) + ")");
         }
         return geometry.getObject(name);
     }

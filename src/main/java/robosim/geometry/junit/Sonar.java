@@ -6,11 +6,10 @@ import robosim.geometry.protocol.Beam;
 import robosim.geometry.world.SonarRing;
 
 /**
- * A sonar that the world's file gives a robot, with its range and its cone, for an assertion. It measures once, when it is
- * asked for, from the robot's centre.
+ * A robot with one of the sonars that the world's file gives it, with its range and its cone, for an assertion. It measures
+ * once, when it is asked for, from the robot's centre.
  */
-public final class Sonar {
-    private final Robot robot;
+public final class Sonar extends Robot {
     private final int number;
     private final SonarRing ring;
     private final double direction;
@@ -22,14 +21,14 @@ public final class Sonar {
      * @param number of the sonar among all of the robot, from 0
      * @param index  of the sonar in its ring
      */
-    Sonar(RobotWorld world, Robot robot, int number, SonarRing ring, int index) {
-        this.robot = robot;
+    Sonar(RobotWorld world, String robot, int number, SonarRing ring, int index) {
+        super(world, robot);
         this.number = number;
         this.ring = ring;
         direction = ring.first() + index * ring.step();
         Point towards = ring.direction(index);
         Beam beam = new Beam(ring.min(), ring.max(), Degrees.toRadians(ring.width()));
-        reading = world.measure(robot.name(), towards.x(), towards.z(), beam);
+        reading = world.measure(robot, towards.x(), towards.z(), beam);
     }
 
     /** Its direction, degrees counter-clockwise from the robot's forward direction. */
@@ -46,29 +45,29 @@ public final class Sonar {
     }
 
     /** Fails if it reads less. */
-    public Robot isAtLeast(double distance) {
-        Robot.check("distance", distance);
+    public Sonar isAtLeast(double distance) {
+        check("distance", distance);
         if (reading < distance) {
-            throw failure("at least " + Words.number(distance), Words.apart(reading, distance));
+            throw misread("at least " + Words.number(distance), Words.apart(reading, distance));
         }
-        return robot;
+        return this;
     }
 
     /** Fails if it reads more, or nothing. */
-    public Robot isAtMost(double distance) {
-        Robot.check("distance", distance);
+    public Sonar isAtMost(double distance) {
+        check("distance", distance);
         if (reading > distance) {
-            throw failure("at most " + Words.number(distance), echo(distance));
+            throw misread("at most " + Words.number(distance), echo(distance));
         }
-        return robot;
+        return this;
     }
 
     /** Fails if anything echoes within its range. */
-    public Robot readsNothing() {
+    public Sonar readsNothing() {
         if (!Double.isInfinite(reading)) {
-            throw failure("nothing", Words.found(reading));
+            throw misread("nothing", Words.found(reading));
         }
-        return robot;
+        return this;
     }
 
     private String echo(double asked) {
@@ -77,8 +76,8 @@ public final class Sonar {
                 : Words.apart(reading, asked);
     }
 
-    private AssertionError failure(String expected, String found) {
-        return robot.failure(" was to read " + expected + " by its sonar " + number + ", at " + Words.number(direction)
-                + " degrees, but it reads " + found + "; it stands " + Words.place(robot.object()));
+    private AssertionError misread(String expected, String found) {
+        return failure(" was to read " + expected + " by its sonar " + number + ", at " + Words.number(direction)
+                + " degrees, but it reads " + found + "; it stands " + Words.place(object()));
     }
 }

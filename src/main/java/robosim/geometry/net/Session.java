@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -65,6 +66,8 @@ import robosim.geometry.protocol.batch.WorldRequest;
  */
 public final class Session {
     private static final System.Logger LOG = System.getLogger(Session.class.getPackageName());
+
+    private static final int MOST_TO_SUGGEST = 100;
 
     private final SessionOptions options;
     private final SessionListener listener;
@@ -388,12 +391,17 @@ public final class Session {
         return degrees;
     }
 
+    /** The closest names of moveable objects, if there are so few that a bundle of wrong names costs next to nothing. */
+    private String closest(String name) {
+        return moveable.size() > MOST_TO_SUGGEST ? "" : Text.closest(name, new TreeSet<>(moveable));
+    }
+
     /** A problem that is logged and part of the reply. */
     private Problem unknown(String name, int index, String consequence) {
         String rest = world == null ? ", there is no world yet" : "";
         Supplier<String> words = () -> name.isEmpty() && world == null
                 ? "there is no world yet"
-                : "no moveable object " + Text.quoted(name) + rest;
+                : "no moveable object " + Text.quoted(name) + closest(name) + rest;
         complaints.warn(words.get() + ": " + consequence);
         return Problem.of(index, words); // reasons may be much larger than the bundle, so their text is not kept
     }

@@ -1,7 +1,11 @@
 package robosim.geometry.protocol;
 
+import java.util.Collection;
 import java.util.HexFormat;
+import java.util.List;
+import java.util.stream.Collectors;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.NearNames;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -10,6 +14,9 @@ import robosim.geometry.model.Point;
 public final class Text {
     private static final int LONGEST_QUOTE = 100;
     private static final int LONGEST_LINE = 500;
+
+    /** Names that are listed in full. */
+    private static final int FEW = 8;
 
     private Text() {}
 
@@ -36,6 +43,35 @@ public final class Text {
         Point center = object.center();
         return "a " + object.kind().word() + " at (" + NumberText.places(center.x(), 3) + ", "
                 + NumberText.places(center.y(), 3) + ", " + NumberText.places(center.z(), 3) + ")";
+    }
+
+    /**
+     * What a name could have been, for the refusal of one that does not exist: {@code one of ["a", "b"]}, or of many the
+     * closest, or the first ones if none is close.
+     */
+    public static String choice(String given, Collection<String> names) {
+        if (names.isEmpty()) {
+            return "of which there are none";
+        }
+        if (names.size() <= FEW) {
+            return "one of [" + list(names) + "]";
+        }
+        List<String> near = NearNames.of(given, names);
+        return near.isEmpty()
+                ? "one of " + NumberText.count(names.size(), "name") + " such as "
+                        + list(names.stream().limit(FEW / 2).toList())
+                : "one of " + NumberText.count(names.size(), "name") + ", the closest of which "
+                        + (near.size() == 1 ? "is " : "are ") + list(near);
+    }
+
+    /** The closest names to one that does not exist, to be appended: {@code ; closest: "a", "b"}, or nothing. */
+    public static String closest(String given, Iterable<String> names) {
+        List<String> near = NearNames.of(given, names);
+        return near.isEmpty() ? "" : "; closest: " + list(near);
+    }
+
+    private static String list(Collection<String> names) {
+        return names.stream().map(Text::quoted).collect(Collectors.joining(", "));
     }
 
     /** As in {@code box "wall 3"} or {@code mesh without a name}, on one line. */

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.exact.Checks;
@@ -24,12 +26,14 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioException;
 import robosim.geometry.scenario.Step;
+import robosim.geometry.sweep.lines.Fingerprint;
 import robosim.geometry.sweep.lines.Names;
 import robosim.geometry.sweep.lines.ScenarioPrint;
 
@@ -82,6 +86,11 @@ public final class ScenarioSweep implements SweepScenario {
     /** The requests after the world is made. */
     private final ArrayList<Bundle> requests = new ArrayList<>();
 
+    /** The first robots that are moved or driven, in the order of the requests. */
+    private final ArrayList<String> movers = new ArrayList<>();
+
+    private final ArrayList<Journey.Goal> goals = new ArrayList<>();
+
     /** The recorded answers; null if unknown. */
     private final ArrayList<@Nullable Bundle> answers = new ArrayList<>();
 
@@ -123,6 +132,52 @@ public final class ScenarioSweep implements SweepScenario {
             sweep.answers.add(expected == null ? null : expected.bundle());
         }
         sweep.print = ScenarioPrint.of(scenario.header().options(), first, sweep.requests, sweep.answers);
+        sweep.requests.stream()
+                .flatMap(ScenarioSweep::moved)
+                .distinct()
+                .limit(Journey.MOST_ROBOTS)
+                .forEach(sweep.movers::add);
+        return sweep;
+    }
+
+    private static Stream<String> moved(Bundle request) {
+        return request instanceof MoveBundle moves
+                ? moves.moves().stream().map(MoveRequest::objectName)
+                : request instanceof StepBundle step
+                        ? step.commands().stream().map(DriveCommand::objectName)
+                        : Stream.of();
+    }
+
+    /**
+     * This scenario with a goal: each result has the time, in seconds of the recorded steps, after which the robot's centre
+     * was first seen in a disc on the floor; without steps of time, the number of requests.
+     *
+     * @param robot  a moveable object of the conversation
+     * @param radius above 0
+     * @throws IllegalArgumentException if there is no such robot, or a number is not finite
+     */
+    public ScenarioSweep toGoal(String robot, double x, double z, double radius) {
+        Checks.present("robot", robot);
+        List<String> names = init.objects().stream()
+                .filter(GeometryObject::isMoveable)
+                .map(object -> String.valueOf(object.name()))
+                .toList();
+        if (!names.contains(robot)) {
+            throw new IllegalArgumentException("robot of a goal must be a moveable object of " + name + ", "
+                    + Text.choice(robot, names) + " (got: " + Text.quoted(robot) + ")");
+        }
+        if (!(Double.isFinite(x) && Double.isFinite(z) && radius > 0 && radius < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException("goal must be at finite x and z, with a finite radius above 0 (got: " + x
+                    + ", " + z + ", radius " + radius + ")");
+        }
+        ScenarioSweep sweep = new ScenarioSweep(name, options(), init);
+        sweep.requests.addAll(requests);
+        sweep.answers.addAll(answers);
+        sweep.movers.addAll(movers);
+        sweep.goals.addAll(goals);
+        sweep.goals.add(new Journey.Goal(robot, x, z, radius));
+        sweep.print =
+                new Fingerprint().add(print).add(sweep.goals.toString()).hex().substring(0, print.length());
         return sweep;
     }
 
@@ -131,7 +186,25 @@ public final class ScenarioSweep implements SweepScenario {
         return name;
     }
 
-    /** A digest of all steps and options of its file. */
+    @Override
+    public boolean isRandom(SortedMap<String, String> parameters) {
+        boolean moves = false;
+        boolean senses = false;
+        for (Bundle request : requests) {
+            moves |= moved(request).findAny().isPresent();
+            senses |= request instanceof SonarRequestBundle;
+        }
+        return isAbove0(parameters, PLACE)
+                || isAbove0(parameters, HEADING)
+                || (moves && isAbove0(parameters, SLIP))
+                || (senses && (isAbove0(parameters, AIM) || isAbove0(parameters, RANGE)));
+    }
+
+    private static boolean isAbove0(SortedMap<String, String> parameters, String parameter) {
+        return Double.parseDouble(parameters.getOrDefault(parameter, "0")) > 0;
+    }
+
+    /** A digest of all steps and options of its file, and of its goals. */
     @Override
     public String fingerprint() {
         return print;
@@ -203,6 +276,8 @@ public final class ScenarioSweep implements SweepScenario {
                 new Noise(noise, amount(replicate, SLIP), amount(replicate, AIM), amount(replicate, RANGE), beam);
         Replay replay = new Replay(replicate.world(), options(), SessionListener.NONE);
         ScenarioTally tally = new ScenarioTally();
+        Journey journey = new Journey(
+                replicate.world(), movers, goals, requests.stream().anyMatch(each -> each instanceof StepBundle));
         for (int k = 0; k < requests.size(); k++) {
             Bundle asked = requests.get(k);
             Bundle request;
@@ -219,8 +294,9 @@ public final class ScenarioSweep implements SweepScenario {
                 throw new IllegalStateException("the module itself failed at step " + (k + 2));
             }
             tally.take(asked, request, reply, answers.get(k), errors);
+            journey.after(request);
         }
-        return tally.result(stuck);
+        return journey.end(tally.result(stuck));
     }
 
     /** A step with other commands and masses; a command slips like a move. */

@@ -6,6 +6,7 @@ import java.io.Serial;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -172,6 +173,16 @@ public final class Sweep implements Serializable {
      */
     public long size() {
         return times(cells(), replicates);
+    }
+
+    /** Whether it has one replicate of each cell, or those of some cell can differ. */
+    public boolean canDiffer() {
+        long cells = replicates == 1 ? 0 : cells();
+        boolean differs = cells == 0;
+        for (long cell = 0; cell < cells && !differs; cell += worlds.size()) {
+            differs = scenario.isRandom(Collections.unmodifiableSortedMap(values(cell)));
+        }
+        return differs;
     }
 
     private static long times(long count, long by) {

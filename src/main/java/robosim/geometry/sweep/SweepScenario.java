@@ -1,6 +1,7 @@
 package robosim.geometry.sweep;
 
 import java.io.Serializable;
+import java.util.SortedMap;
 
 /**
  * The code that runs in each replicate of a sweep. Many threads run it at once, each with its own replicate: an
@@ -25,6 +26,14 @@ public interface SweepScenario extends Serializable {
      * @throws IllegalArgumentException if it does not know the parameter, or cannot use the value
      */
     default void check(String parameter, String value) {}
+
+    /**
+     * Whether replicates with these values can differ, as far as the scenario can tell. Where none can, a sweep of several
+     * replicates repeats itself, and the command says so. The default is true.
+     */
+    default boolean isRandom(SortedMap<String, String> parameters) {
+        return true;
+    }
 
     /**
      * A short text that tells this scenario from another of the same name: results with different fingerprints are not

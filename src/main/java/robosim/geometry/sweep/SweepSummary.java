@@ -105,12 +105,29 @@ public final class SweepSummary implements Consumer<Outcome> {
         return Collections.unmodifiableMap(cells);
     }
 
+    /** Whether there are several replicates of a cell, and those of each cell gave the same numbers. */
+    public boolean isRepetition() {
+        boolean several = false;
+        for (Map<String, Spread> spreads : cells.values()) {
+            for (Spread spread : spreads.values()) {
+                if (spread.count > 0 && (spread.none > 0 || spread.min != spread.max)) {
+                    return false;
+                }
+                several |= spread.count + spread.none > 1;
+            }
+        }
+        return several && failures() == 0;
+    }
+
     /** The number of replicates that failed. */
     public long failures() {
         return failed.values().stream().mapToLong(Integer::longValue).sum();
     }
 
-    /** A table for people, in Markdown: a row for each cell and number. */
+    /**
+     * A table for people, in Markdown: a row for each cell and number. The ends of robots are left out: the rows of the
+     * results have them.
+     */
     public String markdown() {
         List<String> parameters = cells.keySet().stream()
                 .flatMap(cell -> cell.parameters().keySet().stream())
@@ -122,7 +139,11 @@ public final class SweepSummary implements Consumer<Outcome> {
         heads.addAll(List.of("result", "replicates", "mean", "+-", "deviation", "least", "greatest", "none"));
         List<List<String>> rows = new ArrayList<>(List.of(heads));
         cells.forEach((cell, spreads) -> {
-            spreads.forEach((name, spread) -> rows.add(row(cell, parameters, name, spread)));
+            spreads.forEach((name, spread) -> {
+                if (!Journey.isEnd(name)) {
+                    rows.add(row(cell, parameters, name, spread));
+                }
+            });
             int failures = failed.getOrDefault(cell, 0);
             if (failures > 0) {
                 List<String> row = key(cell, parameters);

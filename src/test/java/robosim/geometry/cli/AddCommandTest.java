@@ -19,6 +19,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
@@ -80,13 +81,21 @@ class AddCommandTest extends CommandRun {
         WorldObject disc = world.objects().get(1);
         assertThat(disc.object().name()).isEqualTo("robot 2");
         assertThat(disc.object().heading()).isEqualTo(90);
-        assertThat(disc.sonars())
-                .singleElement()
-                .satisfies(ring -> assertThat(ring.count()).isEqualTo(8));
+        assertThat(disc.sonars()).singleElement().isEqualTo(new SonarRing(8, 0, 6, 15));
         BoxObject cart = (BoxObject) last(world);
         assertThat(new double[] {cart.width(), cart.height(), cart.length()}).containsExactly(0.6, 0.2, 0.4);
         assertThat(cart.name()).isEqualTo("cart");
         assertThat(out.toString()).contains("Added ", "Wrote " + xml);
+    }
+
+    @Test
+    void itsSonarsReachSixMetresInAnyUnit() throws IOException {
+        Path in = Files.writeString(
+                folder.resolve("in.xml"),
+                "<world xmlns=\"urn:robosim:world:1\" width=\"2000\" height=\"400\" length=\"2000\" unit=\"cm\"/>");
+        Path xml = folder.resolve("out.xml");
+        assertThat(run("add", in, xml, "disc:30@0,0", "--sonars", "4")).isEqualTo(ExitCodes.FINE);
+        assertThat(WorldReader.read(xml).objects().get(0).sonars()).containsExactly(new SonarRing(4, 0, 600, 15));
     }
 
     /** A colour of its own for each, in the world, in pictures and in what is included. */

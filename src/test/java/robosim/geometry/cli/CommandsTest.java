@@ -48,6 +48,23 @@ class CommandsTest {
                     connect localhost 0                  | PORT must be 1 to 65535 (got: 0)
                     render worlds/rooms.xml              | Missing required option: '--output=FILE'
                     render worlds/rooms.xml -o a.gif     | FILE must end in .svg or .png (got: a.gif)
+                    render worlds/rooms.xml -o no/a.png  | FILE must be in a folder that exists; create the folder first (got: no/a.png)
+                    render worlds/rooms.xml --plan --size 9x9 -o a.png | --size is for a picture by a camera; leave it out for a plan, which has a size of its own (got: --size with --plan)
+                    render worlds/rooms.xml --camera top -o a.svg | --camera is for a picture by a camera; leave it out for a plan, which has a size of its own (got: --camera with a.svg)
+                    render worlds/rooms.xml --camera robot:drm -o a.png | (got: drm)
+                    scan worlds/rooms.xml -o no/a.ply    | FILE must be in a folder that exists
+                    scan worlds/rooms.xml -o worlds      | FILE must end in .ply, .pcd or .npy (got: worlds)
+                    convert worlds/rooms.xml no/a.xml    | OUT must be in a folder that exists
+                    export worlds/rooms.xml no/a.html    | PAGE must be in a folder that exists
+                    add worlds/rooms.xml no/a.xml disc:1@0,0 | OUT must be in a folder that exists
+                    drive worlds/pushing.xml --record no/a.scenario.jsonl | --record must be in a folder that exists
+                    drive worlds/pushing.xml --robot crat | ["cart",
+                    connect localhost 5 --record no/a.scenario.jsonl | --record must be in a folder that exists
+                    sweep nowhere.Scenario w.xml -o no/a.jsonl | --out must be in a folder that exists
+                    sweep nowhere.Scenario w.xml --table a.txt | --table must end in .md (got: a.txt)
+                    sweep nowhere.Scenario w.xml --plot no/a.svg | --plot must be in a folder that exists
+                    rendr worlds/rooms.xml               | Did you mean: robosim-geometry render
+                    render worlds/rooms.xml --plna -o a.svg | Possible solutions: --plan
                     render nowhere.xml -o a.png          | WORLD must be a file that exists; check the path (got: nowhere.xml)
                     render worlds -o a.png               | WORLD must be a file, not a folder; name a file in it (got: worlds)
                     render pom.xml -o a.png              | pom.xml

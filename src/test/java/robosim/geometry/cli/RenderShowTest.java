@@ -125,7 +125,7 @@ class RenderShowTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             --show heat                       | must be one of colour, depth, normals, objects, labels, points (got: heat)
-            --show points --from robot:nobody | --from robot:NAME must name a moveable object of the world, one of robot (got: nobody)
+            --show points --from robot:nobody | --from robot:NAME must name a moveable object of the world, one of ["robot"] (got: nobody)
             --show points --from 1,2          | --from must be robot:NAME or X,Y,Z, three numbers (got: 1,2)
             --show points --lidar big         | must be one of vlp16,
             """)

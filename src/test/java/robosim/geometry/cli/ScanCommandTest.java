@@ -148,8 +148,8 @@ class ScanCommandTest {
                 .isZero();
         assertThat(out.toString()).contains("30 x 40 depths");
         String[][] wrong = {
-            {"nose", "--sensor must name a sensor of WORLD, one of rover::base::laser, rover::base::imu"},
-            {"photo", "one of rover::head::photo, post::l::photo (got: photo)"},
+            {"nose", "--sensor must name a sensor of WORLD, one of [\"rover::base::laser\", \"rover::base::imu\""},
+            {"photo", "one of [\"rover::head::photo\", \"post::l::photo\"] (got: photo)"},
             {"imu", "--sensor must be a lidar or a depth camera (got: rover::base::imu of type imu)"},
         };
         for (String[] each : wrong) {

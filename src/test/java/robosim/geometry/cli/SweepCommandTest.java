@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -299,7 +300,7 @@ class SweepCommandTest extends CommandRun {
 
     /** A world that was meant for something else would be lost. */
     @ParameterizedTest
-    @CsvSource({"--table, .md", "--plot, .svg"})
+    @CsvSource({"--table, .md", "--plot, .svg", "--csv, .csv"})
     void reportsHaveTheirEndings(String option, String ending) throws IOException {
         Path world = Files.writeString(folder.resolve("w.xml"), "<world/>");
         assertThat(run(
@@ -314,5 +315,55 @@ class SweepCommandTest extends CommandRun {
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith(option + " must end in " + ending + " (got: " + world + ")");
         assertThat(world).hasContent("<world/>");
+    }
+
+    @Test
+    void replicatesThatCannotDifferAreToldAndRowsAreWrittenAsCsv() throws IOException {
+        Path csv = folder.resolve("s.csv");
+        assertThat(run(
+                        "sweep",
+                        SCENARIO,
+                        "-n",
+                        3,
+                        "-p",
+                        "place=0",
+                        "--goal",
+                        "drum 1@1000,0,1",
+                        "-o",
+                        folder.resolve("s.jsonl"),
+                        "--csv",
+                        csv))
+                .isZero();
+        assertThat(err.toString())
+                .startsWith("warning: the 3 replicates of each world and combination of values cannot");
+        assertThat(out.toString())
+                .contains("The replicates of each world and combination of values are all the same")
+                .contains("| time to goal of drum 1 [requests] |")
+                .doesNotContain("| end x");
+        List<String> lines = Files.readAllLines(csv);
+        assertThat(lines).hasSize(4);
+        assertThat(lines.get(0))
+                .startsWith("index,world,place,replicate,seed,moves made,")
+                .contains(",time to goal of drum 1 [requests],end x of drum 1 [world units],")
+                .endsWith(",error");
+        List<String> heads = List.of(lines.get(0).split(",", -1));
+        List<String> row = List.of(lines.get(2).split(",", -1));
+        assertThat(row).hasSameSizeAs(heads).startsWith("1", "wandering", "0", "1");
+        assertThat(row.get(heads.indexOf("time to goal of drum 1 [requests]"))).isEmpty();
+        assertThat(Double.parseDouble(row.get(heads.indexOf("end x of drum 1 [world units]"))))
+                .isBetween(-20.0, 20.0);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            drum 1@1,2   | --goal must be ROBOT@X,Z,RADIUS, as in cart@4,-2,0.5 (got: drum 1@1,2)
+            drum@1,2,1   | --goal: robot of a goal must be a moveable object of wandering, one of ["drum 1",
+            drum 1@1,x,1 | --goal must be ROBOT@X,Z,RADIUS, as in
+            drum 1@1,2,0 | --goal: goal must be at finite x and z, with a finite radius above 0
+            """)
+    void aWrongGoalIsRefused(String goal, String reason) {
+        assertThat(run("sweep", SCENARIO, "--goal", goal, "-o", folder.resolve("s.jsonl")))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith(reason);
     }
 }

@@ -188,6 +188,7 @@ class NullsTest {
         call("refused", () -> world.toGeometry(null));
         call("world", () -> WorldCheck.of(null));
         call("watch", () -> WorldCheck.of(world, null));
+        call("read", () -> WorldCheck.of((WorldImport) null, (work, done, total) -> {}));
         call("file", () -> WorldImport.read(null, ImportOptions.DEFAULT));
         call("options", () -> WorldImport.read(file, null));
         call("object", () -> new WorldObject(null));

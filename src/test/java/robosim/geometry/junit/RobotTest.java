@@ -96,6 +96,9 @@ class RobotTest {
                 .isAtMost(3)
                 .rangeTo("r2")
                 .isAtMost(3);
+        r1.rangeTo("wall").isAtLeast(2).isAtMost(4).isAtLeast(3).turns(0);
+        assertThatThrownBy(() -> r1.rangeTo("wall").isAtLeast(2).isAtMost(2.5))
+                .hasMessageContaining("at most 2.5 from \"wall\"");
         assertThatThrownBy(() -> r1.rangeTo("wall").isAtLeast(3.5))
                 .hasMessage(
                         "robot \"r1\" was to be at least 3.5 from \"wall\", but is 3 from it; it stands at (0, 0, 0),"

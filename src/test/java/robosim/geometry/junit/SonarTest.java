@@ -43,6 +43,7 @@ class SonarTest {
         assertThat(robot.sonar(0).reads()).isBetween(2.9, 3.0);
         assertThat(robot.range(0)).isInfinite();
         robot.sonar(0).isAtMost(3).sonar(0).isAtLeast(2.9);
+        robot.sonar(0).isAtLeast(2.9).isAtMost(3).turns(0);
         assertThat(robot.sonar(1).direction()).isEqualTo(90);
         robot.sonar(1).readsNothing().sonar(2).readsNothing(); // the wall is 3.9 away
         assertThat(robot.sonars()).hasSize(3).endsWith(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);

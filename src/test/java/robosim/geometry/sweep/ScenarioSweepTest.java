@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -21,6 +22,8 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.Session;
+import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.WorldSettings;
@@ -217,5 +220,69 @@ class ScenarioSweepTest {
         assertThatThrownBy(() -> wrong.over(scenario.world())).hasMessageContaining("got twice");
         assertThatThrownBy(() -> Shard.parse("4/4")).hasMessageContaining("(n - 1)/n");
         assertThatThrownBy(() -> Shard.parse("a")).hasMessageContaining("as in 0/4");
+    }
+
+    /** Where each robot ends is where a replay leaves it, and a goal is reached when its circle is first entered. */
+    @Test
+    void theRowsHaveTheEndsAndTheTimeToTheGoal() throws IOException {
+        ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
+        Scenario read = Scenario.read(WANDERING);
+        Session session = new Session(read.header().options(), SessionListener.NONE, "test");
+        List<Point> places = new ArrayList<>();
+        for (Step step : read.steps()) {
+            session.reply(step.request());
+            places.add(world(session).getObject("drum 1").center());
+        }
+        Point last = places.get(places.size() - 1);
+        Point first = places.get(0);
+        double half = Math.hypot(last.x() - first.x(), last.z() - first.z()) / 2;
+        assertThat(half).isPositive();
+        Sweep sweep = Sweep.of(scenario.toGoal("drum 1", last.x(), last.z(), half)
+                        .toGoal("drum 1", first.x(), first.z(), half)
+                        .toGoal("drum 2", 1000, 0, 1))
+                .over(scenario.world());
+        Map<String, Double> values = values(sweep, 0);
+        assertThat(values)
+                .containsEntry("end x of drum 1 [world units]", last.x())
+                .containsEntry("end z of drum 1 [world units]", last.z())
+                .containsEntry("time to goal 2 of drum 1 [requests]", 0.0)
+                .containsEntry("time to goal 3 of drum 2 [requests]", Double.POSITIVE_INFINITY)
+                .doesNotContainKey("end y of drum 1 [world units]");
+        int reached = 0;
+        while (Math.hypot(
+                        places.get(reached).x() - last.x(), places.get(reached).z() - last.z())
+                > half) {
+            reached++;
+        }
+        assertThat(values).containsEntry("time to goal 1 of drum 1 [requests]", (double) reached);
+        assertThat(sweep.header().print()).isNotEqualTo(scenario.fingerprint());
+        assertThatThrownBy(() -> scenario.toGoal("drum9", 0, 0, 1)).hasMessageContaining("one of [\"drum 1\", ");
+        assertThatThrownBy(() -> scenario.toGoal("drum 1", 0, 0, 0)).hasMessageContaining("a finite radius above 0");
+    }
+
+    private static Geometry world(Session session) {
+        Geometry world = session.world();
+        assertThat(world).isNotNull();
+        return world;
+    }
+
+    @Test
+    void itKnowsWhereReplicatesCannotDiffer() throws IOException {
+        ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
+        Sweep sweep = Sweep.of(scenario).over(scenario.world()).replicates(3);
+        assertThat(sweep.canDiffer()).isFalse();
+        assertThat(sweep.replicates(1).canDiffer()).isTrue();
+        assertThat(sweep.vary("speed", "1", "2").canDiffer()).isFalse();
+        assertThat(sweep.vary("place", "0").vary("slip", "0").canDiffer()).isFalse();
+        for (String parameter : List.of("place", "heading", "slip", "aim", "range")) {
+            Sweep varied = sweep.vary(parameter, "0", "0.5").vary("speed", "1", "2");
+            assertThat(varied.canDiffer()).as(parameter).isTrue();
+            assertThat(values(varied, 1)).as(parameter).isNotEqualTo(values(varied, 5));
+        }
+        // What is not requested cannot vary.
+        ScenarioSweep turns = ScenarioSweep.read(STORED.resolve("by-hand.scenario.jsonl"));
+        Sweep deaf = Sweep.of(turns).over(turns.world()).replicates(2).vary("range", "1");
+        assertThat(deaf.canDiffer()).isEqualTo(!values(deaf, 0).equals(values(deaf, 1)));
+        assertThat(Sweeps.wander(0).replicates(2).canDiffer()).isTrue();
     }
 }

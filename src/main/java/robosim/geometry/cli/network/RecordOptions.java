@@ -8,6 +8,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.scenario.Recordings;
 
@@ -56,14 +57,8 @@ public final class RecordOptions {
         if (file == null) {
             return options;
         }
-        if (Files.exists(file)) {
-            throw refused("--record must be a new file; existing files are not overwritten (got: " + file + ")");
-        }
-        Path folder = file.toAbsolutePath().getParent();
-        if (folder == null || !Files.isWritable(folder)) {
-            throw refused("--record must be a file in a folder that can be written to (got: " + file + ")");
-        }
-        return options.withListeners(limited(Recordings.inFile(file, options.session())));
+        return options.withListeners(
+                limited(Recordings.inFile(Outputs.newFile(spec, "--record", file), options.session())));
     }
 
     private Recordings limited(Recordings recordings) {

@@ -23,6 +23,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
@@ -166,8 +167,8 @@ public final class DrivingCommand implements Callable<Integer> {
             throw refused("--seconds and --step must be above 0, a step at most an hour, and there must be at most "
                     + MOST_STEPS + " steps (got: " + seconds + " in steps of " + step + ")");
         }
-        if (record != null && Files.exists(record)) {
-            throw refused("--record must be a new file; existing files are not overwritten (got: " + record + ")");
+        if (record != null) {
+            Outputs.newFile(spec, "--record", record);
         }
     }
 
@@ -273,12 +274,12 @@ public final class DrivingCommand implements Callable<Integer> {
         List<String> moveable = new ArrayList<>();
         for (WorldObject object : read.objects()) {
             if (object.object().isMoveable()) {
-                moveable.add(Text.quoted(String.valueOf(object.object().name())));
+                moveable.add(String.valueOf(object.object().name()));
             }
         }
-        if (!moveable.contains(Text.quoted(name))) {
-            throw refused(option + " must name a moveable object of the world, one of " + moveable + " (got: "
-                    + Text.quoted(name) + ")");
+        if (!moveable.contains(name)) {
+            throw refused(option + " must name a moveable object of the world, " + Text.choice(name, moveable)
+                    + " (got: " + Text.quoted(name) + ")");
         }
     }
 

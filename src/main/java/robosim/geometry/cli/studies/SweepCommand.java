@@ -13,6 +13,8 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -24,6 +26,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
@@ -97,6 +100,13 @@ public final class SweepCommand implements Callable<Integer> {
             description = "values of a parameter; repeat it for other parameters")
     private List<String> parameters = List.of();
 
+    @Option(
+            names = "--goal",
+            paramLabel = "ROBOT@X,Z,RADIUS",
+            description = "of a scenario file: also measure when the centre of a robot first is in this disc; may be"
+                    + " repeated")
+    private List<String> goals = List.of();
+
     @Option(names = "--threads", paramLabel = "N", description = "number of threads (default: number of processors)")
     private int threads = Runtime.getRuntime().availableProcessors();
 
@@ -123,21 +133,33 @@ public final class SweepCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private SweepOutput output;
 
+    private static final String NUMBER = "[-+]?[0-9]*\\.?[0-9]+(?:[eE][-+]?[0-9]{1,3})?";
+    private static final Pattern GOAL = Pattern.compile("(.+)@(" + NUMBER + "),(" + NUMBER + "),(" + NUMBER + ")");
+
     private SweepCommand() {}
 
     @Override
     public Integer call() throws Exception {
         Shard part = shard == null ? Shard.ALL : Shard.parse(shard);
         Path file = target != null ? target : Path.of(part.count() == 1 ? "sweep.jsonl" : name(part));
-        Sweep sweep = sweep();
-        SweepRun run =
-                SweepRun.of(sweep, files.output("--out", file)).shard(part).threads(threads);
-        output.check(files);
+        Outputs.file(spec, "--out", file);
         if (!resumed && Files.exists(file)) {
             throw new ParameterException(
                     spec.commandLine(),
                     "--out must be a new file, or --resume must be given to go on with one (got: " + file
                             + ", which exists)");
+        }
+        output.check();
+        Sweep sweep = sweep();
+        SweepRun run =
+                SweepRun.of(sweep, files.output("--out", file)).shard(part).threads(threads);
+        output.keep(files);
+        if (!sweep.canDiffer()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("warning: the " + replicates + " replicates of each world and combination of values cannot"
+                            + " differ: give place, heading, slip, aim or range a value above 0 that applies to what was"
+                            + " recorded, or -n 1");
         }
         if (resumed) {
             run.resume();
@@ -219,7 +241,7 @@ public final class SweepCommand implements Callable<Integer> {
         if (scenario.endsWith(ScenarioReader.ENDING) || Files.isRegularFile(Path.of(scenario))) {
             Path conversationFile = Inputs.file(spec, "SCENARIO", Path.of(scenario));
             files.opened(conversationFile);
-            ScenarioSweep conversation = ScenarioSweep.read(conversationFile);
+            ScenarioSweep conversation = withGoals(ScenarioSweep.read(conversationFile));
             sweep = Sweep.of(conversation);
             if (worlds.isEmpty()) {
                 sweep = sweep.over(conversation.world());
@@ -228,6 +250,11 @@ public final class SweepCommand implements Callable<Integer> {
                 sweep = sweep.over(conversation.in(world(world)));
             }
         } else {
+            if (!goals.isEmpty()) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "--goal is for a scenario file; a class measures what it wants (got: " + goals.get(0) + ")");
+            }
             sweep = Sweep.of(made(scenario));
             if (worlds.isEmpty()) {
                 throw new ParameterException(
@@ -254,6 +281,27 @@ public final class SweepCommand implements Callable<Integer> {
             sweep = sweep.vary(name, parameter.substring(end + 1).split(",", -1));
         }
         return sweep.replicates(replicates).seed(seed);
+    }
+
+    private ScenarioSweep withGoals(ScenarioSweep conversation) {
+        ScenarioSweep sweep = conversation;
+        for (String goal : goals) {
+            Matcher words = GOAL.matcher(goal);
+            if (!words.matches()) {
+                throw new ParameterException(
+                        spec.commandLine(), "--goal must be ROBOT@X,Z,RADIUS, as in cart@4,-2,0.5 (got: " + goal + ")");
+            }
+            try {
+                sweep = sweep.toGoal(
+                        words.group(1),
+                        Double.parseDouble(words.group(2)),
+                        Double.parseDouble(words.group(3)),
+                        Double.parseDouble(words.group(4)));
+            } catch (IllegalArgumentException e) {
+                throw new ParameterException(spec.commandLine(), "--goal: " + e.getMessage(), e);
+            }
+        }
+        return sweep;
     }
 
     private SweepWorld world(Path file) throws IOException {

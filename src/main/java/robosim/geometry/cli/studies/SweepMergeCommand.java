@@ -1,7 +1,6 @@
 package robosim.geometry.cli.studies;
 
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,11 +10,11 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.sweep.SweepResults;
 
@@ -55,9 +54,10 @@ public final class SweepMergeCommand implements Callable<Integer> {
         for (Path file : files) {
             present.add(Inputs.file(spec, "FILE", file));
         }
-        if (target != null && Files.exists(target)) {
-            throw new ParameterException(spec.commandLine(), "--out must be a new file (got: " + target + ")");
+        if (target != null) {
+            Outputs.newFile(spec, "--out", target);
         }
+        output.check();
         PrintWriter out = spec.commandLine().getOut();
         SweepResults results = SweepResults.read(present);
         if (target != null) {

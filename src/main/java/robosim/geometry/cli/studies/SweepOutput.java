@@ -7,10 +7,11 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.sweep.SweepCsv;
 import robosim.geometry.sweep.SweepPlot;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepSummary;
@@ -28,25 +29,41 @@ public final class SweepOutput {
     private @Nullable Path plot;
 
     @Option(
+            names = "--csv",
+            paramLabel = "FILE.csv",
+            description = "also write a row for each replicate, for spreadsheets and data frames")
+    private @Nullable Path csv;
+
+    @Option(
             names = "--digest",
             description = "print a digest of all results: the same on any number of threads, shards and machines")
     private boolean digest;
 
     private SweepOutput() {}
 
-    /** Refuses to write to a file that was read, or to one of another kind, such as a world. */
-    void check(WorldFiles files) throws IOException {
-        check(files, "--table", table, ".md");
-        check(files, "--plot", plot, ".svg");
+    /** Refuses files that cannot be written, or of another kind, such as a world. */
+    void check() {
+        if (csv != null) {
+            Outputs.file(spec, "--csv", csv, ".csv");
+        }
+        if (table != null) {
+            Outputs.file(spec, "--table", table, ".md");
+        }
+        if (plot != null) {
+            Outputs.file(spec, "--plot", plot, ".svg");
+        }
     }
 
-    private void check(WorldFiles files, String option, @Nullable Path file, String ending) throws IOException {
-        if (file != null) {
-            files.output(option, file);
-            if (!file.toString().endsWith(ending)) {
-                throw new ParameterException(
-                        spec.commandLine(), option + " must end in " + ending + " (got: " + file + ")");
-            }
+    /** Refuses to write to a file that was read. */
+    void keep(WorldFiles files) throws IOException {
+        if (csv != null) {
+            files.output("--csv", csv);
+        }
+        if (table != null) {
+            files.output("--table", table);
+        }
+        if (plot != null) {
+            files.output("--plot", plot);
         }
     }
 
@@ -65,6 +82,13 @@ public final class SweepOutput {
         }
         if (plot != null) {
             Files.writeString(plot, SweepPlot.svg(results.header(), summary));
+        }
+        if (csv != null) {
+            SweepCsv.write(results, csv);
+        }
+        if (summary.isRepetition()) {
+            out.println("The replicates of each world and combination of values are all the same: nothing random"
+                    + " varied, so one of each says as much");
         }
         failures.tell(out);
         if (digest) {

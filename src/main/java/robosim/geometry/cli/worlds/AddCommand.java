@@ -19,6 +19,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.AtomicFileWriter;
@@ -73,7 +74,9 @@ public final class AddCommand implements Callable<Integer> {
             names = "--sonars",
             paramLabel = "COUNT",
             defaultValue = "0",
-            description = "sonars around each robot, 0 for none (default: ${DEFAULT-VALUE})")
+            description =
+                    "sonars around each robot, cones of 15 degrees with a range of 6 m (6 units in a world without a"
+                            + " unit); 0 for none (default: ${DEFAULT-VALUE})")
     private int sonars;
 
     @Mixin
@@ -87,14 +90,12 @@ public final class AddCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         Inputs.file(spec, "IN", in);
-        if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".xml") || Files.isDirectory(out)) {
-            throw refused("OUT must be a file that ends in .xml (got: " + out + ")", null);
-        }
-        World world = files.world(in);
-        files.output("OUT", out);
+        Outputs.file(spec, "OUT", out, ".xml");
         if (sonars < 0 || sonars > MOST_SONARS) {
             throw refused("--sonars must be from 0 to " + MOST_SONARS + " (got: " + sonars + ")", null);
         }
+        World world = files.world(in);
+        files.output("OUT", out);
         int before = world.objects().size();
         try {
             for (String robot : robots) {

@@ -243,8 +243,8 @@ public final class CameraOptions {
     private ColorCamera onRobot(Studio studio, String name) {
         GeometryObject robot = studio.find(name);
         if (robot == null || !robot.isMoveable()) {
-            throw refused("--camera robot:NAME must name a moveable object of the world, " + studio.choice() + " (got: "
-                    + name + ")");
+            throw refused("--camera robot:NAME must name a moveable object of the world, " + studio.choice(name)
+                    + " (got: " + name + ")");
         }
         Point place = mount == null ? new Point(0, studio.top(name), 0) : point("--mount", mount);
         return camera(studio, width(), height(), 80).on(name, Pose.of(place, 0));

@@ -18,7 +18,6 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
@@ -33,8 +32,9 @@ import robosim.geometry.world.check.WorldCheck;
             "",
             "Shut in: each robot explores a grid from its own place, by straight moves along X and Z at its height"
                     + " (and, unless it is round, turns by 45 degrees), each of which the module checks against the static"
-                    + " objects. The first step is coarse. If not every robot is reached it is half of the robot's"
-                    + " smaller side, or coarser in a large world, and then is halved twice. The step is reported, since a way off the grid may be missed."
+                    + " objects. The first step is coarse. It is refined to half of the robot's smaller side, or less far in"
+                    + " a large world, and halved twice more if not every robot is reached. The area is a lower bound:"
+                    + " a way off the grid may be missed, so the step is reported."
                     + " Robots share a room if one gets within their sizes and two steps of the other, and from"
                     + " there straight to it without touching anything else. A robot that starts in contact is not tested."
                     + " If the step had to be coarser than half of the robot's smaller side, and a finer search near"
@@ -42,8 +42,8 @@ import robosim.geometry.world.check.WorldCheck;
             "",
             "Needs: up to 600 places, with moves and sonar readings of the robots, from a fixed seed, tried with each of the"
                     + " ten settings until it answers otherwise, and until no setting could still be recommended; a setting is enough if it answers all of them as EXACT does in the world's own dimension."
-                    + " Without a robot a stand-in on the floor is asked. Unknown if no robot has room for 50 moves and distances, or if nothing was"
-                    + " hit.",
+                    + " Without a robot a stand-in on the floor is asked. Unknown if no robot has room for 50 moves and distances, if nothing was"
+                    + " hit, or if objects are outside the world or were left out of the file.",
             "",
             "Static objects may overlap, as the walls of a plan do; such overlaps are listed but are not findings."
         },
@@ -97,7 +97,7 @@ public final class CheckCommand implements Callable<Integer> {
             problems(all.isEmpty() ? List.of(first) : all);
             return ExitCodes.UNUSABLE;
         }
-        WorldCheck check = check(read.world());
+        WorldCheck check = check(read);
         PrintWriter out = spec.commandLine().getOut();
         out.print(
                 json
@@ -118,9 +118,9 @@ public final class CheckCommand implements Callable<Integer> {
         out.flush();
     }
 
-    private WorldCheck check(World world) {
+    private WorldCheck check(WorldImport read) {
         try {
-            return WorldCheck.of(world, this::tell);
+            return WorldCheck.of(read, this::tell);
         } finally {
             close();
         }

@@ -127,7 +127,7 @@ public final class CheckText {
         check.outside()
                 .forEach(object -> add(
                         "border",
-                        "%s reaches beyond the world; move it or enlarge the world",
+                        "%s reaches beyond the world and is not part of what follows; move it or enlarge the world",
                         Text.name(object.object())));
     }
 
@@ -217,7 +217,7 @@ public final class CheckText {
     private String room(Room room) {
         return String.format(
                 Locale.ROOT,
-                "x %s to %s, z %s to %s, an area of about %s%s (%,d places at a step of %s)",
+                "x %s to %s, z %s to %s, an area of at least about %s%s (%,d places at a step of %s%s)",
                 number(room.minX()),
                 number(room.maxX()),
                 number(room.minZ()),
@@ -225,10 +225,18 @@ public final class CheckText {
                 number(room.area()),
                 unit.isEmpty() ? "" : unit + "^2",
                 room.places(),
-                length(room.step()));
+                length(room.step()),
+                room.isTold() ? "" : ", too coarse for narrow ways");
     }
 
     private void needs() {
+        if (!skipped.isEmpty() || !check.outside().isEmpty()) {
+            add(
+                    "needs",
+                    "unknown because the world is incomplete: %s; correct that and check again",
+                    String.join(", ", missing()));
+            return;
+        }
         Needs needs = check.needs();
         Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
         StandIn standIn = needs.standIn();
@@ -328,11 +336,17 @@ public final class CheckText {
                         Locale.ROOT, some > 0 && some * 1000L < all ? "%.2f %%" : "%.1f %%", 100.0 * some / all);
     }
 
+    /** The number of objects that were not checked, by the reason. */
+    private List<String> missing() {
+        List<String> missing = new ArrayList<>();
+        count(missing, skipped.size(), "left out of the file");
+        count(missing, check.outside().size(), "outside the world");
+        return missing;
+    }
+
     /** The number of findings of each kind. */
     private List<String> findings() {
-        List<String> findings = new ArrayList<>();
-        count(findings, skipped.size(), "left out of the file");
-        count(findings, check.outside().size(), "outside the world");
+        List<String> findings = missing();
         count(
                 findings,
                 (int) check.startingContacts().stream()

@@ -144,8 +144,8 @@ public final class CloudOptions {
         }
         String name = place.substring(CameraOptions.ROBOT.length());
         if (!studio.carriers().contains(name)) {
-            throw refused("--from robot:NAME must name a moveable object of the world, " + studio.choice() + " (got: "
-                    + name + ")");
+            throw refused("--from robot:NAME must name a moveable object of the world, " + studio.choice(name)
+                    + " (got: " + name + ")");
         }
         return lidar.on(name, Pose.of(new Point(0, studio.top(name), 0), 0));
     }

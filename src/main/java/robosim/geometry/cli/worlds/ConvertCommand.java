@@ -19,6 +19,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
@@ -229,12 +230,7 @@ public final class ConvertCommand implements Callable<Integer> {
     /** How OUT ends. */
     private String ending() {
         String name = out.toString().toLowerCase(Locale.ROOT);
-        if (!name.endsWith(".xml") && !name.endsWith(".obj") && !name.endsWith(".glb")) {
-            throw new ParameterException(spec.commandLine(), "OUT must end in .xml, .glb or .obj (got: " + out + ")");
-        }
-        if (Files.isDirectory(out)) {
-            throw new ParameterException(spec.commandLine(), "OUT must be a file, not a folder (got: " + out + ")");
-        }
+        Outputs.file(spec, "OUT", out, ".xml", ".glb", ".obj");
         return name.substring(name.length() - 4);
     }
 

@@ -19,6 +19,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
@@ -88,12 +89,7 @@ public final class ExportCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        if (!page.toString().toLowerCase(Locale.ROOT).endsWith(".html")) {
-            throw refused("PAGE must end in .html (got: " + page + ")");
-        }
-        if (Files.isDirectory(page)) {
-            throw refused("PAGE must be a file, not a folder (got: " + page + ")");
-        }
+        Outputs.file(spec, "PAGE", page, ".html");
         Matcher range = STEPS.matcher(steps == null ? "" : steps);
         if (steps != null && !range.matches()) {
             throw refused("--steps must be FIRST-LAST, such as 1-500 (got: " + steps + ")");
@@ -116,13 +112,13 @@ public final class ExportCommand implements Callable<Integer> {
                 recording(reader, lender, range);
             }
         } else {
-            World world = files.world(file);
             if (steps != null) {
                 throw refused("--steps is for a recording, and FILE is a world (got: " + steps + ")");
             }
             if (colours != null) {
                 throw refused("--world is for a recording, and FILE is a world (got: " + colours + ")");
             }
+            World world = files.world(file);
             write(new PageWriter(Films.of(world)).described("", Pictures.unit(world)), 0);
         }
         return ExitCodes.FINE;

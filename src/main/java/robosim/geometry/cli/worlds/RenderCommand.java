@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -15,6 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.exact.NumberText;
@@ -121,6 +123,21 @@ public final class RenderCommand implements Callable<Integer> {
             description = "for a recording: a world file to take colours and the unit from")
     private @Nullable Path colours;
 
+    private static final List<String> OF_CAMERAS = List.of(
+            "--size",
+            "--camera",
+            "--look-at",
+            "--mount",
+            "--fov",
+            "--samples",
+            "--sky-rays",
+            "--mirrors",
+            "--frames",
+            "--no-floor",
+            "--show",
+            "--lidar",
+            "--from");
+
     /** Of a height in a title. */
     private static final int DIGITS = 6;
 
@@ -128,11 +145,14 @@ public final class RenderCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        String name = output.toString().toLowerCase(Locale.ROOT);
-        if (!name.endsWith(".svg") && !name.endsWith(".png")) {
-            throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
+        Outputs.file(spec, "FILE", output, ".svg", ".png");
+        boolean isPlan = plan
+                || dark
+                || slice != null
+                || output.toString().toLowerCase(Locale.ROOT).endsWith(".svg");
+        if (isPlan) {
+            refuseCamera();
         }
-        boolean isPlan = plan || dark || slice != null || name.endsWith(".svg");
         if (RecordingOptions.isRecording(world.file())) {
             film(isPlan);
             return ExitCodes.FINE;
@@ -155,6 +175,20 @@ public final class RenderCommand implements Callable<Integer> {
             photograph(read);
         }
         return ExitCodes.FINE;
+    }
+
+    /** Refuses what a plan would ignore: it has its own size, and no camera. */
+    private void refuseCamera() {
+        CommandLine.ParseResult given = spec.commandLine().getParseResult();
+        for (String option : OF_CAMERAS) {
+            if (given.hasMatchedOption(option)) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        option + " is for a picture by a camera; leave it out for a plan, which has a size of its own"
+                                + " (got: " + option + " with "
+                                + (plan ? "--plan" : dark ? "--dark" : slice != null ? "--slice" : output) + ")");
+            }
+        }
     }
 
     private String title() {

@@ -19,6 +19,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.world.SonarRing;
+import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.check.StandIn;
@@ -43,6 +44,11 @@ final class RobotSpec {
 
     /** The most of the world's height that a robot has whose height is not given. */
     private static final double TALLEST = 0.5;
+
+    /** The range of a sonar, and the opening angle of its cone: what those of indoor robots have. */
+    private static final double SONAR_METRES = 6;
+
+    private static final double SONAR_DEGREES = 15;
 
     private RobotSpec() {}
 
@@ -80,9 +86,10 @@ final class RobotSpec {
                 ? new CylinderObject(at, first + margin, tall)
                 : new BoxObject(at, first + 2 * margin, tall, number(length, 0) + 2 * margin);
         checkPlace(world, robot, roomy.turned(0, robot.heading()), match, side);
+        Unit unit = world.unit();
         List<SonarRing> rings = sonars == 0
                 ? List.of()
-                : List.of(new SonarRing(sonars, 0, 360.0 / sonars, 0, Double.POSITIVE_INFINITY, 0));
+                : List.of(new SonarRing(sonars, 0, SONAR_METRES / (unit == null ? 1 : unit.metres()), SONAR_DEGREES));
         List<WorldObject> objects = new ArrayList<>(world.objects());
         objects.add(new WorldObject(robot, match.group(9), rings));
         return world.withObjects(objects);

@@ -16,6 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.collision.CollisionDetection;
@@ -26,6 +27,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
@@ -166,9 +168,7 @@ public final class ScanCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         String name = output.toString().toLowerCase(Locale.ROOT);
-        if (!name.endsWith(".ply") && !name.endsWith(".pcd") && !name.endsWith(".npy")) {
-            throw refused("FILE must end in .ply, .pcd or .npy (got: " + output + ")");
-        }
+        Outputs.file(spec, "FILE", output, ".ply", ".pcd", ".npy");
         if (!(noise >= 0 && noise <= 1000)) { // written so that NaN fails it
             throw refused("--noise must be from 0 to 1000 (got: " + noise + ")");
         }
@@ -349,7 +349,7 @@ public final class ScanCommand implements Callable<Integer> {
             on = moveable.get(0);
         } else if (!moveable.contains(on)) {
             throw refused("--on must be the name of a moveable object of WORLD, "
-                    + (moveable.isEmpty() ? "which has none" : "one of " + String.join(", ", moveable)) + " (got: " + on
+                    + (moveable.isEmpty() ? "which has none" : Text.choice(on, moveable)) + " (got: " + on
                     + ")");
         }
         return by.on(on, pose);

@@ -15,6 +15,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.world.World;
@@ -111,9 +112,9 @@ final class Studio {
     }
 
     /** What a name may be, in words. */
-    String choice() {
+    String choice(String given) {
         List<String> all = carriers();
-        return all.isEmpty() ? "which has none: add one with the command add" : "one of " + String.join(", ", all);
+        return all.isEmpty() ? "which has none: add one with the command add" : Text.choice(given, all);
     }
 
     /** The number of an object in the world, from 1; 0 for the floor, which is none. */

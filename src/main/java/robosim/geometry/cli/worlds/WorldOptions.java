@@ -11,6 +11,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
@@ -78,7 +79,7 @@ public final class WorldOptions {
             List<String> names = (found.isEmpty() ? all : found)
                     .stream().map(SdfReader.Sensor::name).toList();
             throw refused(option + " must name a sensor of WORLD, "
-                    + (names.isEmpty() ? "which has none" : "one of " + String.join(", ", names)) + " (got: " + name
+                    + (names.isEmpty() ? "which has none" : Text.choice(name, names)) + " (got: " + name
                     + ")");
         }
         return found.get(0);

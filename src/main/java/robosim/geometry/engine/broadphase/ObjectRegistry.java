@@ -2,6 +2,7 @@ package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.Form;
@@ -9,6 +10,7 @@ import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.SharedObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.NearNames;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.tiles.NearTarget;
 import robosim.geometry.model.Accuracy;
@@ -352,9 +354,20 @@ public final class ObjectRegistry {
     public int known(String name) {
         int id = objects.find(Checks.present("name", name));
         if (id < 0) {
-            throw new IllegalArgumentException("name must be that of an object in the world (got: \"" + name + "\")");
+            List<String> near = NearNames.of(name, names());
+            throw new IllegalArgumentException("name must be that of an object in the world"
+                    + (near.isEmpty() ? "" : ", perhaps \"" + String.join("\", \"", near) + "\"") + " (got: \""
+                    + name + "\")");
         }
         return id;
+    }
+
+    private Iterable<String> names() {
+        return () -> objects.ids()
+                .mapToObj(id -> objects.present(id).name())
+                .filter(Objects::nonNull)
+                .map(String::valueOf)
+                .iterator();
     }
 
     /** The id of a moveable object that must be there. */

@@ -35,12 +35,7 @@ final class JsonInput implements Closeable {
     private static final int MAX_BASE64 = 3 * Double.BYTES * MessageLimits.MAX_BEAMS / 3 * 4;
 
     static final JsonFactory FACTORY = JsonFactory.builder()
-            .streamReadConstraints(StreamReadConstraints.builder()
-                    .maxNestingDepth(MessageLimits.MAX_DEPTH)
-                    .maxNumberLength(MAX_NUMBER_LENGTH)
-                    .maxStringLength(MAX_BASE64) // other strings are limited by text()
-                    .maxNameLength(MessageLimits.MAX_TEXT_BYTES)
-                    .build())
+            .streamReadConstraints(constraints())
             // Names come from a peer, so none are cached.
             .disable(JsonFactory.Feature.INTERN_FIELD_NAMES)
             .disable(JsonFactory.Feature.CANONICALIZE_FIELD_NAMES)
@@ -50,6 +45,19 @@ final class JsonInput implements Closeable {
             // A line is written with its line feed, at once.
             .disable(StreamWriteFeature.FLUSH_PASSED_TO_STREAM)
             .build();
+
+    private static StreamReadConstraints constraints() {
+        StreamReadConstraints.Builder constraints = StreamReadConstraints.builder()
+                .maxNestingDepth(MessageLimits.MAX_DEPTH)
+                .maxNumberLength(MAX_NUMBER_LENGTH)
+                .maxStringLength(MAX_BASE64); // other strings are limited by text()
+        try {
+            return constraints.maxNameLength(MessageLimits.MAX_TEXT_BYTES).build();
+        } catch (NoSuchMethodError e) {
+            // Jackson 2.15 has no limit of its own for names: there a line's length limits them.
+            return constraints.build();
+        }
+    }
 
     private final JsonParser parser;
     private final JsonProblems problems;

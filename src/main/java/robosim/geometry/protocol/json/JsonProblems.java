@@ -56,14 +56,19 @@ final class JsonProblems {
         return refused(what + remedy + " (got: " + told + ")");
     }
 
+    // Each as Jackson since 2.16 has it, and as 2.15.
     private static String beyond(String words) {
-        if (words.startsWith("Document nesting depth")) {
+        if (words.startsWith("Document nesting depth") || words.startsWith("Depth ")) {
             return "nesting must be at most " + MessageLimits.MAX_DEPTH + " deep (got: more)";
         }
-        if (words.startsWith("Number value length")) {
+        if (words.startsWith("Number value length") || words.startsWith("Number length")) {
             return numberTooLong();
         }
-        return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
+        return words.startsWith("String value length")
+                        || words.startsWith("String length")
+                        || words.startsWith("Name length")
+                ? tooLong()
+                : words;
     }
 
     /** Quotes a value for a message, unless it may be secret. */

@@ -16,6 +16,9 @@ import robosim.geometry.protocol.WorldSettings;
 
 /** A digest of a conversation: its options, its world, its requests and answers. */
 public final class ScenarioPrint {
+    /** Counts the changes of what a result has: results of earlier versions are not resumed. */
+    private static final int RESULTS = 2;
+
     private final Fingerprint print = new Fingerprint();
 
     private ScenarioPrint() {}
@@ -23,6 +26,7 @@ public final class ScenarioPrint {
     public static String of(
             SessionOptions options, InitBundle init, List<Bundle> requests, List<@Nullable Bundle> answers) {
         ScenarioPrint of = new ScenarioPrint();
+        of.print.add(RESULTS);
         of.print.add(options.dimension().name()).add(options.accuracy().name());
         of.add(options.beam());
         of.add(init);

@@ -30,6 +30,12 @@ final class GridSearch {
     /** Maximum number of places and headings of the whole grid of such a search, each of which takes a bit. */
     private static final double MOST_NEAR = 1 << 28;
 
+    /** By how much the edge of a search is expected to grow at least if its step is refined: narrow ways open. */
+    private static final double GROWTH = 1.1;
+
+    /** The largest fraction of a step that is worth another search. */
+    private static final double LEAST_GAIN = 0.75;
+
     /** How many of the places reached are kept for other queries. */
     private static final int KEPT = 500;
 
@@ -57,6 +63,10 @@ final class GridSearch {
     private final int[] next = new int[4];
     private int queued;
     private int places;
+
+    /** Number of states whose neighbours were tried. */
+    private int explored;
+
     private double minX;
     private double minZ;
     private double maxX;
@@ -84,6 +94,23 @@ final class GridSearch {
         double step = wanted(world, robot);
         double states = (world.width() / step + 1) * (world.length() / step + 1) * PlaceGrid.turns(robot);
         return states <= MOST_NEAR ? new GridSearch(world, geometry, statics, robot, step, NEAR) : null;
+    }
+
+    /**
+     * A search at up to half the step of this one, and no finer than desired, which ends after as many places as a search
+     * of the whole world may have; null if no step is finer by enough that so many places could cover what this one
+     * reached.
+     */
+    @Nullable
+    GridSearch finer(World world, Geometry statics) {
+        double affordable = step * Math.sqrt(explored / MOST) * GROWTH;
+        // The last halving goes to the desired step at once.
+        double halved = step < 3 * wanted ? wanted : step / 2;
+        double finer = Math.max(halved, affordable);
+        double states = (world.width() / finer + 1) * (world.length() / finer + 1) * grid.turns;
+        return isFine() || (finer > wanted && finer > step * LEAST_GAIN) || states > MOST_NEAR
+                ? null
+                : new GridSearch(world, geometry, statics, body, finer, (int) MOST);
     }
 
     private GridSearch(World world, Geometry geometry, Geometry statics, GeometryObject robot, double step, int limit) {
@@ -134,6 +161,12 @@ final class GridSearch {
         return grid.turns > 1 && turn != 0 && robot.pose().isUpright() ? there.turned(0, turn) : there;
     }
 
+    /** Whether it says more about a room: a finished search at the desired step, or else the larger one. */
+    boolean isBetterThan(GridSearch other) {
+        boolean settled = isFine() && isWhole;
+        return settled == (other.isFine() && other.isWhole) ? area() > other.area() : settled;
+    }
+
     double area() {
         return places * step * step;
     }
@@ -171,6 +204,7 @@ final class GridSearch {
                     break;
                 }
                 watch.at(work, at, Math.min(limit, grid.size()));
+                explored++;
                 int state = queue[at];
                 if (!placesSeen.get(grid.place(state))) {
                     placesSeen.set(grid.place(state));

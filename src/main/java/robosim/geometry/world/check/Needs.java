@@ -1,9 +1,11 @@
 package robosim.geometry.world.check;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.world.World;
 
 /**
  * Which setting is sufficient.
@@ -33,6 +35,17 @@ public record Needs(
     /** Copies the list. */
     public Needs {
         settings = List.copyOf(settings);
+    }
+
+    /** What an incomplete world gets: nothing was queried, and the world's own setting is kept. */
+    static Needs undecided(World world) {
+        List<Setting> settings = new ArrayList<>();
+        for (Dimension dimension : Dimension.values()) {
+            for (Accuracy accuracy : Accuracy.values()) {
+                settings.add(new Setting(dimension, accuracy, 0, 0, 0, 0, 0, 0, 0));
+            }
+        }
+        return new Needs(world.dimension(), world.accuracy(), false, 0, Questions.SEED, settings, null);
     }
 
     /** Whether enough queries were made, and enough of them hit something, for a decision. */

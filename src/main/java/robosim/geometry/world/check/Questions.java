@@ -19,7 +19,7 @@ import robosim.geometry.world.WorldObject;
 
 /** Asks a world the same seeded queries at every setting, as {@link WorldCheck} defines them. */
 final class Questions {
-    private static final long SEED = 1;
+    static final long SEED = 1;
 
     /** Number of free places from which moves and sonars are queried, over all robots. */
     private static final int PLACES = 600;

@@ -66,10 +66,33 @@ final class RobotReachability {
                 break;
             }
         }
+        refine(geometry, statics);
         if (!isDone()) {
             lookNear(geometry, statics);
         }
         return rooms();
+    }
+
+    /**
+     * Searches each room again at finer steps until the step is the desired one or the places become too many: a step
+     * wider than a corridor ends at its first bend, and what it reached is then a small part of what can be reached.
+     */
+    private void refine(Geometry geometry, Geometry statics) {
+        for (List<Integer> group : groups()) {
+            GridSearch last = largest(group);
+            int k = last == null ? -1 : Arrays.asList(searches).indexOf(last);
+            while (last != null) {
+                GridSearch finer = last.finer(world, statics);
+                if (finer != null) {
+                    explore(finer, k, false);
+                    // An unfinished search may have covered less than the coarser one.
+                    if (finer.isWhole() || finer.area() > last.area()) {
+                        searches[k] = finer;
+                    }
+                }
+                last = finer != null && finer.isWhole() ? finer : null;
+            }
+        }
     }
 
     /** The most informative search of a robot; null if it starts in contact. */
@@ -234,7 +257,7 @@ final class RobotReachability {
         GridSearch best = null;
         for (int k : group) {
             GridSearch search = searches[k];
-            if (search != null && (best == null || search.area() > best.area())) {
+            if (search != null && (best == null || search.isBetterThan(best))) {
                 best = search;
             }
         }

@@ -9,7 +9,7 @@ import java.util.List;
  * @param minX   lower bound of the places that the centre of one of them reaches, extended by half of its smaller side;
  *               the other three likewise
  * @param area   area of the places that the centre of one of them reaches, world units squared: their number times the
- *               square of the step
+ *               square of the step. More may be reachable by ways that the grid does not contain
  * @param places number of these places of the grid; 1 if the robot cannot make a step
  * @param step   step of the grid, world units: narrower passages may have been missed
  * @param isTold whether the step was at most half of the robot's smaller extent, if it has any; otherwise nothing

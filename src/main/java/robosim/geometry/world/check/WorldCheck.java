@@ -16,6 +16,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldObject;
 
 /**
@@ -28,7 +29,8 @@ import robosim.geometry.world.WorldObject;
  * turns in place, by 45 degrees at a time. Each of these moves is checked by a {@link robosim.geometry.Geometry} of the
  * static objects, so everything reached is truly reachable; what is not reached may still be reachable by moves off the
  * grid, so the step is reported. The first step is half of the robot's smaller extent, or coarser in a large world; it
- * is halved twice if not every robot is reached. All other moveable objects are removed, as they may drive away. A
+ * is halved until it is half of that extent or the places become too many, and then twice more if not every robot is
+ * reached. All other moveable objects are removed, as they may drive away. A
  * robot reaches another if, from a place at which the bodies are within two steps of touching, its body moves straight
  * to the other and hits nothing else first. Two robots share a room if one of them reaches the other, directly or
  * through further ones. The narrowest robots search first, and a robot that has been reached does not search. Robots
@@ -41,7 +43,8 @@ import robosim.geometry.world.WorldObject;
  * (in a world without sonars, a line in a random direction). The places are random; for each robot they include its own
  * start and some places that it reached. A setting is sufficient if it answers all of them as EXACT in the world's own
  * dimension does. No more are made once each setting that could still be recommended has answered otherwise. Nothing is decided if fewer than {@link Setting#MIN_ANSWERS} moves or distances could be queried, for
- * lack of free places or of robots, or if none of them hit anything. A robot that is a mesh, and therefore slow, gets a
+ * lack of free places or of robots, or if none of them hit anything; nor for an incomplete world, of which objects are
+ * outside or were left out of the file. A robot that is a mesh, and therefore slow, gets a
  * twentieth of the queries of others.
  *
  * @param world          the world checked
@@ -88,6 +91,16 @@ public record WorldCheck(
 
     /** Checks a world and reports progress. */
     public static WorldCheck of(World world, Watch watch) {
+        return of(world, Checks.present("watch", watch), true);
+    }
+
+    /** Checks the world of a file and reports progress. If parts of the file were left out, {@code needs} is undecided. */
+    public static WorldCheck of(WorldImport read, Watch watch) {
+        Checks.present("read", read);
+        return of(read.world(), watch, read.isWhole());
+    }
+
+    private static WorldCheck of(World world, Watch watch, boolean isWhole) {
         Checks.present("world", world);
         Checks.present("watch", watch);
         Map<GeometryObject.Kind, Integer> counts = new EnumMap<>(GeometryObject.Kind.class);
@@ -105,8 +118,11 @@ public record WorldCheck(
             outside.add(object);
         });
         World inside = outside.isEmpty() ? world : without(world, left);
+        // What was dropped may be what the answers depend on.
+        boolean isComplete = isWhole && outside.isEmpty();
         // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
-        CompletableFuture<List<SettingTally>> tallies = CompletableFuture.supplyAsync(() -> SettingTally.all(inside));
+        CompletableFuture<List<SettingTally>> tallies =
+                CompletableFuture.supplyAsync(() -> isComplete ? SettingTally.all(inside) : List.of());
         Overlaps overlaps = new Overlaps(inside, watch);
         Set<String> touching = new HashSet<>();
         for (Overlap overlap : overlaps.found()) {
@@ -128,7 +144,9 @@ public record WorldCheck(
                 overlaps.found(),
                 overlaps.staticCount(),
                 found,
-                new Questions(inside, reachability, pieces.triangles, tallies.join(), watch).ask());
+                isComplete
+                        ? new Questions(inside, reachability, pieces.triangles, tallies.join(), watch).ask()
+                        : Needs.undecided(world));
     }
 
     private static World without(World world, Set<WorldObject> left) {

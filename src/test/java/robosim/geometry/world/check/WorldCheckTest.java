@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -24,8 +25,10 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
 
@@ -508,5 +511,66 @@ class WorldCheckTest {
         assertThat(needs.settings().subList(0, needs.settings().indexOf(enough)))
                 .isNotEmpty()
                 .allMatch(Setting::isRefuted);
+    }
+
+    /**
+     * A ring 2.2 m wide: the first step, of 1.5 m, ends at the first bend. The centre of a disc of radius 0.3 has a band of
+     * 1.6 m around a circle of 30 m, which is 302 m^2.
+     */
+    @Test
+    void aRingCorridorIsReachedAllRound() {
+        int count = 320;
+        double cell = 0.25;
+        BitSet taken = new BitSet();
+        for (int i = 0; i < count; i++) {
+            for (int j = 0; j < count; j++) {
+                double r = Math.hypot((i + 0.5) * cell - 40, (j + 0.5) * cell - 40);
+                taken.set(j * count + i, Math.abs(r - 30) > 1.1);
+            }
+        }
+        GridObject ring = new GridObject(new Point(), cell, 2, count, count, taken);
+        WorldCheck check = large(Dimension.PLANAR, 80.2, ring, drum("a", 30, 0, 0.3));
+        assertThat(check.rooms()).singleElement().satisfies(room -> {
+            assertThat(room.step()).isEqualTo(0.3);
+            assertThat(room.isTold()).isTrue();
+            // The corners of the cells take some of the band.
+            assertThat(room.area()).isBetween(0.8 * 302, 302.0);
+            assertThat(room.minX()).isLessThan(-29);
+        });
+    }
+
+    /** A hall that is too large for the desired step is searched at the finest one that can be afforded. */
+    @Test
+    void theStepIsRefinedAsFarAsThePlacesAllow() {
+        WorldCheck check = large(Dimension.PLANAR, 200, drum("a", 0, 0, 0.1));
+        assertThat(check.rooms()).singleElement().satisfies(room -> {
+            assertThat(room.isTold()).isFalse();
+            assertThat(room.step()).isBetween(0.8, 1.0);
+            assertThat(room.area()).isBetween(199.0 * 199, 200.0 * 200);
+        });
+    }
+
+    /** Walls that were dropped would have refused moves, so nothing follows for what the world needs. */
+    @Test
+    void noSettingIsRecommendedForAnIncompleteWorld() {
+        GeometryObject wall = wall(5, 0, 0.2, 10);
+        GeometryObject robot = drum("a", 0, 0, 0.5);
+        assertThat(WorldCheck.of(world(Dimension.SPATIAL, wall, robot)).needs().isTold())
+                .isTrue();
+        WorldCheck outside = WorldCheck.of(
+                world(Dimension.SPATIAL, wall, robot, new BoxObject(new Point(0, 0, 9), 2, 20, 2).named("tower")));
+        assertThat(outside.outside()).hasSize(1);
+        assertThat(outside.needs()).satisfies(WorldCheckTest::isUndecided);
+        Skipped skipped = new Skipped("a.sdf", 7, "<heightmap>", "not supported");
+        WorldImport read = new WorldImport(
+                world(Dimension.SPATIAL, wall, robot), "SDFormat", Map.of(), Map.of(), List.of(skipped), List.of());
+        assertThat(WorldCheck.of(read, (work, done, total) -> {}).needs()).satisfies(WorldCheckTest::isUndecided);
+    }
+
+    private static void isUndecided(Needs needs) {
+        assertThat(needs.isTold()).isFalse();
+        assertThat(needs.dimension()).isEqualTo(Dimension.SPATIAL);
+        assertThat(needs.accuracy()).isEqualTo(Accuracy.EXACT);
+        assertThat(needs.settings()).hasSize(10).noneMatch(Setting::isSame);
     }
 }
