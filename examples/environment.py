@@ -24,7 +24,7 @@ import socket
 import struct
 import sys
 
-from robosim import Module, NotDone, ProtocolFault
+from robosim import Module, NotDone, ProtocolFault, RequestError
 from worldfile import World
 
 # One ray ahead, without an end, for a robot without sensors.
@@ -222,11 +222,11 @@ def load(connection, world):
     settings = {"width": width, "height": height, "length": length, "dimension": "PLANAR", "accuracy": "EXACT"}
     connection.send({"type": "init", "objects": world.objects, "settings": settings})
     try:
-        connection.ask({"type": "ping", "id": "ready"}, "pong")  # an init has no answer, but this has
-    except NotDone as refused:
+        connection.ask({"type": "ping"}, "pong")  # an init has no answer unless it is wrong, but this has
+    except RequestError as refused:
         number = re.search(r"/objects/(\d+)", str(refused))
         place = f"{world.places[int(number.group(1))]}: " if number else ""
-        raise NotDone(f"{place}{refused}") from None
+        raise NotDone(f"{place}the module refused it: {refused}") from None
 
 
 def run(options):
@@ -298,7 +298,7 @@ def main():
         run(parser.parse_args())
     except ProtocolFault as fault:
         sys.exit(f"The module broke the protocol: {fault}")
-    except NotDone as reason:
+    except (NotDone, RequestError) as reason:
         print(f"Not done: {reason}", file=sys.stderr)
         sys.exit(2)
     except OSError as failed:

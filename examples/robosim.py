@@ -26,6 +26,7 @@ import base64
 import itertools
 import json
 import math
+import selectors
 import socket
 import sys
 import time
@@ -48,7 +49,7 @@ class Error(Exception):
 
 
 class NotDone(Error):
-    """The connection failed, or the module ended it and said why."""
+    """The connection failed, or the module ended it and said why, or no answer came in time."""
 
 
 class ProtocolFault(Error):
@@ -56,7 +57,7 @@ class ProtocolFault(Error):
 
 
 class RequestError(Error):
-    """One request has no answer, as where no object has its name; the connection goes on."""
+    """A request is wrong, or has no answer, as where no object has its name; the connection goes on."""
 
 
 class LeftOut(NamedTuple):
@@ -539,19 +540,47 @@ def _not_finite(value: Any, path: str = "") -> str:
 
 
 class Module:
-    """A connection to the geometry module; `connect` and `accept` make one. It belongs to one thread at a time."""
+    """A connection to the geometry module; `connect` and `accept` make one.
+
+    It belongs to one thread at a time: give each thread its own connection, which has a world of its own, or a lock. After
+    an interrupt (Ctrl-C) or a timeout the connection can be used again: each request has an id that its answer repeats, so
+    that a late answer is dropped and never taken for that of a later call. The interrupted request may have been carried
+    out. Only an interrupt in the instant in which bytes are sent or taken over ends the connection; each later call says
+    so, and a new connection begins with a new `init`.
+    """
 
     def __init__(self, sock: socket.socket, secret: Optional[str] = None) -> None:
-        sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # messages are small and wait for their answers
         self._sock = sock
-        self._lines = sock.makefile("rb")
+        self._waiting = selectors.DefaultSelector()
+        self._received = bytearray()
+        self._searched = 0  # so many of the bytes received have no line feed
+        self._torn = ""  # what an interrupt has broken; set while bytes may be lost
         self._refusal = ""
+        self._last = 0  # the id of the last request
+        self._ahead: List[Any] = []  # the ids of requests that were sent ahead, whose answers are still to be received
+        self._kept: Dict[Any, Json] = {}  # answers to those that came before they were asked for
+        self._silent: Dict[Any, None] = {}  # the ids of inits, which have no answer unless they are wrong
         hello: Json = {"type": "hello", "version": 1}
         if secret is not None:
             hello["secret"] = secret
-        # At once: who is silent for 300 ms is taken for a Java peer that waits for a stream header.
-        self.send(hello)
-        welcome = self.receive("hello", first=True)
+        try:
+            sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # messages are small and wait for their answers
+            self._waiting.register(sock, selectors.EVENT_READ)
+            # At once: who is silent for 300 ms is taken for a Java peer that waits for a stream header.
+            self._write(hello)
+            deadline = self._deadline()
+            line = self._line(deadline)
+            if line and not line.startswith(b"{"):  # we were late: the header for Java peers, on a line of its own
+                self._consume(line)
+                line = self._line(deadline)
+            welcome = self._parsed(line)
+            self._consume(line)
+            if welcome["type"] != "hello":
+                self._refuse(welcome)
+                raise ProtocolFault(f"the answer must be hello (got: {welcome['type']})")
+        except BaseException:
+            self.close()
+            raise
         #: The module's name and version.
         self.version: str = welcome["module"]
         #: What the module takes at most, by the names of docs/protocol.md.
@@ -565,52 +594,146 @@ class Module:
 
     def close(self) -> None:
         """Ends the connection."""
-        self._lines.close()
+        self._waiting.close()
         self._sock.close()
 
     def send(self, message: Json) -> None:
-        """Sends one message as it is; for what has no method here, and for several requests ahead of their answers."""
+        """Sends one message as it is; for what has no method here, and for several requests ahead of their answers, which
+        `receive` returns in order. Other calls may come between."""
+        self._send(message, ahead=True)
+
+    def _send(self, message: Json, ahead: bool) -> Any:
+        """Sends a message with its id, or with one that is given to it; returns the id."""
+        self._check()
+        number = message.get("id")
+        if number is None:
+            self._last += 1
+            number = self._last
+        self._write({**message, "id": number}, number, ahead)
+        return number
+
+    def _write(self, message: Json, number: Any = None, ahead: bool = False) -> None:
         # json writes the shortest digits that mean a double, and reads them back to the same bits.
         try:
-            line = json.dumps(message, allow_nan=False, separators=(",", ":"))
+            line = json.dumps(message, allow_nan=False, separators=(",", ":")).encode() + b"\n"
         except ValueError:
             raise ValueError(f"numbers must be finite (got: {_not_finite(message)})") from None
+        is_silent = message.get("type") == "init" and not message.get("answer")
+        self._torn = "while a request was being sent"
+        if is_silent:
+            self._silent[number] = None
+        elif ahead:
+            self._ahead.append(number)
         try:
-            self._sock.sendall(line.encode() + b"\n")
-        except (BrokenPipeError, ConnectionError):
+            self._sock.sendall(line)
+        except ConnectionError:
             pass  # the module ended the conversation, and its last line says why
         except OSError as e:
             raise NotDone(f"the connection failed: {e}") from None
+        self._torn = ""
 
-    def receive(self, kind: str, first: bool = False) -> Json:
-        """The next answer, which must be of a type."""
-        try:
-            line = self._lines.readline()
-            if first and line and not line.startswith(b"{"):
-                line = self._lines.readline()  # we were late: the header for Java peers, on a line of its own
-        except OSError as e:
-            raise NotDone(f"the connection failed: {e}") from None
+    def _check(self) -> None:
+        if self._torn:
+            raise NotDone(f"this connection was interrupted {self._torn}, and cannot be used any more; connect again")
+
+    def _deadline(self) -> Optional[float]:
+        timeout = self._sock.gettimeout()
+        return None if timeout is None else time.monotonic() + timeout
+
+    def _line(self, deadline: Optional[float]) -> bytes:
+        """The next line, which is left where it is until it is consumed; without a line feed where the stream ends. An
+        interrupt loses nothing while this waits."""
+        while True:
+            end = self._received.find(b"\n", self._searched)
+            if end >= 0:
+                return bytes(self._received[:end + 1])
+            self._searched = len(self._received)
+            pending = getattr(self._sock, "pending", None)  # of a socket with TLS
+            while not (pending and pending()):
+                left = None if deadline is None else deadline - time.monotonic()
+                if left is not None and left <= 0:
+                    raise NotDone(f"no answer came within {self._sock.gettimeout():g} s; the connection can be used further,"
+                                  " and the answer is dropped when it comes")
+                if self._waiting.select(left):
+                    break
+            self._torn = "while an answer was being read"
+            try:
+                got = self._sock.recv(1 << 18)
+            except ConnectionError:
+                got = b""
+            except socket.timeout:
+                self._torn = ""
+                continue  # of a socket with TLS, of which a part has come
+            except OSError as e:
+                raise NotDone(f"the connection failed: {e}") from None
+            self._received += got
+            self._torn = ""
+            if not got:
+                return bytes(self._received)
+
+    def _consume(self, line: bytes) -> None:
+        self._searched = 0
+        del self._received[:len(line)]
+
+    def _parsed(self, line: bytes) -> Json:
         if not line.endswith(b"\n"):
             raise NotDone("the module ended the conversation"
                           + (f" when it refused this: {self._refusal}" if self._refusal else "; its log tells why"))
         try:
             answer = json.loads(line)
-            given = answer["type"]
+            answer["type"]
         except (ValueError, KeyError, TypeError):
             raise ProtocolFault(f"an answer must be a JSON object with a type (got: {line[:100]!r}); is it the"
                                 " geometry module that listens there?") from None
-        if given == "error":
+        return answer
+
+    def _refuse(self, answer: Json) -> None:
+        if answer["type"] == "error" and answer.get("continues"):
+            raise RequestError(answer["message"])
+        if answer["type"] == "error":
             self._refusal = answer["message"]
             raise NotDone(f"the module refused it: {answer['message']}")
-        if given != kind:
-            raise ProtocolFault(f"the answer must be {kind} (got: {given})")
+
+    def receive(self, kind: str) -> Json:
+        """The answer to the first request that was sent ahead and has none yet; it must be of a type."""
+        if not self._ahead:
+            raise Error("each request that was sent has its answer; send another first")
+        return self._answer(self._ahead[0], kind)
+
+    def _answer(self, number: Any, kind: str) -> Json:
+        """The answer to the request with an id. Those to requests that were sent ahead are kept, the rest, which
+        interrupted calls have left, dropped."""
+        self._check()
+        deadline = self._deadline()
+        answer = self._kept.get(number)
+        while answer is None:
+            line = self._line(deadline)
+            came = self._parsed(line)
+            of = came.get("id")
+            if of is None and came["type"] != "error":
+                raise ProtocolFault(f"an answer must repeat the id of its request (got: {line[:100]!r}); is the module older"
+                                    " than this file?")
+            if of == number or of is None or of in self._silent:
+                answer = came
+            elif of in self._ahead:
+                self._kept[of] = came
+            if of == number and number in self._ahead:
+                self._ahead.remove(number)
+            self._silent.pop(of, None)
+            self._consume(line)  # last: where that is interrupted, the line comes again, and is dropped
+        if number in self._kept:
+            self._ahead.remove(number)
+            del self._kept[number]
+        self._refuse(answer)
+        if answer["type"] != kind:
+            raise ProtocolFault(f"the answer must be {kind} (got: {answer['type']})")
         return answer
 
     def ask(self, message: Json, kind: str) -> Tuple[Json, float]:
         """Sends a message; the answer as it is, and the seconds that it took."""
         begin = time.perf_counter()
-        self.send(message)
-        return self.receive(kind), time.perf_counter() - begin
+        answer = self._answer(self._send(message, ahead=False), kind)
+        return answer, time.perf_counter() - begin
 
     def ping(self) -> float:
         """The seconds of a round trip."""
@@ -623,8 +746,8 @@ class Module:
         PLANAR and EXACT unless it was started otherwise."""
         given = {"width": width, "height": height, "length": length, "dimension": dimension, "accuracy": accuracy}
         settings = {name: value for name, value in given.items() if value is not None}
-        self.send({"type": "init", "objects": list(objects), "settings": settings, "answer": True})
-        return self._one(world(), self.receive("answers"))
+        asked = {"type": "init", "objects": list(objects), "settings": settings, "answer": True}
+        return self._one(world(), self.ask(asked, "answers")[0])
 
     def load(self, path: str, **settings: Any) -> World:
         """A new world from a file of docs/world-format.md, with its bodies; objects without a name are given one, as by
@@ -853,11 +976,17 @@ def connect(to: str, secret: Optional[str] = None, timeout: Optional[float] = No
 
 
 def accept(port: int, secret: Optional[str] = None, timeout: Optional[float] = None) -> Module:
-    """Waits on a port of this machine for a module that connects, as RoboSim's environment does."""
+    """Waits on a port of this machine for a module that connects, as RoboSim's environment does.
+
+    With a timeout, it waits so many seconds at most, and so does each answer."""
     try:
         with socket.create_server(("127.0.0.1", port)) as listening:
+            listening.settimeout(timeout)
             sock = listening.accept()[0]
             sock.settimeout(timeout)
+    except socket.timeout:
+        raise NotDone(f"no module connected to port {port} within {timeout:g} s; start one with `robosim-geometry connect"
+                      f" localhost {port}`, or wait longer") from None
     except OSError as e:
         raise NotDone(f"no module connected to port {port}: {e}") from None
     return Module(sock, secret)

@@ -34,7 +34,7 @@ final class Talks {
             recordings.add(recording);
         }
         ScenarioHeader header = new ScenarioHeader(connection, SessionOptions.ROBOSIM);
-        return new Recorder(connection, () -> new ScenarioWriter(recording, header), null);
+        return new Recorder(connection, () -> ScenarioWriter.recording(recording, header, Long.MAX_VALUE), null);
     }
 
     /** The recordings so far, in the order of the connections; empty for a connection without requests. */

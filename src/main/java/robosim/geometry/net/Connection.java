@@ -173,6 +173,7 @@ final class Connection implements Runnable {
         Authenticator authenticator = new Authenticator(options.access(), in, times);
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
         authenticator.watch(channel);
+        channel.onWrongRequest(reason -> warn("answered with an error: " + Text.line(reason)));
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
@@ -184,12 +185,22 @@ final class Connection implements Runnable {
 
     private void converse(MessageChannel channel, PacedInput in, Session session) throws IOException {
         message = 1;
+        boolean isNew = true;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
-            if (message == 1 && !(request instanceof InitBundle)) {
+            if (isNew && !(request instanceof InitBundle)) {
                 open(channel, session);
+                isNew = false;
             }
-            refuse(channel, refusal(request, channel.messageBytes(), session.objectCount()));
+            String refusal = refusal(request, channel.messageBytes(), session.objectCount());
+            if (refusal != null && channel.encoding() == MessageChannel.Encoding.JSON) {
+                warn("answered message " + message + " with an error: " + Text.line(refusal));
+                channel.answerError(refusal);
+                message++;
+                continue;
+            }
+            refuse(channel, refusal);
+            isNew = false;
             if (request instanceof BatchRequestBundle batch) {
                 in.needs(batch.workBytes());
             }

@@ -68,7 +68,7 @@ final class Lines implements Closeable {
                 while (end < to && buffer[end] != '\n') {
                     end++;
                 }
-                if (line.size() + (end - from) > MessageLimits.MAX_MESSAGE_BYTES) {
+                if (line.size() + (end - from) > MessageLimits.MAX_MESSAGE_BYTES + Checksums.LENGTH) {
                     throw refused(
                             "a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes (got: more)", null);
                 }

@@ -28,6 +28,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private @Nullable ScenarioWriter writer;
     private long askedAt;
     private boolean stopped;
+    private boolean gaveUp;
 
     /** Opens the recording when the first request comes. */
     @FunctionalInterface
@@ -101,12 +102,27 @@ public final class Recorder implements SessionListener, AutoCloseable {
     }
 
     private void giveUp(String reason) {
+        gaveUp = true;
         try {
             if (writer != null) {
                 writer.giveUp(reason);
             }
         } catch (IOException | RuntimeException | LinkageError | VirtualMachineError e) {
             LOG.log(System.Logger.Level.DEBUG, name + ": nor is there room to say so in its file", e);
+        }
+    }
+
+    /** Marks the end, unless the session goes on without being recorded. */
+    private void end(ScenarioWriter to) {
+        if (gaveUp) {
+            return;
+        }
+        try {
+            to.end();
+        } catch (IOException e) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    name + ": the end of its recording could not be written: " + Text.line(String.valueOf(e)));
         }
     }
 
@@ -134,6 +150,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
         stopped = true;
         try {
             if (writer != null) {
+                end(writer);
                 writer.close();
             }
         } catch (IOException | RuntimeException e) {

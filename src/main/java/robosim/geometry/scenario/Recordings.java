@@ -109,7 +109,7 @@ public final class Recordings implements Function<String, SessionListener> {
                 continue;
             }
             try {
-                return new ScenarioWriter(out, header, mostBytes);
+                return ScenarioWriter.recording(out, header, mostBytes);
             } catch (IOException | RuntimeException | Error e) {
                 out.close();
                 throw e;

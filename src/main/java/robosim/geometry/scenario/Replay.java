@@ -9,12 +9,17 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.protocol.BatchRequestBundle;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.batch.BatchAnswer;
+import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.PictureAnswer;
+import robosim.geometry.protocol.batch.SenseAnswer;
 
 /**
  * Replays a conversation without sockets and compares the answers bit for bit. Players, watchers and sweeps do it step
@@ -25,6 +30,7 @@ public final class Replay {
     private @Nullable Reply reply;
     private long steps;
     private long compared;
+    private long unanswered;
     private long mismatches;
 
     /** A replay with the options of a scenario's header. */
@@ -95,23 +101,36 @@ public final class Replay {
         } catch (RuntimeException | StackOverflowError e) {
             mismatch = Mismatch.whole(steps, step, "an answer", "a failure of the module itself: " + e);
         }
-        compared += step.expected() == null ? 0 : requests(step.request());
+        unanswered += step.expected() == null && !(step.request() instanceof InitBundle) ? 1 : 0;
+        compared += step.expected() == null || reply == null ? 0 : answers(step.request(), step.expected());
         mismatches += mismatch == null ? 0 : 1;
         return mismatch;
     }
 
-    /** The number of moves, distances, poses, edges and steps, with their bodies and commands, in a request. */
-    private static long requests(Bundle request) {
+    /** The number of answers in a reply, as {@link #compared} counts them. */
+    private static long answers(Bundle request, Reply expected) {
         if (request instanceof MoveBundle moves) {
-            return moves.moves().size();
+            return moves.moves().size(); // of a refused one it is compared that it was refused
         }
-        if (request instanceof BatchRequestBundle batch) {
-            return batch.size();
+        if (expected.bundle() instanceof BatchAnswerBundle batch) {
+            return batch.answers().stream().mapToLong(Replay::answers).sum();
         }
-        if (request instanceof StepBundle step) {
-            return 1L + step.size();
+        if (expected.bundle() instanceof StepBundle.Answer step) {
+            return (long) step.bodies().size()
+                    + step.contacts().size()
+                    + step.stopped().size();
         }
-        return request instanceof SonarRequestBundle sonars ? sonars.requests().size() : 0;
+        return ((DistanceBundle) expected.bundle()).distances().size();
+    }
+
+    private static long answers(BatchAnswer answer) {
+        if (answer instanceof SenseAnswer sense) {
+            return sense.distances().size();
+        }
+        if (answer instanceof FreeAnswer free) {
+            return free.count();
+        }
+        return answer instanceof PictureAnswer picture ? (long) picture.width() * picture.height() : 1;
     }
 
     /** The answer to the last step; null if it has none. */
@@ -124,9 +143,17 @@ public final class Replay {
         return steps;
     }
 
-    /** The number of moves, distances, poses, edges and steps that were compared with expected ones. */
+    /**
+     * The number of answers that were compared with expected ones: moves, distances, the beams, poses, edges and pixels of
+     * batches, their answers about the world, and the bodies, contacts and stopped bodies after steps.
+     */
     public long compared() {
         return compared;
+    }
+
+    /** The number of requests, other than those for a new world, without an expected answer, which were not compared. */
+    public long unanswered() {
+        return unanswered;
     }
 
     /** The number of steps whose answers differed. */

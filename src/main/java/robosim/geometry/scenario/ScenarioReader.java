@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
@@ -18,7 +19,8 @@ import robosim.geometry.protocol.json.JsonRecord;
 /**
  * Reads a scenario step by step, so that a day's recording takes no more memory than its longest lines. Reading is
  * strict; every exception names file and line. Only an incomplete last line, as a killed writer leaves it, is skipped,
- * and {@link #torn()} reports it.
+ * and {@link #torn()} reports it. Of a recording with checksums {@link #problems()} reports at the end what was altered or is
+ * missing.
  */
 public final class ScenarioReader implements StepReader {
     /** The ending of the names of scenario files. */
@@ -35,6 +37,21 @@ public final class ScenarioReader implements StepReader {
 
     /** The notes before it. */
     private final List<String> notes = new ArrayList<>();
+
+    private final Checksums sums = new Checksums();
+
+    /** Whether the header has a checksum, and so must each line. */
+    private boolean isRecording;
+
+    /** The number of lines whose checksum is wrong, and the first of them. */
+    private long altered;
+
+    private long firstAltered;
+
+    private long requests;
+
+    /** The number of requests at the end mark; -1 if that has not been read. */
+    private long ended = -1;
 
     private ScenarioReader(InputStream in, String source, WorldFiles worlds) throws ScenarioException {
         this.lines = new Lines(in, source);
@@ -109,6 +126,7 @@ public final class ScenarioReader implements StepReader {
         List<String> before = List.copyOf(notes);
         notes.clear();
         Bundle request = guarded(() -> request(line));
+        requests++;
         ahead = null;
         Reply expected = answer(request);
         Timing timing = timing();
@@ -118,6 +136,48 @@ public final class ScenarioReader implements StepReader {
     /** The number of the last line if it was incomplete and skipped; 0 otherwise. Known at the end. */
     public long torn() {
         return lines.torn();
+    }
+
+    /** Whether lines have checksums, as recorders write them. */
+    public boolean isRecording() {
+        return isRecording;
+    }
+
+    /** The number of lines that are not as they were recorded; 0 if there are no checksums. Known at the end. */
+    public long altered() {
+        return altered;
+    }
+
+    /** Whether there is nothing more that a recorder has written; true if there are no checksums. Known at the end. */
+    public boolean isComplete() {
+        return torn() == 0 && (!isRecording || ended >= 0);
+    }
+
+    /** Whether there are other requests than the end of the recording says. Known at the end. */
+    public boolean hasOtherCount() {
+        return ended >= 0 && ended != requests;
+    }
+
+    /** What is wrong with a recording, one sentence each for people: what was altered, and what is missing. Known at the end. */
+    public List<String> problems() {
+        List<String> problems = new ArrayList<>();
+        if (altered > 0) {
+            problems.add("line " + firstAltered + " is not as it was recorded, or lines before it are missing"
+                    + (altered == 1 ? "" : "; the same of " + NumberText.count(altered - 1, "more line"))
+                    + "; its checksum is another");
+        }
+        if (torn() > 0) {
+            problems.add(
+                    "line " + torn() + " is incomplete, as after a killed recorder or a full disk; it was skipped");
+        } else if (isRecording && ended < 0) {
+            problems.add("the end of the recording is missing: its recorder was killed or stopped"
+                    + (notes.isEmpty() ? "" : " (" + notes.get(notes.size() - 1) + ")")
+                    + ", or the file was cut off");
+        } else if (hasOtherCount()) {
+            problems.add("there must be " + NumberText.count(ended, "request") + ", as its end says (got: " + requests
+                    + ")");
+        }
+        return problems;
     }
 
     /** The notes after the last step. Known at the end. */
@@ -141,16 +201,24 @@ public final class ScenarioReader implements StepReader {
 
     private @Nullable String peek() throws ScenarioException {
         while (ahead == null) {
-            String line = lines.next();
-            if (line == null) {
+            String whole = lines.next();
+            if (whole == null) {
                 return null;
             }
+            String line = checked(whole);
             if (line.startsWith("<")) {
                 throw lines.refused(
                         "this is XML and no recording; a world file is for check, render and drive (got: <...>)", null);
             }
             type = guarded(() -> JsonLines.typeOf(line));
-            if (type.equals("note")) {
+            if (ended >= 0) {
+                throw lines.refused(
+                        "nothing may follow the end of a recording (got: a line of type " + type + ")", null);
+            }
+            if (type.equals("end")) {
+                ended = guarded(
+                        () -> JsonRecord.read(line).only("type requests", "").whole("requests", 0, Timing.MOST));
+            } else if (type.equals("note")) {
                 notes.add(guarded(
                         () -> JsonRecord.read(line).only("type text", "").text("text")));
             } else {
@@ -158,6 +226,19 @@ public final class ScenarioReader implements StepReader {
             }
         }
         return ahead;
+    }
+
+    /** Compares the checksum of a line, if the first line has one; returns the line without it. */
+    private String checked(String line) {
+        isRecording |= lines.number() == 1 && Checksums.isSealed(line);
+        if (!isRecording) {
+            return line;
+        }
+        if (!sums.isRight(line)) {
+            altered++;
+            firstAltered = firstAltered == 0 ? lines.number() : firstAltered;
+        }
+        return Checksums.isSealed(line) ? Checksums.open(line) : line;
     }
 
     private Bundle request(String line) throws IOException {

@@ -21,28 +21,48 @@ import robosim.geometry.protocol.json.JsonRecord;
 /**
  * Writes a scenario as it happens: each call writes whole lines with one write to the stream and flushes it. Everything
  * written can be read again; anything that could not be is refused.
+ *
+ * <p>A {@linkplain #recording recording} has a checksum in each line and a line that marks its end, so that a reader notices
+ * what was altered or is missing. What is written to be edited has neither.
  */
 public final class ScenarioWriter implements Closeable {
     private final OutputStream out;
     private final long mostBytes;
+    private final @Nullable Checksums sums;
     private long bytes;
+    private long requests;
 
     /** Whether the last line is incomplete. */
     private boolean torn;
 
-    /** Writes the header. */
+    /** Writes the header of a scenario without checksums. */
     public ScenarioWriter(OutputStream out, ScenarioHeader header) throws IOException {
         this(out, header, Long.MAX_VALUE);
     }
 
     /**
-     * Writes the header.
+     * Writes the header of a scenario without checksums.
      *
      * @param mostBytes maximum size of the file; a call that would exceed it throws an IOException and writes nothing
      */
     public ScenarioWriter(OutputStream out, ScenarioHeader header, long mostBytes) throws IOException {
+        this(out, header, mostBytes, null);
+    }
+
+    /**
+     * Writes the header of a recording, with a checksum in each line.
+     *
+     * @param mostBytes maximum size of the file; a call that would exceed it throws an IOException and writes nothing
+     */
+    public static ScenarioWriter recording(OutputStream out, ScenarioHeader header, long mostBytes) throws IOException {
+        return new ScenarioWriter(out, header, mostBytes, new Checksums());
+    }
+
+    private ScenarioWriter(OutputStream out, ScenarioHeader header, long mostBytes, @Nullable Checksums sums)
+            throws IOException {
         this.out = Checks.present("out", out);
         this.mostBytes = mostBytes;
+        this.sums = sums;
         String line = Checks.present("header", header).line();
         JsonRecord.read(line);
         put(line);
@@ -65,6 +85,17 @@ public final class ScenarioWriter implements Closeable {
             JsonLines.readRequest(line);
         }
         put(line);
+        requests++;
+    }
+
+    /** Marks the end of a recording, after which nothing may be written; without checksums there is no such mark. */
+    public void end() throws IOException {
+        if (sums != null) {
+            Map<String, Object> end = new LinkedHashMap<>();
+            end.put("type", "end");
+            end.put("requests", requests);
+            put(JsonRecord.write(end));
+        }
     }
 
     /** Writes the answer to the last request, null after an init, and its timing, null if not recorded. */
@@ -112,6 +143,18 @@ public final class ScenarioWriter implements Closeable {
     }
 
     private void put(String... lines) throws IOException {
+        String before = sums == null ? "" : sums.state();
+        try {
+            write(lines);
+        } catch (IOException e) {
+            if (sums != null) {
+                sums.restore(before);
+            }
+            throw e;
+        }
+    }
+
+    private void write(String... lines) throws IOException {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         for (String line : lines) {
             byte[] encoded = line.getBytes(StandardCharsets.UTF_8);
@@ -119,7 +162,7 @@ public final class ScenarioWriter implements Closeable {
                 throw new IOException("a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes (got: "
                         + encoded.length + ")");
             }
-            text.writeBytes(encoded);
+            text.writeBytes(sums == null ? encoded : sums.seal(line).getBytes(StandardCharsets.UTF_8));
             text.write('\n');
         }
         if (text.size() > mostBytes - bytes) {

@@ -49,7 +49,7 @@ abstract class WatcherQueue implements WatchServer.Lines {
     @Override
     public final byte[] next(long millis) throws IOException, InterruptedException {
         if (writer == null) {
-            writer = new ScenarioWriter(buffer, header);
+            writer = ScenarioWriter.recording(buffer, header, Long.MAX_VALUE);
             return buffer.take();
         }
         Step step = problem != null ? null : steps.poll(millis, TimeUnit.MILLISECONDS);

@@ -28,7 +28,7 @@ import robosim.geometry.protocol.batch.WorldRequest;
 
 /**
  * Lets the sessions of a server or a client be watched: each watcher gets a scenario, line by line, that begins with
- * the present world and goes on with each step as it happens. A watcher stays with its session until that is over; then
+ * the present world, with its bodies, and goes on with each step as it happens. A watcher stays with its session until that is over; then
  * it gets the newest of the others, or the next that begins.
  *
  * <p>A session only hands over objects that it has anyway and never waits: a watcher that falls too far behind is
@@ -91,7 +91,7 @@ public final class Watching implements Function<String, SessionListener>, WatchS
     private void attach(Watcher watcher, @Nullable Watched session) {
         watcher.session = session;
         if (session != null) {
-            watcher.offer(session.now());
+            session.bodies.present(session.now()).forEach(watcher::offer);
         }
     }
 
@@ -117,6 +117,11 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         /** The objects that have moved since, at their present places. */
         private final Map<String, GeometryObject> moved = new HashMap<>();
 
+        private final BodyHistory bodies = new BodyHistory();
+
+        /** The world that these bodies are in; used on its own thread only. */
+        private @Nullable Geometry known;
+
         Watched(String name) {
             this.name = name;
         }
@@ -134,14 +139,19 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         public void asked(Bundle request) {
             askedAt = System.nanoTime();
             Geometry world = begun || session == null ? null : session.world();
-            if (world == null) {
-                return;
+            if (world != null) {
+                begun = true;
+                List<GeometryObject> present = world.objects();
+                synchronized (Watching.this) {
+                    begin(present, world);
+                    tell(null);
+                }
             }
-            begun = true;
-            List<GeometryObject> present = world.objects();
-            synchronized (Watching.this) {
-                begin(present, world);
-                tell(null);
+            if (begun && session != null && request instanceof StepBundle && bodies.isEmpty()) {
+                known = session.world();
+                synchronized (Watching.this) {
+                    bodies.begin(now());
+                }
             }
         }
 
@@ -159,9 +169,13 @@ public final class Watching implements Function<String, SessionListener>, WatchS
                     begin(present, world);
                 }
                 follow(world, request, reply);
-                if (!watchers.isEmpty()) {
-                    tell(new Step(0, List.of(), request, reply, timing(askedAt, nanoseconds)));
+                Step step = new Step(0, List.of(), request, reply, timing(askedAt, nanoseconds));
+                if (world != known) { // an init that fails leaves the one before
+                    known = world;
+                    bodies.clear();
                 }
+                bodies.follow(world, step);
+                tell(step);
             }
         }
 

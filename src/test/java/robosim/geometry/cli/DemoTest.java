@@ -29,31 +29,31 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 /** The main job on a small world, as two processes over TCP: environment, module, audit, picture, summary. */
 class DemoTest {
     private static final String WORLD = """
-            <world xmlns="urn:robosim:world:1" width="8" height="3" length="6" unit="m" dimension="PLANAR">
-              <box center="0 0 -2.9" width="8" height="2" length="0.2"/>
-              <box center="0 0 2.9" width="8" height="2" length="0.2"/>
-              <box center="-3.9 0 0" width="0.2" height="2" length="6"/>
-              <box center="3.9 0 0" width="0.2" height="2" length="6"/>
-              <box name="screen" center="0.5 0 0.4" heading="30" width="2.5" height="2" length="0.1"/>
-              <cylinder name="pole" center="-1.5 0 -1" radius="0.2" height="2"/>
-              <cylinder name="drum" moveable="true" center="-2.5 0 1" radius="0.3" height="1">
-                <sonar count="8" min="0.05" max="3" width="30"/>
-              </cylinder>
-              <box name="cart" moveable="true" center="2 0 -1.5" heading="90" width="0.7" height="1" length="0.5">
-                <sonar count="5" first="-60" step="30" min="0.05" max="4" width="0"/>
-              </box>
-            </world>
-            """;
+        <world xmlns="urn:robosim:world:1" width="8" height="3" length="6" unit="m" dimension="PLANAR">
+          <box center="0 0 -2.9" width="8" height="2" length="0.2"/>
+          <box center="0 0 2.9" width="8" height="2" length="0.2"/>
+          <box center="-3.9 0 0" width="0.2" height="2" length="6"/>
+          <box center="3.9 0 0" width="0.2" height="2" length="6"/>
+          <box name="screen" center="0.5 0 0.4" heading="30" width="2.5" height="2" length="0.1"/>
+          <cylinder name="pole" center="-1.5 0 -1" radius="0.2" height="2"/>
+          <cylinder name="drum" moveable="true" center="-2.5 0 1" radius="0.3" height="1">
+            <sonar count="8" min="0.05" max="3" width="30"/>
+          </cylinder>
+          <box name="cart" moveable="true" center="2 0 -1.5" heading="90" width="0.7" height="1" length="0.5">
+            <sonar count="5" first="-60" step="30" min="0.05" max="4" width="0"/>
+          </box>
+        </world>
+        """;
 
     /** An auditor that doubts everything, and takes no time. */
     private static final String DOUBTING = """
-            class ConversationAudit {
-                public static void main(String[] a) {
-                    System.out.println("1 FAULTS");
-                    System.exit(1);
-                }
+        class ConversationAudit {
+            public static void main(String[] a) {
+                System.out.println("1 FAULTS");
+                System.exit(1);
             }
-            """;
+        }
+        """;
 
     /** What one run leaves, for all tests that only read it. */
     @TempDir
@@ -109,7 +109,7 @@ class DemoTest {
                 .isBetween(500, 2612);
         assertThat(Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), "replay", recorded.toString()))
                 .isZero();
-        assertThat(out.toString()).contains("1 scenario, 402 steps, 3,013 moves and distances: all the same");
+        assertThat(out.toString()).contains("1 scenario, 402 steps, 3,013 answers compared: all the same");
     }
 
     @Test

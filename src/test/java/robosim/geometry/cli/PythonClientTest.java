@@ -44,6 +44,20 @@ class PythonClientTest {
     }
 
     @Test
+    void aBadArgumentCostsOnlyItsOwnRequest() throws Exception {
+        try (GeometryServer server = new GeometryServer(0)) {
+            assertThat(run(TESTS.resolveSibling("badarguments.py"), "127.0.0.1:" + server.port()))
+                    .isEqualToIgnoringNewLines("all done");
+        }
+    }
+
+    /** Against a stand-in for the module, whose answers come late and in pieces. */
+    @Test
+    void afterAnInterruptNoCallReturnsTheAnswerOfAnother() throws Exception {
+        assertThat(run(TESTS.resolveSibling("interrupts.py"))).isEqualToIgnoringNewLines("all done");
+    }
+
+    @Test
     void byItselfItCarriesOutItsExample() throws Exception {
         try (GeometryServer server = new GeometryServer(0)) {
             String text = run(Examples.FOLDER.resolve("robosim.py"), "127.0.0.1:" + server.port());

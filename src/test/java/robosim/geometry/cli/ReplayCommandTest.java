@@ -10,6 +10,7 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
@@ -26,8 +27,10 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.scenario.Recorder;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.ScenarioWriter;
 
 @Timeout(60)
 class ReplayCommandTest extends CommandRun {
@@ -43,10 +46,12 @@ class ReplayCommandTest extends CommandRun {
     @Test
     void theStoredScenariosAreAllTheSame() {
         assertThat(run("replay", STORED)).isZero();
-        assertThat(out.toString()).startsWith("14 scenarios, ").contains("all the same, bit for bit");
+        assertThat(out.toString())
+                .startsWith("14 scenarios, ")
+                .contains("all the same, bit for bit, 1 request without an answer to compare with\n");
         assertThat(err.toString()).isEmpty();
         assertThat(run("replay", STORED.resolve("by-hand.scenario.jsonl"))).isZero();
-        assertThat(out.toString()).startsWith("1 scenario, 4 steps, 3 moves and distances: ");
+        assertThat(out.toString()).startsWith("1 scenario, 4 steps, 3 answers compared: ");
     }
 
     @Test
@@ -106,7 +111,7 @@ class ReplayCommandTest extends CommandRun {
         for (Path place : List.of(folder, demo, demo.resolve("to-module.bin"), answers)) {
             assertThat(run("replay", place)).as(err.toString()).isZero();
             assertThat(out.toString())
-                    .isEqualTo("1 scenario, 4 steps, 3 moves and distances: all the same, bit for bit\n");
+                    .isEqualTo("1 scenario, 4 steps, 3 answers compared: all the same, bit for bit\n");
         }
         write(answers, first, new MoveBundle(List.of()), new DistanceBundle(List.of(2.9)));
         assertThat(run("replay", demo)).isEqualTo(ExitCodes.FINDINGS);
@@ -142,7 +147,83 @@ class ReplayCommandTest extends CommandRun {
         String text = Files.readString(STORED.resolve("quarter-turns.scenario.jsonl"));
         Files.writeString(file, text.substring(0, text.length() - 20));
         assertThat(run("replay", file)).isZero();
-        assertThat(out.toString()).contains("line 27 is incomplete", "all the same");
+        assertThat(out.toString()).contains("line 27 is incomplete", "what was compared is the same", "1 incomplete");
+    }
+
+    private Path recording() throws IOException {
+        Path file = folder.resolve("recorded.scenario.jsonl");
+        Scenario stored = Scenario.read(STORED.resolve("wandering.scenario.jsonl"));
+        try (Recorder recorder = new Recorder(
+                "test",
+                () -> ScenarioWriter.recording(Files.newOutputStream(file), stored.header(), Long.MAX_VALUE),
+                null)) {
+            Replay replay = new Replay(stored.header().options(), recorder);
+            stored.steps().forEach(replay::step);
+        }
+        return file;
+    }
+
+    private void replayed(Path file, List<String> lines, int code, String... told) throws IOException {
+        Files.write(file, lines);
+        assertThat(run("replay", file)).as(out.toString()).isEqualTo(code);
+        assertThat(out.toString()).contains(told);
+        if (code != 0) {
+            assertThat(out.toString()).doesNotContain("all the same");
+        }
+    }
+
+    @Test
+    void whatWasDoneToARecordingIsTold() throws IOException {
+        Path file = recording();
+        List<String> lines = List.copyOf(Files.readAllLines(file));
+        assertThat(lines).hasSizeGreaterThan(20).allMatch(line -> line.matches(".*,\"crc\":\"[0-9a-f]{8}\"}"));
+        replayed(file, lines, 0, "all the same, bit for bit");
+        int at = 3;
+        assertThat(lines.get(at)).contains("\"distances\"");
+        List<String> changed = new ArrayList<>(lines);
+        int digit = lines.get(at).indexOf('.') + 1;
+        char next =
+                lines.get(at).charAt(digit) == '9' ? '0' : (char) (lines.get(at).charAt(digit) + 1);
+        changed.set(at, lines.get(at).substring(0, digit) + next + lines.get(at).substring(digit + 1));
+        String other = "line 4 is not as it was recorded, or lines before it are missing; its checksum is another";
+        replayed(file, changed, ExitCodes.FINDINGS, other, "1 altered", "1 answered differently");
+        changed = new ArrayList<>(lines);
+        changed.set(0, lines.get(0).replaceFirst("\"title\":\"", "\"title\":\"x"));
+        replayed(file, changed, ExitCodes.FINDINGS, "line 1 is not as it was recorded", "1 altered");
+        changed = new ArrayList<>(lines);
+        changed.remove(at);
+        replayed(file, changed, ExitCodes.FINDINGS, other, "1 altered", "1 request without an answer to compare with");
+        changed = new ArrayList<>(lines);
+        changed.removeIf(line -> line.contains("\"type\":\"distances\"") || line.contains("\"refused\":"));
+        replayed(file, changed, ExitCodes.FINDINGS, "0 answers compared: nothing was compared, 1 altered, ");
+        replayed(
+                file,
+                lines.subList(0, lines.size() - 1),
+                0,
+                "the end of the recording is missing: its recorder was killed or stopped, or the file was cut off",
+                "what was compared is the same, bit for bit, 1 incomplete");
+        changed = new ArrayList<>(lines.subList(0, lines.size() - 3));
+        changed.add(lines.get(lines.size() - 1));
+        replayed(file, changed, ExitCodes.FINDINGS, "as its end says", "1 altered");
+        changed = new ArrayList<>(lines);
+        changed.add(lines.get(1));
+        Files.write(file, changed);
+        assertThat(run("replay", file)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("nothing may follow the end of a recording (got: a line of type init)");
+    }
+
+    /** Without checksums nobody knows whether answers were there; where none is left, nothing was compared. */
+    @Test
+    void withoutAnswersNothingIsTheSame() throws IOException {
+        Path file = folder.resolve("bare.scenario.jsonl");
+        List<String> lines = new ArrayList<>(Files.readAllLines(STORED.resolve("wandering.scenario.jsonl")));
+        lines.removeIf(line -> line.contains("\"type\":\"distances\"") || line.contains("\"refused\":"));
+        replayed(
+                file,
+                lines,
+                ExitCodes.FINDINGS,
+                "0 answers compared: nothing was compared, 16 requests without an answer to compare with\n");
+        replayed(file, lines.subList(0, 2), ExitCodes.FINDINGS, "0 answers compared: nothing was compared\n");
     }
 
     @Test

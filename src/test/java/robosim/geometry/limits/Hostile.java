@@ -181,8 +181,13 @@ final class Hostile {
                 MessageTranslator.RECORDS,
                 MessagePace.NONE,
                 Gate.OPEN);
+        List<String> wrong = new ArrayList<>();
+        channel.onWrongRequest(wrong::add);
         for (Bundle bundle = channel.read(); bundle != null; bundle = channel.read()) {
             read.add(bundle);
+        }
+        if (!wrong.isEmpty()) {
+            throw new ProtocolException(wrong.get(0)); // it was answered, and the reading went on to the end
         }
         return read;
     }

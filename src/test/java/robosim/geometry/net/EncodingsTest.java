@@ -142,17 +142,20 @@ class EncodingsTest {
     }
 
     @Test
-    void aJsonPeerIsToldWhyItsConnectionIsClosed() throws Exception {
+    void aWrongRequestIsAnsweredAndWhatIsNoJsonEndsTheConnection() throws Exception {
         try (LogCapture log = new LogCapture();
                 GeometryServer server = new GeometryServer(0);
                 JsonPeer json = new JsonPeer(new Socket(InetAddress.getLoopbackAddress(), server.port()))) {
             json.ask(HELLO);
-            assertThat(json.ask("{\"type\":\"moves\"}"))
-                    .isEqualTo("{\"type\":\"error\",\"message\":\"line 2, the message: must have the field"
-                            + " \\\"moves\\\" (got: none)\"}");
-            assertThat(json.in.readLine()).isNull();
-            assertThat(log.linesWith("closed at message 1, line 2, the message: must have the field"))
+            assertThat(json.ask("{\"type\":\"moves\",\"id\":5}"))
+                    .isEqualTo("{\"type\":\"error\",\"id\":5,\"continues\":true,\"message\":\"line 2, the message: must"
+                            + " have the field \\\"moves\\\" (got: none)\"}");
+            assertThat(log.linesWith("answered with an error: line 2, the message: must have the field"))
                     .hasSize(1);
+            json.converse();
+            assertThat(json.ask("{\"type\":\"moves\"]")).startsWith("{\"type\":\"error\",\"message\":\"line 6, ");
+            assertThat(json.in.readLine()).isNull();
+            assertThat(log.linesWith("closed at message 4, line 6, ")).hasSize(1);
         }
     }
 }

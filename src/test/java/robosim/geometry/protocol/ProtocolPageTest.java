@@ -74,7 +74,7 @@ class ProtocolPageTest {
             }
             assertThat(in.readLine()).as("after the error").isNull();
         }
-        assertThat(asked).isEqualTo(12);
-        assertThat(answered).isEqualTo(11);
+        assertThat(asked).isEqualTo(13);
+        assertThat(answered).isEqualTo(12);
     }
 }

@@ -2,6 +2,7 @@ package robosim.geometry.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -29,7 +30,10 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.Velocity;
 
 /** What watchers are told, without sockets. */
 class WatchingTest {
@@ -74,6 +78,81 @@ class WatchingTest {
             }
         }
         return steps;
+    }
+
+    /** The world at the end of a replay, whose answers must be those that were told. */
+    private static Geometry world(List<Step> steps) {
+        Session[] session = new Session[1];
+        Replay replay = new Replay(SessionOptions.ROBOSIM, new SessionListener() {
+            @Override
+            public void opened(Session opened) {
+                session[0] = opened;
+            }
+        });
+        assertThat(steps).allSatisfy(step -> assertThat(replay.step(step)).isNull());
+        return session[0].world();
+    }
+
+    /** A robot that pushes a crate, with what it was told at the beginning. */
+    private Held pushing() {
+        GeometryObject crate = new BoxObject(new Point(1.5, 0, 0.1), 0.5, 0.5, 0.5).moveable("crate");
+        Held held = new Held("pushing").world(WALL, ROBOT, crate);
+        held.session.reply(new StepBundle(
+                0.125,
+                List.of(
+                        BodyRequest.of("r").withMass(9).withDrive(DriveSettings.of(DriveSettings.Kind.VELOCITY)),
+                        BodyRequest.of("crate").withMass(2).withVelocity(new Velocity(0, 0, 0.25, 1.1)),
+                        BodyRequest.of("nobody")),
+                List.of(new DriveCommand("r", 1, 0, 0.3))));
+        return held;
+    }
+
+    @Test
+    void whoComesLateGoesOnWithTheBodiesToTheBit() throws Exception {
+        for (int count = 0; count < 24; count += 3) {
+            Held held = pushing();
+            for (int k = 0; k < count; k++) {
+                held.session.reply(new StepBundle(0.125, List.of(), List.of()));
+            }
+            WatchServer.Lines lines = join();
+            for (int k = 0; k < 6; k++) {
+                held.session.reply(LOOK);
+                held.session.reply(new StepBundle(0.125, List.of(), List.of()));
+            }
+            List<Step> steps = told(lines);
+            assertThat(steps).hasSize(1 + 1 + count + 12);
+            assertThat(world(steps).objects()).isEqualTo(held.session.world().objects());
+        }
+    }
+
+    /** Beyond the limit what was told is forgotten, and the bodies are told as they are. */
+    @Test
+    void whoComesVeryLateGetsTheBodiesAsTheyAre() throws Exception {
+        Held held = pushing();
+        for (int k = 0; k <= BodyHistory.MOST_STEPS; k++) {
+            held.session.reply(new StepBundle(0.0005, List.of(), List.of()));
+        }
+        WatchServer.Lines lines = join();
+        for (int k = 0; k < 3; k++) {
+            held.session.reply(new StepBundle(0.125, List.of(), List.of()));
+        }
+        List<Step> steps = told(lines);
+        assertThat(steps).hasSize(2 + 3);
+        StepBundle bodies = (StepBundle) steps.get(1).request();
+        assertThat(bodies.seconds()).isZero();
+        assertThat(bodies.bodies()).extracting(BodyRequest::objectName).containsExactly("r", "crate");
+        assertThat(bodies.commands()).containsExactly(new DriveCommand("r", 1, 0, 0.3));
+        Replay replay = new Replay(SessionOptions.ROBOSIM);
+        steps.forEach(replay::step);
+        StepBundle.Answer replayed = (StepBundle.Answer) replay.reply().bundle();
+        StepBundle.Answer live = (StepBundle.Answer) steps.get(4).expected().bundle();
+        for (int k = 0; k < 2; k++) { // what is pushed is no longer known to be
+            Point there = live.bodies().get(k).center();
+            Point here = replayed.bodies().get(k).center();
+            assertThat(here.x()).isCloseTo(there.x(), within(0.02));
+            assertThat(here.z()).isCloseTo(there.z(), within(0.02));
+        }
+        assertThat(live.bodies().get(0).center().x()).isGreaterThan(1);
     }
 
     private static GeometryObject robot(Step step) {
@@ -134,7 +213,7 @@ class WatchingTest {
             requests.subList(0, count).forEach(held.session::reply);
             WatchServer.Lines lines = join();
             held.session.reply(LOOK);
-            InitBundle now = (InitBundle) told(lines).get(0).request();
+            Geometry now = world(told(lines));
             assertThat(now.objects())
                     .as("after " + count)
                     .containsExactlyInAnyOrderElementsOf(held.session.world().objects());

@@ -262,11 +262,33 @@ def mistakes(place):
             else:
                 raise AssertionError(reason)
         same(module.pose("robot").center, [1, 0, 1])  # nothing was sent
-        for reason in ("the module refused it: ", "the module ended the conversation when it refused this: "):
+        for _ in range(2):  # the conversation goes on
             try:
                 module.sonar("robot", 0, 0)
+            except RequestError as e:
+                assert "xOffset and zOffset must not both be zero" in str(e), e
+            else:
+                raise AssertionError("a sonar must have a direction")
+        same(module.pose("robot").center, [1, 0, 1])
+        asked = {"type": "sonars", "requests": [{"objectName": "robot", "xOffset": 0, "zOffset": 1}]}
+        module.send(asked)
+        module.send({**asked, "id": "mine"})
+        same(module.move("robot", z=-1).made, True)  # in between
+        same([module.receive("distances")["id"] for _ in range(2)][1], "mine")
+        module.send({"type": "init", "objects": [{"kind": "cone"}]})  # has no answer, unless it is wrong
+        try:
+            module.ping()
+        except RequestError as e:
+            assert "must be box, cylinder" in str(e), e
+        else:
+            raise AssertionError("a cone must be refused")
+        same(module.pose("robot").center, [1, 0, 0])
+        module._sock.sendall(b"{]\n")
+        for reason in ("the module refused it: ", "the module ended the conversation when it refused this: "):
+            try:
+                module.sonar("robot")
             except robosim.NotDone as e:
-                assert str(e).startswith(reason) and "must not both be zero" in str(e), e
+                assert str(e).startswith(reason) and "must be JSON" in str(e), e
             else:
                 raise AssertionError(reason)
 
@@ -290,12 +312,6 @@ def main():
         blocked(module)
         steps(module)
         drives(module, sys.argv[2])
-        try:
-            module.add({"kind": "cone"})
-        except robosim.NotDone as e:
-            assert "must be box, cylinder" in str(e), e
-        else:
-            raise AssertionError("a cone must be refused")
     mistakes(sys.argv[1])
     try:
         box([0, 0, 0], 1, 1, 1, colour="red")

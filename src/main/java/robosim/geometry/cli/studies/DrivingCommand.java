@@ -153,9 +153,12 @@ public final class DrivingCommand implements Callable<Integer> {
             run = drive(read, commands, null);
         } else {
             try (OutputStream out = Files.newOutputStream(file);
-                    ScenarioWriter writer = new ScenarioWriter(
-                            out, new ScenarioHeader("drive " + world.getFileName(), SessionOptions.ROBOSIM))) {
+                    ScenarioWriter writer = ScenarioWriter.recording(
+                            out,
+                            new ScenarioHeader("drive " + world.getFileName(), SessionOptions.ROBOSIM),
+                            Long.MAX_VALUE)) {
                 run = drive(read, commands, writer);
+                writer.end();
             }
         }
         print(run, read);

@@ -38,7 +38,8 @@ import robosim.geometry.scenario.StepReader;
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.FINE + ":every answer is as recorded",
-            ExitCodes.FINDINGS + ":at least one answer differs",
+            ExitCodes.FINDINGS
+                    + ":an answer differs, a recording was altered or lacks answers, or nothing could be compared",
             ExitCodes.REFUSED
         },
         footerHeading = "%nExamples:%n",
@@ -79,6 +80,10 @@ public final class ReplayCommand implements Callable<Integer> {
     private long compared;
     private int different;
     private int unreadable;
+    private int altered;
+    private int incomplete;
+    private int lacking;
+    private long unanswered;
 
     private ReplayCommand() {}
 
@@ -93,15 +98,38 @@ public final class ReplayCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         out.printf(
                 Locale.ROOT,
-                "%s, %s, %,d moves and distances: %s%n",
+                "%s, %s, %s compared: %s%n",
                 NumberText.count(files.size(), "scenario"),
                 NumberText.count(steps, "step"),
-                compared,
-                different + unreadable == 0
-                        ? "all the same, bit for bit"
-                        : different + " answered differently, " + unreadable + " unreadable");
+                NumberText.count(compared, "answer"),
+                verdict());
         out.flush();
-        return unreadable > 0 ? ExitCodes.UNUSABLE : different > 0 ? ExitCodes.FINDINGS : 0;
+        boolean isFine = different + altered + lacking == 0 && compared > 0;
+        return unreadable > 0 ? ExitCodes.UNUSABLE : isFine ? 0 : ExitCodes.FINDINGS;
+    }
+
+    private String verdict() {
+        List<String> parts = new ArrayList<>();
+        if (different + unreadable > 0) {
+            parts.add(different + " answered differently, " + unreadable + " unreadable");
+        } else if (compared > 0) {
+            parts.add(
+                    altered + lacking + incomplete == 0
+                            ? "all the same, bit for bit"
+                            : "what was compared is the same, bit for bit");
+        } else {
+            parts.add("nothing was compared");
+        }
+        if (altered > 0) {
+            parts.add(altered + " altered");
+        }
+        if (incomplete > 0) {
+            parts.add(incomplete + " incomplete");
+        }
+        if (unanswered > 0) {
+            parts.add(NumberText.count(unanswered, "request") + " without an answer to compare with");
+        }
+        return String.join(", ", parts);
     }
 
     private List<Path> files() throws IOException {
@@ -174,10 +202,19 @@ public final class ReplayCommand implements Callable<Integer> {
             out.println(file + ": and " + NumberText.count(rest, "more step") + (rest == 1 ? " is" : " are")
                     + " answered differently");
         }
-        if (reader instanceof ScenarioReader lines && lines.torn() > 0) {
-            out.println(file + ": line " + lines.torn()
-                    + " is incomplete, as after a killed recorder or a full disk; it was skipped");
+        boolean isRecording = reader instanceof ScenarioReader lines && lines.isRecording();
+        if (reader instanceof ScenarioReader lines) {
+            lines.problems().forEach(problem -> out.println(file + ": " + problem));
+            altered += lines.altered() > 0 || lines.hasOtherCount() ? 1 : 0;
+            incomplete += lines.isComplete() ? 0 : 1;
+            // Of a recorder that was killed the last request has no answer; the module may have failed in it.
+            lacking += isRecording && replay.unanswered() > (lines.isComplete() ? 0 : 1) ? 1 : 0;
         }
+        if (isRecording && replay.unanswered() > 0) {
+            out.println(file + ": " + NumberText.count(replay.unanswered(), "request")
+                    + (replay.unanswered() == 1 ? " has" : " have") + " no answer to compare with");
+        }
+        unanswered += replay.unanswered();
         steps += replay.steps();
         compared += replay.compared();
         different += replay.mismatches() > 0 ? 1 : 0;

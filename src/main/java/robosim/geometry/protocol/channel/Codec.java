@@ -14,6 +14,9 @@ interface Codec {
 
     void write(Reply reply) throws IOException;
 
+    /** Answers the last message with an error, if the encoding has one after which the conversation goes on; returns whether. */
+    boolean refuse(String reason) throws IOException;
+
     /** The size in bytes of the last message read. */
     int messageBytes();
 }

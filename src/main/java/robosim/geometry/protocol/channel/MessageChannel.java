@@ -9,6 +9,7 @@ import java.io.OutputStream;
 import java.io.SequenceInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
@@ -32,8 +33,10 @@ import robosim.geometry.protocol.json.JsonLines;
  * MessagePace#opening} waits. A JSON peer that begins later than that is served too: the first line that it receives is
  * then the four bytes of that header, which it must skip.
  *
- * <p>{@link #read} itself answers a JSON peer's hello and pings. One thread may read and one may write, the same or
- * another; messages are written without interleaving. After an exception nothing more can be read.
+ * <p>{@link #read} itself answers a JSON peer's hello and pings, and with an error each request that is JSON but wrong: a
+ * field that does not exist, a value out of its range. One thread may read and one may write, the same or another;
+ * messages are written without interleaving. What is written answers the last message that was read, and repeats its
+ * id. After an exception nothing more can be read.
  */
 public final class MessageChannel {
     /** The encoding of a peer's messages. */
@@ -55,6 +58,8 @@ public final class MessageChannel {
     /** The writer, if it was created, and our stream header sent, before the peer had sent anything. */
     private @Nullable MessageWriter early;
 
+    private Consumer<String> wrongRequests = reason -> {};
+
     private volatile @Nullable Codec speech;
     private volatile @Nullable Encoding encoding;
 
@@ -65,6 +70,22 @@ public final class MessageChannel {
         this.translator = Checks.present("translator", translator);
         this.pace = Checks.present("pace", pace);
         this.gate = Checks.present("gate", gate);
+    }
+
+    /** Tells an observer why requests are wrong that {@link #read} answers with an error. */
+    public void onWrongRequest(Consumer<String> observer) {
+        wrongRequests = Checks.present("observer", observer);
+    }
+
+    /**
+     * Answers the last request that was read with an error, after which the conversation goes on.
+     *
+     * @return whether the peer's encoding has such an answer; Java serialization has none, and nothing is written
+     */
+    public boolean answerError(String reason) throws IOException {
+        Checks.present("reason", reason);
+        Codec spoken = speech;
+        return spoken != null && spoken.refuse(reason);
     }
 
     /**
@@ -193,6 +214,11 @@ public final class MessageChannel {
             }
 
             @Override
+            public boolean refuse(String reason) {
+                return false;
+            }
+
+            @Override
             public int messageBytes() {
                 return reader.messageBytes();
             }
@@ -206,7 +232,7 @@ public final class MessageChannel {
             out.flush();
         }
         try {
-            return codec(JsonCodec.open(whole, out, pace, gate));
+            return codec(JsonCodec.open(whole, out, pace, gate, reason -> wrongRequests.accept(reason)));
         } catch (LinkageError e) {
             throw new ProtocolException(
                     "JSON lines need Jackson: put com.fasterxml.jackson.core:jackson-core on the class path, or on the"
@@ -226,6 +252,12 @@ public final class MessageChannel {
             @Override
             public void write(Reply reply) throws IOException {
                 lines.write(reply);
+            }
+
+            @Override
+            public boolean refuse(String reason) throws IOException {
+                lines.refuse(reason);
+                return true;
             }
 
             @Override

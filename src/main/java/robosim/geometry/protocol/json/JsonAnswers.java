@@ -166,7 +166,7 @@ final class JsonAnswers {
                 case 28 -> left = point();
                 case 29 -> contacts();
                 case 30 -> list();
-                case 31 -> next = in.whole(0, JsonMessages.MAX_ID);
+                case 31 -> next = in.whole(0, JsonInput.MAX_ID);
                 default -> numbers[field] = in.number();
             }
         }
@@ -191,7 +191,7 @@ final class JsonAnswers {
             var members = in.object(OBSTACLE_FIELDS);
             for (int field = members.next(); field >= 0; field = members.next()) {
                 switch (field) {
-                    case 0 -> index = in.whole(0, JsonMessages.MAX_ID);
+                    case 0 -> index = in.whole(0, JsonInput.MAX_ID);
                     case 1 -> kind = kind();
                     case 2 -> at = point();
                     default -> name = in.text();
@@ -217,7 +217,7 @@ final class JsonAnswers {
             var members = in.object(LISTED_FIELDS);
             for (int field = members.next(); field >= 0; field = members.next()) {
                 switch (field) {
-                    case 0 -> index = in.whole(0, JsonMessages.MAX_ID);
+                    case 0 -> index = in.whole(0, JsonInput.MAX_ID);
                     case 1 -> kind = kind();
                     case 2 -> points[0] = point();
                     case 3 -> heading = in.number();

@@ -228,7 +228,7 @@ final class JsonBatches {
                 case OVERLAPPING -> draft.overlapping = in.flag();
                 case BENDS -> draft.bends = (int) in.whole(0, WorldRequest.GoAndSlide.MOST_BENDS);
                 case BENDS + 1 -> draft.identify = in.flag();
-                case BENDS + 2 -> draft.first = in.whole(0, JsonMessages.MAX_ID);
+                case BENDS + 2 -> draft.first = in.whole(0, JsonInput.MAX_ID);
                 case BENDS + 3 -> draft.count = (int) in.whole(1, WorldRequest.ListObjects.MOST_LISTED);
                 default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
@@ -16,7 +17,10 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
 
-/** A connection in JSON lines: a hello first, then requests and pings. */
+/**
+ * A connection in JSON lines: a hello first, then requests and pings. A line that is JSON but no request that can be carried
+ * out is answered here with an error, and the next one is read; the rest ends the connection.
+ */
 public final class JsonCodec {
     private final LineInput lines;
 
@@ -25,36 +29,44 @@ public final class JsonCodec {
 
     private final OutputStream buffered;
     private final Gate gate;
+    private final Consumer<String> wrongRequests;
     private boolean admitted;
+
+    /** The id of the last message, a String or a Long, which its answer repeats; null if it has none. */
+    private @Nullable Object id;
 
     /** What the last line asks besides; null if nothing. */
     private @Nullable Bundle followUp;
 
     private int messageBytes;
 
-    private JsonCodec(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
+    private JsonCodec(InputStream in, OutputStream out, MessagePace pace, Gate gate, Consumer<String> wrongRequests) {
         this.lines = new LineInput(in, pace);
         this.target = out;
         this.buffered = new BufferedOutputStream(out, 8192);
         this.gate = gate;
+        this.wrongRequests = wrongRequests;
     }
 
     /**
      * A codec for a connection of which nothing has been read.
      *
+     * @param wrongRequests takes the reason of each error with which a wrong request is answered here
      * @throws LinkageError if Jackson is missing
      */
-    public static JsonCodec open(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
+    public static JsonCodec open(
+            InputStream in, OutputStream out, MessagePace pace, Gate gate, Consumer<String> wrongRequests) {
         Checks.present("in", in);
         Checks.present("out", out);
         Checks.present("pace", pace);
         Checks.present("gate", gate);
+        Checks.present("wrongRequests", wrongRequests);
         JsonInput.FACTORY.version(); // fails here rather than within a message
-        return new JsonCodec(in, out, pace, gate);
+        return new JsonCodec(in, out, pace, gate, wrongRequests);
     }
 
     /**
-     * The next bundle, once all hellos and pings before it have been answered; null at the end of the stream.
+     * The next bundle, once all hellos, pings and wrong requests before it have been answered; null at the end of the stream.
      *
      * @throws ProtocolException if the bytes are not a message, the peer is not admitted, or the stream fails
      */
@@ -92,13 +104,32 @@ public final class JsonCodec {
             messageBytes = lines.count();
             return null;
         }
-        Object message = JsonLines.guardedAsItComes(this::decode);
+        id = null;
+        Object message;
+        try {
+            message = JsonLines.guardedAsItComes(this::decode);
+        } catch (ProtocolException e) {
+            if (!e.isAboutRequest()) {
+                throw e;
+            }
+            String reason = "line " + lines.number() + ", " + e.getMessage();
+            wrongRequests.accept(reason); // first, so that the log has it when the peer has its answer
+            refuse(reason);
+            return null;
+        }
         messageBytes = lines.count();
-        if (message instanceof JsonMessages.Ping ping) {
-            send(output -> output.writePong(ping.id()));
+        if (message instanceof JsonMessages.Ping) {
+            send(output -> output.writePong(id));
             return null;
         }
         return (Bundle) message;
+    }
+
+    /** Answers the last message that was read with an error, after which the conversation goes on. */
+    public void refuse(String reason) throws IOException {
+        Checks.present("reason", reason);
+        followUp = null;
+        send(output -> output.writeError(Text.line(reason), id));
     }
 
     private Object decode() throws IOException {
@@ -116,15 +147,47 @@ public final class JsonCodec {
     }
 
     private Object decode(byte[] bytes, int at, int length) throws IOException {
-        String type = JsonMessages.typeOf(JsonInput.of(bytes, at, length));
+        String type = "";
+        ProtocolException untyped = null;
+        try {
+            type = JsonMessages.typeOf(JsonInput.of(bytes, at, length));
+        } catch (ProtocolException e) {
+            if (!e.isAboutRequest()) {
+                throw e;
+            }
+            untyped = e;
+        }
         try (JsonInput in = JsonInput.of(bytes, at, length)) {
+            if (untyped != null) {
+                throw rest(in, untyped);
+            }
             return message(type, in);
         }
     }
 
+    /** Decodes a message; of one that is wrong, the rest of the line is read as well. */
     private Object message(String type, JsonInput in) throws IOException {
+        try {
+            Object message = typed(type, in);
+            id = in.id();
+            return message;
+        } catch (ProtocolException e) {
+            throw e.isAboutRequest() ? rest(in, e) : e;
+        } catch (IllegalArgumentException e) {
+            throw rest(in, ProtocolException.ofRequest(String.valueOf(e.getMessage()), e));
+        }
+    }
+
+    /** Reads on to the end of a wrong message: its id may be there, and what is not JSON. */
+    private ProtocolException rest(JsonInput in, ProtocolException problem) throws IOException {
+        in.skipRest();
+        id = in.id();
+        return problem;
+    }
+
+    private Object typed(String type, JsonInput in) throws IOException {
         if (type.equals("hello")) {
-            throw new ProtocolException("a hello must come once, as the first message (got: another)");
+            throw ProtocolException.ofRequest("a hello must come once, as the first message (got: another)", null);
         }
         JsonMessages messages = new JsonMessages(in);
         if (type.equals("init")) {
@@ -165,9 +228,9 @@ public final class JsonCodec {
         }
     }
 
-    /** Writes an answer: one complete message, flushed. */
+    /** Writes the answer to the last message that was read: one complete message with its id, flushed. */
     public void write(Reply reply) throws IOException {
-        send(output -> output.write(reply));
+        send(output -> output.write(reply, id));
     }
 
     private void send(JsonLines.Writing message) throws IOException {

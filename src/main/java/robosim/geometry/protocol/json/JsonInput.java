@@ -3,6 +3,7 @@ package robosim.geometry.protocol.json;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonStreamContext;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
@@ -30,6 +31,9 @@ final class JsonInput implements Closeable {
 
     /** Maximum length of a whole number that has a decimal point or an exponent. */
     private static final int MAX_WHOLE_LENGTH = 40;
+
+    /** The largest whole number that every reader of JSON has exactly. */
+    static final long MAX_ID = (1L << 53) - 1;
 
     /** Maximum length of any string: the base64 of a normal for each of the most beams. */
     private static final int MAX_BASE64 = 3 * Double.BYTES * MessageLimits.MAX_BEAMS / 3 * 4;
@@ -62,6 +66,9 @@ final class JsonInput implements Closeable {
     private final JsonParser parser;
     private final JsonProblems problems;
     private int containers;
+
+    /** The id of the message; null if it has none, or it has not been read yet. */
+    private @Nullable Object id;
 
     /** The last string read. */
     private @Nullable String lastText;
@@ -141,17 +148,77 @@ final class JsonInput implements Closeable {
         advance();
     }
 
-    /** Begins reading the line's object. */
+    /** Begins reading the line's object, a request or an answer, which may have an id besides its fields. */
     JsonMembers message(Fields fields) throws IOException {
         advance();
-        return object(fields);
+        return object(fields).withId();
     }
 
     /** Checks that the line ends here. */
     void end() throws IOException {
         if (advance() != null) {
-            throw refused("nothing may follow a message on its line (got: " + kind() + ")");
+            throw more();
         }
+    }
+
+    private ProtocolException more() {
+        return problems.unreadable("nothing may follow a message on its line (got: " + kind() + ")");
+    }
+
+    /** Reads the current value as the id of the message. */
+    void readId() throws IOException {
+        if (isText()) {
+            id = text();
+        } else if (isNumber()) {
+            id = whole(-MAX_ID, MAX_ID);
+        } else {
+            throw refused(
+                    "an id must be a text or a whole number; leave it out if there is none (got: " + kind() + ")");
+        }
+    }
+
+    /** The id of the message, a String or a Long; null if it has none, or it has not been read yet. */
+    @Nullable
+    Object id() {
+        return id;
+    }
+
+    /**
+     * Reads the rest of the line, whose message is wrong, for its id.
+     *
+     * @throws ProtocolException if the line is not JSON
+     */
+    void skipRest() throws IOException {
+        boolean isId = isFieldOfMessage("id");
+        boolean ended = hasEnded();
+        while (advance() != null) {
+            if (ended) {
+                throw more();
+            }
+            if (isId && (isText() || isNumber())) {
+                try {
+                    readId();
+                } catch (ProtocolException e) {
+                    if (!e.isAboutRequest()) {
+                        throw e;
+                    }
+                }
+            }
+            isId = isFieldOfMessage("id");
+            ended = hasEnded();
+        }
+    }
+
+    private boolean hasEnded() {
+        return parser.currentToken() != null && parser.getParsingContext().inRoot();
+    }
+
+    private boolean isFieldOfMessage(String field) throws IOException {
+        JsonStreamContext in = parser.getParsingContext();
+        return parser.currentToken() == JsonToken.FIELD_NAME
+                && in.getParent() != null
+                && in.getParent().inRoot()
+                && field.equals(fieldName());
     }
 
     JsonToken advance() throws IOException {
@@ -194,7 +261,7 @@ final class JsonInput implements Closeable {
 
     private void count() throws IOException {
         if (++containers > MessageLimits.MAX_REFERENCES) {
-            throw refused("there must be at most " + MessageLimits.MAX_REFERENCES
+            throw problems.unreadable("there must be at most " + MessageLimits.MAX_REFERENCES
                     + " objects and lists in a message (got: more)");
         }
     }
@@ -230,7 +297,7 @@ final class JsonInput implements Closeable {
         }
         String digits = scalar();
         if (digits.length() > MAX_NUMBER_LENGTH) { // the parser's own limit counts neither the sign nor the point
-            throw refused(JsonProblems.numberTooLong());
+            throw problems.unreadable(JsonProblems.numberTooLong());
         }
         double value = Double.parseDouble(digits);
         if (!Double.isFinite(value)) {
@@ -372,7 +439,7 @@ final class JsonInput implements Closeable {
         try {
             return constructor.get();
         } catch (IllegalArgumentException e) {
-            throw new ProtocolException(problems.place() + String.valueOf(e.getMessage()), e);
+            throw ProtocolException.ofRequest(problems.place() + String.valueOf(e.getMessage()), e);
         }
     }
 

@@ -44,7 +44,7 @@ public final class JsonLines {
     /** Writes a {@code moves} line with the refusals, a {@code distances}, an {@code answers} or a {@code bodies} line. */
     public static String write(Reply reply) {
         Checks.present("reply", reply);
-        return text(output -> output.write(reply));
+        return text(output -> output.write(reply, null));
     }
 
     /**
@@ -131,8 +131,10 @@ public final class JsonLines {
             case "batch" -> new JsonBatches(in).batch();
             case "step" -> new JsonSteps(in).step();
             default ->
-                throw new ProtocolException("a request's type must be init, moves, sonars, batch, step or ping (got: "
-                        + Text.quoted(type) + ")");
+                throw ProtocolException.ofRequest(
+                        "a request's type must be init, moves, sonars, batch, step or ping (got: " + Text.quoted(type)
+                                + ")",
+                        null);
         };
     }
 

@@ -8,10 +8,18 @@ final class JsonMembers {
     private final JsonInput in;
     private final Fields fields;
     private long seen;
+    private boolean mayHaveId;
+    private boolean hasId;
 
     JsonMembers(JsonInput in, Fields fields) {
         this.in = in;
         this.fields = fields;
+    }
+
+    /** These members, among which an id may be, which is read here. */
+    JsonMembers withId() {
+        mayHaveId = true;
+        return this;
     }
 
     /** Goes to the value of the next field and returns its number; -1 at the end, if no field is missing. */
@@ -25,10 +33,17 @@ final class JsonMembers {
         }
         String name = in.fieldName();
         int index = fields.indexOf(name);
-        if (index < 0) {
-            throw in.refused("a field must be one of " + fields + " (got: " + in.told(name) + ")");
+        if (index < 0 && mayHaveId && name.equals("id") && !hasId) {
+            hasId = true;
+            in.advance();
+            in.readId();
+            return next();
         }
-        if ((seen & 1L << index) != 0) {
+        if (index < 0 && !(hasId && name.equals("id"))) {
+            throw in.refused(
+                    "a field must be one of " + fields + (mayHaveId ? ", id" : "") + " (got: " + in.told(name) + ")");
+        }
+        if (index < 0 || (seen & 1L << index) != 0) {
             throw in.refused("a field must occur only once (got: \"" + name + "\" twice)");
         }
         seen |= 1L << index;

@@ -34,10 +34,7 @@ final class JsonMessages {
     private static final Fields DISTANCES = Fields.of("type distances", "");
     private static final Fields ERROR = Fields.of("error", "");
     private static final Fields HELLO = Fields.of("type version", "secret");
-    private static final Fields PING = Fields.of("type", "id");
-
-    /** The largest whole number that every reader of JSON has exactly. */
-    static final long MAX_ID = (1L << 53) - 1;
+    private static final Fields PING = Fields.of("type", "");
 
     private final JsonInput in;
     private boolean wantsAnswer;
@@ -74,16 +71,13 @@ final class JsonMessages {
         }
     }
 
-    /**
-     * A ping: asks whether the peer is alive.
-     *
-     * @param id a String, a Long, or null for none
-     */
-    record Ping(@Nullable Object id) {}
+    /** A ping: asks whether the peer is alive. */
+    record Ping() {}
 
     Hello hello() throws IOException {
         String secret = null;
-        JsonMembers message = in.message(HELLO);
+        in.begin();
+        JsonMembers message = in.object(HELLO);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
@@ -103,18 +97,12 @@ final class JsonMessages {
     }
 
     Ping ping() throws IOException {
-        Object id = null;
         JsonMembers message = in.message(PING);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            if (field == 0 || in.isText()) {
-                String text = in.text();
-                id = field == 0 ? id : text;
-            } else {
-                id = in.whole(-MAX_ID, MAX_ID);
-            }
+        while (message.next() >= 0) {
+            in.text();
         }
         in.end();
-        return new Ping(id);
+        return new Ping();
     }
 
     InitBundle init() throws IOException {

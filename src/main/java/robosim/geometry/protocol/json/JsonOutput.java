@@ -83,21 +83,21 @@ final class JsonOutput {
         out.writeEndObject();
     }
 
-    /** Writes an answer. */
-    void write(Reply reply) throws IOException {
+    /** Writes an answer, with the id of its request if that has one. */
+    void write(Reply reply, @Nullable Object id) throws IOException {
         if (reply.bundle() instanceof MoveBundle made) {
-            begin("moves");
+            begin("moves", id);
             moves(made.moves());
             refused(reply.problems());
         } else if (reply.bundle() instanceof StepBundle.Answer step) {
-            begin("bodies");
+            begin("bodies", id);
             new JsonStepOutput(out).answer(step);
             refused(reply.problems());
         } else if (reply.bundle() instanceof BatchAnswerBundle batch) {
-            begin("answers");
+            begin("answers", id);
             new JsonBatchOutput(out, this::object).answers(batch.answers(), reply.problems());
         } else {
-            begin("distances");
+            begin("distances", id);
             distances(((DistanceBundle) reply.bundle()).distances(), reply.problems());
         }
         out.writeEndObject();
@@ -133,18 +133,30 @@ final class JsonOutput {
 
     /** Writes the answer to a ping. */
     void writePong(@Nullable Object id) throws IOException {
-        begin("pong");
+        begin("pong", id);
+        out.writeEndObject();
+    }
+
+    /** Writes why a request is not carried out, in a conversation that goes on. */
+    void writeError(String message, @Nullable Object id) throws IOException {
+        begin("error", id);
+        out.writeBooleanField("continues", true);
+        out.writeStringField("message", message);
+        out.writeEndObject();
+    }
+
+    private void begin(String type) throws IOException {
+        begin(type, null);
+    }
+
+    private void begin(String type, @Nullable Object id) throws IOException {
+        out.writeStartObject();
+        out.writeStringField("type", type);
         if (id instanceof Long number) {
             out.writeNumberField("id", number);
         } else if (id != null) {
             out.writeStringField("id", id.toString());
         }
-        out.writeEndObject();
-    }
-
-    private void begin(String type) throws IOException {
-        out.writeStartObject();
-        out.writeStringField("type", type);
     }
 
     private void settings(@Nullable WorldSettings settings) throws IOException {

@@ -18,8 +18,13 @@ final class JsonProblems {
         this.discreet = discreet;
     }
 
-    /** An exception about the current value. */
+    /** An exception about the current value, which is JSON but not what must be there. */
     ProtocolException refused(String what) {
+        return ProtocolException.ofRequest(place() + what, null);
+    }
+
+    /** An exception after which nothing more can be read: this is no JSON, or exceeds a limit of all messages. */
+    ProtocolException unreadable(String what) {
         return new ProtocolException(place() + what);
     }
 
@@ -42,18 +47,18 @@ final class JsonProblems {
     ProtocolException noJson(JsonProcessingException e) {
         String words = String.valueOf(e.getOriginalMessage());
         if (e instanceof StreamConstraintsException) {
-            return refused(beyond(words));
+            return unreadable(beyond(words));
         }
         int column = e.getLocation() == null ? 0 : e.getLocation().getColumnNr();
         String what = "must be JSON (RFC 8259), which ends at column " + column;
         if (discreet) {
-            return refused(what);
+            return unreadable(what);
         }
         String told = Text.line(words.replaceFirst("(?s)(: | \\()?(was expecting|enable `|maybe a ).*", ""));
         String remedy = words.matches("(?s).*'[-+]?(?i:nan|inf).*")
                 ? "; numbers are finite, and no echo or an unlimited range is null"
                 : "";
-        return refused(what + remedy + " (got: " + told + ")");
+        return unreadable(what + remedy + " (got: " + told + ")");
     }
 
     // Each as Jackson since 2.16 has it, and as 2.15.

@@ -17,11 +17,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
@@ -185,12 +187,7 @@ class MessageChannelTest {
                 "{\"type\":\"hello\"} | line 1, the message: must have the field \"version\"",
                 "{\"type\":\"hello\",\"version\":2} | line 1, the message: version must be 1",
                 "{\"type\":\"hello\",\"version\":\"1\"} | line 1, the message: must be a number",
-                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"hello\",\"version\":1} | line 2, a hello must come once",
                 "{\"type\":\"hello\",\"version\":1}~ | line 2, a line must contain a message (got: a blank line)",
-                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"pong\"} | line 2, a request's type must be",
-                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":1.5} | line 2, at /id: must be a whole number",
-                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":9007199254740992} | line 2, at /id: must be",
-                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":null} | line 2, at /id: must be a number",
                 "{\"type\":\"hello\",\"version\":1}~{\"type\":\"moves\",\"moves\":[NaN]} | line 2, at /moves/0: must be JSON",
                 "{\"type\":\"hello\",\"version\":1}~{\"type\":\"moves\",\"moves\":[]}}~ | line 2, "
             })
@@ -203,6 +200,85 @@ class MessageChannelTest {
                         .isEqualTo("{\"type\":\"error\",\"message\":\""
                                 + e.getMessage().replace("\\", "\\\\").replace("\"", "\\\"") + "\"}"));
         assertThat(lines().stream().filter(line -> line.contains("error"))).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "{\"type\":\"hello\",\"version\":1,\"id\":1} | 1 | a hello must come once",
+                "{\"id\":\"x\",\"type\":\"pong\"} | \"x\" | a request's type must be",
+                "{\"id\":7} | 7 | the message: must have the field \"type\"",
+                "{\"type\":7,\"id\":8} | 8 | at /type: must be a string",
+                "{\"type\":\"ping\",\"id\":1.5} |  | at /id: must be a whole number",
+                "{\"type\":\"ping\",\"id\":9007199254740992} |  | at /id: must be",
+                "{\"type\":\"ping\",\"id\":null} |  | at /id: an id must be a text or a whole number; leave it out",
+                "{\"type\":\"ping\",\"id\":1,\"id\":2} | 2 | at /id: a field must occur only once",
+                "{\"type\":\"moves\",\"moves\":[{\"id\":3,\"x\":[{\"id\":4}]}],\"id\":5} | 5 | at /moves/0/id: a field must be",
+                "{\"type\":\"moves\",\"moves\":{},\"id\":[6]} |  | at /moves: must be a list",
+                "[{\"id\":7}] |  | the message: must be an object",
+                "{\"type\":\"sonars\",\"requests\":[{\"objectName\":\"r\",\"xOffset\":0,\"zOffset\":0}],\"id\":-1} | -1 | at"
+                        + " /requests/0: xOffset and zOffset must not both be zero",
+            })
+    void aWrongRequestIsAnsweredAndTheNextOneIsRead(String text, @Nullable String id, String reason)
+            throws IOException {
+        // The second time the line is longer than the buffer, and read as it comes.
+        for (String line : List.of(text, text.replaceFirst(".$", " ".repeat(40_000) + "$0"))) {
+            out.reset();
+            MessageChannel channel = channel(HELLO + line + "\n" + MOVES);
+            List<String> wrong = new ArrayList<>();
+            channel.onWrongRequest(wrong::add);
+            assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
+            channel.write(NONE_MADE);
+            assertThat(wrong).hasSize(1).allMatch(each -> each.startsWith("line 2, " + reason));
+            assertThat(lines()).hasSize(3);
+            assertThat(lines().get(1))
+                    .startsWith("{\"type\":\"error\"," + (id == null ? "" : "\"id\":" + id + ",")
+                            + "\"continues\":true,\"message\":\"line 2, ");
+            assertThat(lines().get(2)).startsWith("{\"type\":\"moves\",\"moves\":[]");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{\"type\":\"moves\",\"moves\":{},\"id\":1",
+                "{\"type\":\"moves\",\"moves\":{},\"id\":NaN}",
+                "{\"type\":\"moves\",\"moves\":{}} {}",
+                "{\"type\":\"pong\",\"x\":[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[0]",
+            })
+    void ofAWrongRequestTheRestMustBeJsonToo(String line) {
+        for (String text : List.of(line, line + " ".repeat(40_000) + "~")) {
+            assertThatThrownBy(() -> channel(HELLO + text + "\n" + MOVES).read())
+                    .isInstanceOf(ProtocolException.class)
+                    .hasMessageStartingWith("line 2, ")
+                    .matches(e -> !((ProtocolException) e).isAboutRequest());
+        }
+    }
+
+    @Test
+    void anAnswerRepeatsTheIdOfItsRequest() throws IOException {
+        MessageChannel channel = channel(HELLO
+                + "{\"id\":1,\"type\":\"init\",\"objects\":[],\"answer\":true}\n"
+                + "{\"type\":\"moves\",\"moves\":[],\"id\":\"zwei\"}\n" + MOVES
+                + "{\"id\":4,\"type\":\"init\",\"objects\":[],\"answer\":true}\n" + MOVES);
+        channel.read();
+        assertThat(channel.read()).isEqualTo(InitBundle.Answered.QUESTION);
+        channel.write(NONE_MADE);
+        channel.read();
+        channel.write(NONE_MADE);
+        channel.read();
+        channel.write(NONE_MADE);
+        channel.read();
+        assertThat(channel.answerError("too \"many\"")).isTrue(); // of the init, so that its question is gone
+        assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
+        assertThat(lines().stream().skip(1).map(line -> line.replaceFirst(",\"moves\".*", "")))
+                .containsExactly(
+                        "{\"type\":\"moves\",\"id\":1",
+                        "{\"type\":\"moves\",\"id\":\"zwei\"",
+                        "{\"type\":\"moves\"",
+                        "{\"type\":\"error\",\"id\":4,\"continues\":true,\"message\":\"too \\\"many\\\"\"}");
     }
 
     @Test

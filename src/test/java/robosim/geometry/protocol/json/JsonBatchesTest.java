@@ -186,7 +186,7 @@ class JsonBatchesTest {
                 return super.read(into, at, Math.min(length, 997));
             }
         };
-        JsonCodec codec = JsonCodec.open(slow, new ByteArrayOutputStream(), MessagePace.NONE, Gate.OPEN);
+        JsonCodec codec = JsonCodec.open(slow, new ByteArrayOutputStream(), MessagePace.NONE, Gate.OPEN, reason -> {});
         assertThat(codec.read()).isEqualTo(bundle);
         assertThat(codec.read()).isNull();
     }

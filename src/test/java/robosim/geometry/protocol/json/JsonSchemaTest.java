@@ -138,6 +138,8 @@ class JsonSchemaTest {
                         + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
                         + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
+        lines.add("{\"type\":\"sonars\",\"requests\":[],\"id\":\"a name\"}");
+        lines.add("{\"id\":-7,\"type\":\"moves\",\"moves\":[]}");
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         return lines;
     }
@@ -145,6 +147,7 @@ class JsonSchemaTest {
     private static List<String> replies() {
         MoveBundle made = new MoveBundle(List.of(new MoveRequest("r", 1, 0, -0.0, 1e-300, 2)));
         return List.of(
+                "{\"type\":\"distances\",\"id\":17,\"distances\":[]}",
                 JsonLines.write(new Reply(BatchSamples.frames().get(1))),
                 JsonLines.write(new Reply(BatchSamples.pictures().get(1))),
                 JsonLines.write(new Reply(BatchSamples.world().get(1))),
@@ -170,16 +173,18 @@ class JsonSchemaTest {
                 MessageTranslator.RECORDS,
                 MessagePace.NONE,
                 Gate.OPEN);
-        String refusal = null;
+        List<String> refusals = new ArrayList<>();
+        channel.onWrongRequest(refusals::add);
         try {
             channel.read();
         } catch (ProtocolException e) {
-            refusal = e.getMessage();
+            refusals.add(String.valueOf(e.getMessage()));
         }
+        assertThat(refusals).hasSizeLessThan(2);
         for (String answer : out.toString(StandardCharsets.UTF_8).lines().toList()) {
             assertThat(fromModule.validate(MAPPER.readTree(answer))).as(answer).isEmpty();
         }
-        return refusal;
+        return refusals.isEmpty() ? null : refusals.get(0);
     }
 
     private static @Nullable String replyRefusal(String line) {
