@@ -1,9 +1,11 @@
 package robosim.geometry.net;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.Socket;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.PacedInput;
@@ -48,13 +50,14 @@ final class Connection implements Runnable {
     private final ConnectionContext around;
     private final NetOptions options;
     private final @Nullable Cipher cipher;
+    private Admissions.Newcomer newcomer;
     private final Watchdog.Guard guard;
     private final CpuTurn turn;
     private final MessageMemory.Share messageMemory;
     private final WorldMemory.Share worldMemory;
 
     /** The number of the message that is being read or processed, from 1. */
-    private long message;
+    private long message = 1;
 
     private long answers;
     private volatile boolean stopping;
@@ -79,10 +82,21 @@ final class Connection implements Runnable {
         this.around = around;
         this.options = around.options();
         this.cipher = cipher;
+        this.newcomer = Admissions.Newcomer.chosen();
         this.guard = around.watchdog().guard(this::abort);
         this.turn = around.turns().turn();
         this.messageMemory = around.messageMemory().share();
         this.worldMemory = around.worldMemory().share();
+    }
+
+    /** Takes a place among the connections of a server; waits for one if need be. */
+    void enter(Admissions admissions, InetAddress from) throws InterruptedException {
+        newcomer = admissions.enter(from, options.timeouts().admission().toNanos(), this::hasUnread, this::displace);
+    }
+
+    /** Gives that place back. */
+    void leave() {
+        newcomer.leave();
     }
 
     /**
@@ -113,6 +127,7 @@ final class Connection implements Runnable {
             abort();
             turn.give();
             worldMemory.free();
+            leave();
             around.figures().closed();
         }
     }
@@ -141,7 +156,10 @@ final class Connection implements Runnable {
     }
 
     private SSLSocket shakeHands(Cipher made) throws ProtocolException {
-        guard.begin(System.nanoTime() + options.timeouts().message().toNanos());
+        guard.begin(
+                newcomer.isAdmitted()
+                        ? System.nanoTime() + options.timeouts().message().toNanos()
+                        : newcomer.due());
         try {
             socket.setSoTimeout(Math.toIntExact(options.timeouts().stall().toMillis()));
             SSLSocket secured = made.over(socket);
@@ -151,7 +169,8 @@ final class Connection implements Runnable {
                     name + ": is " + secured.getSession().getPeerPrincipal());
             return secured;
         } catch (IOException e) {
-            throw new ProtocolException("TLS was not agreed on: " + e.getMessage(), e);
+            String reason = guard.isBroken() ? "the peer took too long" : e.getMessage();
+            throw new ProtocolException("TLS was not agreed on: " + reason, e);
         } finally {
             guard.end();
         }
@@ -170,7 +189,7 @@ final class Connection implements Runnable {
                 messageMemory,
                 () -> stopping);
         PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, times.stall(), times.message(), turn);
-        Authenticator authenticator = new Authenticator(options.access(), in, times);
+        Authenticator authenticator = new Authenticator(options.access(), in, times, newcomer);
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
         authenticator.watch(channel);
         SessionListener listener = options.listeners().apply(name);
@@ -186,6 +205,7 @@ final class Connection implements Runnable {
         message = 1;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
+            newcomer.admit();
             if (message == 1 && !(request instanceof InitBundle)) {
                 open(channel, session);
             }
@@ -317,6 +337,24 @@ final class Connection implements Runnable {
         } catch (IOException e) {
             LOG.log(System.Logger.Level.DEBUG, name + ": parted from at once", e);
         }
+    }
+
+    /** Whether the peer has sent bytes that were not read yet. */
+    boolean hasUnread() {
+        try {
+            return socket.getInputStream().available() > 0;
+        } catch (IOException e) {
+            return false; // closed
+        }
+    }
+
+    /** Makes room for another peer before this one was admitted. */
+    void displace() {
+        around.figures().refused();
+        warn("closed before it was admitted, to make room for others: at most " + Admissions.MOST
+                + " connections, and " + Admissions.MOST_FROM_ONE
+                + " from another machine, may be without a first message");
+        abort();
     }
 
     /** Whether any request has been answered. */

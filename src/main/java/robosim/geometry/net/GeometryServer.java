@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.protocol.channel.MessageChannel;
 
@@ -34,6 +35,7 @@ public final class GeometryServer implements AutoCloseable {
     private final NetOptions options;
     private final Figures figures = new Figures();
     private final Watchdog watchdog;
+    private final Admissions admissions;
     private final ConnectionContext around;
     private final Management management;
     private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
@@ -69,7 +71,8 @@ public final class GeometryServer implements AutoCloseable {
         Checks.port(port, 0);
         this.options = Checks.present("options", options);
         options.access().check(address);
-        this.listening = listen(address, port, options.quotas().connections());
+        this.listening = listen(address, port, options.quotas().connections() + Admissions.MOST);
+        this.admissions = new Admissions(options.quotas().connections(), System::nanoTime);
         this.watchdog =
                 new Watchdog("geometry-watch-" + port(), options.timeouts().finest());
         this.around = new ConnectionContext(options, figures, watchdog);
@@ -96,7 +99,7 @@ public final class GeometryServer implements AutoCloseable {
         return (InetSocketAddress) listening.getLocalSocketAddress();
     }
 
-    /** The number of open connections. */
+    /** The number of open connections, with those that are not admitted yet. */
     public int connections() {
         return connections.size();
     }
@@ -111,14 +114,15 @@ public final class GeometryServer implements AutoCloseable {
         while (!closed) {
             try {
                 Socket socket = listening.accept();
-                boolean refused = connections.size() >= options.quotas().connections();
+                boolean refused = admissions.isFull();
                 if (refused) {
                     figures.refused();
                     // Logged first, so that the reason is in the log by the time the peer sees the connection end.
                     if (!full) {
                         LOG.log(
                                 System.Logger.Level.WARNING,
-                                "server " + port() + ": connections are refused, there are " + connections.size());
+                                "server " + port() + ": connections are refused, there are "
+                                        + options.quotas().connections());
                     }
                     turnAway(socket);
                 } else {
@@ -130,6 +134,9 @@ public final class GeometryServer implements AutoCloseable {
                     LOG.log(System.Logger.Level.WARNING, "server " + port() + ": cannot accept: " + e.getMessage());
                     pause();
                 }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt(); // closed
+                return;
             }
         }
     }
@@ -141,10 +148,7 @@ public final class GeometryServer implements AutoCloseable {
     private void turnAway(Socket socket) {
         try (socket) {
             if (options.access().tls() == null) {
-                int most = options.quotas().connections();
-                socket.getOutputStream()
-                        .write(MessageChannel.errorLine("there must be at most " + most
-                                + " connections (got: more); close one, or dial again later"));
+                socket.getOutputStream().write(MessageChannel.errorLine(admissions.fullness()));
                 socket.shutdownOutput();
                 socket.getInputStream().skipNBytes(socket.getInputStream().available());
             }
@@ -153,10 +157,11 @@ public final class GeometryServer implements AutoCloseable {
         }
     }
 
-    private void serve(Socket socket) throws IOException {
+    private void serve(Socket socket) throws IOException, InterruptedException {
         String name = "server " + port() + ", peer " + socket.getRemoteSocketAddress();
         Tls tls = options.access().tls();
         Connection connection = new Connection(socket, name, around, tls == null ? null : tls::accept);
+        connection.enter(admissions, socket.getInetAddress());
         Thread thread = new Thread(
                 () -> {
                     try {
@@ -174,6 +179,7 @@ public final class GeometryServer implements AutoCloseable {
         } catch (OutOfMemoryError e) {
             connections.remove(connection);
             connection.abort();
+            connection.leave();
             throw e;
         }
     }

@@ -99,7 +99,7 @@ public record NetOptions(
 
     /** These options with other timeouts within a message. */
     public NetOptions withTimes(Duration stall, Duration message) {
-        return withTimeouts(new Timeouts(stall, message, timeouts.idle()));
+        return withTimeouts(new Timeouts(stall, message, timeouts.idle(), timeouts.admission()));
     }
 
     /** These options with other quotas. */

@@ -120,11 +120,14 @@ public final class ConnectionOptions {
     }
 
     /** The options as given; a bad value is refused as a usage error. */
-    NetOptions options(int connections) {
+    NetOptions options(int connections, long admission) {
         try {
             return NetOptions.defaults()
                     .withTimeouts(new Timeouts(
-                            Duration.ofSeconds(stall), Duration.ofSeconds(messageTime), Duration.ofSeconds(idle)))
+                            Duration.ofSeconds(stall),
+                            Duration.ofSeconds(messageTime),
+                            Duration.ofSeconds(idle),
+                            Duration.ofSeconds(admission)))
                     .withQuotas(new Quotas(connections, objects, requests))
                     .withAccess(tls(), secret());
         } catch (IllegalArgumentException e) {

@@ -70,6 +70,14 @@ public final class ServeCommand implements Callable<Integer> {
     private int connections;
 
     @Option(
+            names = "--admission",
+            paramLabel = "SECONDS",
+            defaultValue = "10",
+            description = "longest time until a new peer has sent its first message, TLS and the secret included"
+                    + " (default: ${DEFAULT-VALUE})")
+    private int admission;
+
+    @Option(
             names = "--world",
             paramLabel = "FILE",
             description =
@@ -98,7 +106,7 @@ public final class ServeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        NetOptions options = common.options(connections);
+        NetOptions options = common.options(connections, admission);
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
         WatchOptions.Watch watched = watch.begin(record.inFolder(options.withOpening(opening)));
