@@ -164,10 +164,18 @@ final class Connection implements Runnable {
             socket.setSoTimeout(Math.toIntExact(options.timeouts().stall().toMillis()));
             SSLSocket secured = made.over(socket);
             secured.startHandshake();
+            String refusal = Tls.refusal(secured);
+            if (refusal != null) {
+                secured.getOutputStream().write(MessageChannel.errorLine(refusal));
+                secured.close();
+                throw new ProtocolException(refusal);
+            }
             LOG.log(
                     System.Logger.Level.DEBUG,
                     name + ": is " + secured.getSession().getPeerPrincipal());
             return secured;
+        } catch (ProtocolException e) {
+            throw e;
         } catch (IOException e) {
             String reason = guard.isBroken() ? "the peer took too long" : e.getMessage();
             throw new ProtocolException("TLS was not agreed on: " + reason, e);

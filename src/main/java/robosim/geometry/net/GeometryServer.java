@@ -36,7 +36,7 @@ public final class GeometryServer implements AutoCloseable {
     private final Figures figures = new Figures();
     private final Watchdog watchdog;
     private final Admissions admissions;
-    private final ConnectionContext around;
+    private volatile ConnectionContext around;
     private final Management management;
     private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
 
@@ -104,6 +104,17 @@ public final class GeometryServer implements AutoCloseable {
         return connections.size();
     }
 
+    /**
+     * Changes who may connect, for connections that are made from now on; the others go on. So keys, certificates and
+     * secrets can be replaced while sessions last.
+     *
+     * @throws IllegalArgumentException if other machines can reach the address, and there is neither TLS nor a secret
+     */
+    public void renew(Access access) {
+        Checks.present("access", access).check(listening.getInetAddress());
+        around = around.with(access);
+    }
+
     /** What it has done so far; a live view. */
     public FiguresMXBean figures() {
         return figures;
@@ -147,7 +158,7 @@ public final class GeometryServer implements AutoCloseable {
      */
     private void turnAway(Socket socket) {
         try (socket) {
-            if (options.access().tls() == null) {
+            if (around.options().access().tls() == null) {
                 socket.getOutputStream().write(MessageChannel.errorLine(admissions.fullness()));
                 socket.shutdownOutput();
                 socket.getInputStream().skipNBytes(socket.getInputStream().available());
@@ -159,8 +170,9 @@ public final class GeometryServer implements AutoCloseable {
 
     private void serve(Socket socket) throws IOException, InterruptedException {
         String name = "server " + port() + ", peer " + socket.getRemoteSocketAddress();
-        Tls tls = options.access().tls();
-        Connection connection = new Connection(socket, name, around, tls == null ? null : tls::accept);
+        ConnectionContext present = around;
+        Tls tls = present.options().access().tls();
+        Connection connection = new Connection(socket, name, present, tls == null ? null : tls::accept);
         connection.enter(admissions, socket.getInetAddress());
         Thread thread = new Thread(
                 () -> {

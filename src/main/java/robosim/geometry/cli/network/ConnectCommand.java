@@ -73,6 +73,7 @@ public final class ConnectCommand implements Callable<Integer> {
         WatchOptions.Watch watched = watch.begin(options);
         int seconds = common.figuresSeconds();
         GeometryClient client = new GeometryClient(host, port, watched.options());
+        common.keepFresh(client::renew);
         FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, () -> {
             client.close();
             watched.close();

@@ -6,12 +6,16 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import robosim.geometry.net.Access;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Secret;
@@ -129,10 +133,23 @@ public final class ConnectionOptions {
                             Duration.ofSeconds(idle),
                             Duration.ofSeconds(admission)))
                     .withQuotas(new Quotas(connections, objects, requests))
-                    .withAccess(tls(), secret());
+                    .withAccess(access());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }
+    }
+
+    private Access access() {
+        return new Access(tls(), secret());
+    }
+
+    /** Has keys, certificates and secrets that are in files renewed when the files change. */
+    void keepFresh(Consumer<Access> renew) {
+        Stores tls = stores;
+        Stream<@Nullable Path> files = Stream.concat(
+                tls == null ? Stream.of() : Stream.of(tls.key, tls.trust, tls.password.file),
+                secret == null ? Stream.of() : Stream.of(secret.file));
+        new Renewal(files.filter(Objects::nonNull).toList(), this::access, renew).start();
     }
 
     /** 0 for never. */

@@ -111,6 +111,7 @@ public final class ServeCommand implements Callable<Integer> {
         int seconds = common.figuresSeconds();
         WatchOptions.Watch watched = watch.begin(record.inFolder(options.withOpening(opening)));
         GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, watched.options());
+        common.keepFresh(server::renew);
         PrintWriter out = spec.commandLine().getOut();
         if (!opening.isEmpty()) {
             out.println("Connections begin with the world of " + world + ", "
