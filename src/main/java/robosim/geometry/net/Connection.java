@@ -3,6 +3,8 @@ package robosim.geometry.net;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.time.Duration;
+import java.time.Instant;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.pace.Admissions;
@@ -57,8 +59,14 @@ final class Connection implements Runnable {
     private final WorldMemory.Share worldMemory;
 
     /** The number of the message that is being read or processed, from 1. */
-    private long message = 1;
+    private volatile long message = 1;
 
+    /** What is being carried out, and since when; null if nothing is. */
+    private volatile @Nullable Bundle request;
+
+    private volatile long requestSince;
+
+    private final Instant opened = Instant.now();
     private long answers;
     private volatile boolean stopping;
 
@@ -213,6 +221,7 @@ final class Connection implements Runnable {
         message = 1;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
+            begin(request, start);
             newcomer.admit();
             if (message == 1 && !(request instanceof InitBundle)) {
                 open(channel, session);
@@ -233,9 +242,15 @@ final class Connection implements Runnable {
                 answers++;
                 around.figures().answered(System.nanoTime() - start);
             }
+            this.request = null;
             message++;
         }
         LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message + ", its end");
+    }
+
+    private void begin(Bundle next, long start) {
+        requestSince = start;
+        request = next;
     }
 
     private static void refuse(MessageChannel channel, @Nullable String refusal) throws ProtocolException {
@@ -345,6 +360,21 @@ final class Connection implements Runnable {
         } catch (IOException e) {
             LOG.log(System.Logger.Level.DEBUG, name + ": parted from at once", e);
         }
+    }
+
+    /** What this connection does at the moment. */
+    GeometryServer.Peer report(long id) {
+        Bundle present = request;
+        Duration age = present == null ? Duration.ZERO : Duration.ofNanos(System.nanoTime() - requestSince);
+        String kind = present == null ? null : present.getClass().getSimpleName();
+        return new GeometryServer.Peer(
+                id, String.valueOf(socket.getRemoteSocketAddress()), opened, newcomer.isAdmitted(), message, kind, age);
+    }
+
+    /** Ends the connection because an operator wants that. */
+    void end() {
+        warn("ended by an operator at message " + message);
+        abort();
     }
 
     /** Whether the peer has sent bytes that were not read yet. */

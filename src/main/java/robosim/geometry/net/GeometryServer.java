@@ -6,10 +6,16 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.Watchdog;
@@ -38,13 +44,38 @@ public final class GeometryServer implements AutoCloseable {
     private final Admissions admissions;
     private volatile ConnectionContext around;
     private final Management management;
-    private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
+    private final Map<Connection, Place> connections = new ConcurrentHashMap<>();
 
     /** Threads whose connection is over but that have not ended yet. */
     private final Set<Thread> ending = ConcurrentHashMap.newKeySet();
 
     private final Thread acceptor;
     private volatile boolean closed;
+    private volatile boolean draining;
+    private final AtomicLong lastId = new AtomicLong();
+
+    /** A connection's number and thread. */
+    private record Place(long id, Thread thread) {}
+
+    /**
+     * An open connection.
+     *
+     * @param id       its number, from 1 in the order in which connections were made
+     * @param address  where its peer is
+     * @param since    when it was made
+     * @param admitted whether TLS, its secret and its first message have come
+     * @param message  the number of the message that is awaited or carried out, from 1
+     * @param request  the kind of request that is carried out or waits for its turn; null if none does
+     * @param age      for how long it has been
+     */
+    public record Peer(
+            long id,
+            String address,
+            Instant since,
+            boolean admitted,
+            long message,
+            @Nullable String request,
+            Duration age) {}
 
     /**
      * Starts to listen on the loopback address.
@@ -120,9 +151,37 @@ public final class GeometryServer implements AutoCloseable {
         return figures;
     }
 
+    /** Its open connections, the oldest first; waits for none of them. */
+    public List<Peer> peers() {
+        return connections.entrySet().stream()
+                .map(each -> each.getKey().report(each.getValue().id()))
+                .sorted(Comparator.comparingLong(Peer::id))
+                .toList();
+    }
+
+    /**
+     * Ends a connection at once; work for it ends soon after.
+     *
+     * @return whether there was one of that number
+     */
+    public boolean end(long id) {
+        for (Map.Entry<Connection, Place> each : connections.entrySet()) {
+            if (each.getValue().id() == id) {
+                each.getKey().end();
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether new connections are accepted. */
+    public boolean isListening() {
+        return !closed && !draining;
+    }
+
     private void accept() {
         boolean full = false;
-        while (!closed) {
+        while (isListening()) {
             try {
                 Socket socket = listening.accept();
                 boolean refused = admissions.isFull();
@@ -141,7 +200,7 @@ public final class GeometryServer implements AutoCloseable {
                 }
                 full = refused;
             } catch (IOException | OutOfMemoryError e) { // out of files or threads for the moment
-                if (!closed) {
+                if (isListening()) {
                     LOG.log(System.Logger.Level.WARNING, "server " + port() + ": cannot accept: " + e.getMessage());
                     pause();
                 }
@@ -185,7 +244,7 @@ public final class GeometryServer implements AutoCloseable {
                 },
                 "geometry-session-" + port() + "-" + socket.getPort());
         ending.removeIf(each -> !each.isAlive());
-        connections.put(connection, thread);
+        connections.put(connection, new Place(lastId.incrementAndGet(), thread));
         try {
             thread.start();
         } catch (OutOfMemoryError e) {
@@ -204,6 +263,32 @@ public final class GeometryServer implements AutoCloseable {
         }
     }
 
+    private void stopListening() {
+        try {
+            listening.close();
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, "the listening socket could not be closed", e);
+        }
+    }
+
+    /**
+     * Stops accepting connections and lets the open ones go on until their peers end them, or the time is over; then
+     * {@link #close closes}.
+     */
+    public void drain(Duration longest) {
+        Checks.present("longest", longest);
+        draining = true;
+        stopListening();
+        long end = System.nanoTime() + longest.toNanos();
+        while (!connections.isEmpty()
+                && !closed
+                && !Thread.currentThread().isInterrupted()
+                && end - System.nanoTime() > 0) {
+            pause();
+        }
+        close();
+    }
+
     /**
      * Stops accepting connections, answers the requests already read, and closes every connection, all within 2
      * seconds. Requests without an answer after a second and a half are cut off with a line in the log; a peer that
@@ -213,11 +298,7 @@ public final class GeometryServer implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        try {
-            listening.close();
-        } catch (IOException e) {
-            LOG.log(System.Logger.Level.DEBUG, "the listening socket could not be closed", e);
-        }
+        stopListening();
         long start = System.nanoTime();
         try {
             join(acceptor, start + Ending.ANSWERS_NANOS);
@@ -237,8 +318,8 @@ public final class GeometryServer implements AutoCloseable {
     }
 
     private void joinAll(long deadline) throws InterruptedException {
-        for (Thread thread : connections.values()) {
-            join(thread, deadline);
+        for (Place place : connections.values()) {
+            join(place.thread(), deadline);
         }
         for (Thread thread : ending) {
             join(thread, deadline);

@@ -72,6 +72,13 @@ public final class ConnectionOptions {
             description = "how often to print a line of figures; 0 for never. A last line is printed at the end.")
     private int figures;
 
+    @Option(
+            names = "--log",
+            paramLabel = "FORM",
+            defaultValue = "text",
+            description = "form of the log's lines: text or json (default: ${DEFAULT-VALUE})")
+    private String log = "text";
+
     private ConnectionOptions() {}
 
     /** The options for TLS: all of them or none. */
@@ -125,6 +132,7 @@ public final class ConnectionOptions {
 
     /** The options as given; a bad value is refused as a usage error. */
     NetOptions options(int connections, long admission) {
+        useLog();
         try {
             return NetOptions.defaults()
                     .withTimeouts(new Timeouts(
@@ -137,6 +145,13 @@ public final class ConnectionOptions {
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }
+    }
+
+    private void useLog() {
+        if (!log.equals("text") && !log.equals("json")) {
+            throw new ParameterException(spec.commandLine(), "--log must be text or json (got: " + log + ")");
+        }
+        LogLines.use(log.equals("json") ? LogLines.Form.JSON : LogLines.Form.TEXT);
     }
 
     private Access access() {
