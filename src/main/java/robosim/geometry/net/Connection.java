@@ -5,8 +5,10 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.pace.MessageMemory;
@@ -16,6 +18,7 @@ import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.Opening;
+import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -58,8 +61,8 @@ final class Connection implements Runnable {
     private final MessageMemory.Share messageMemory;
     private final WorldMemory.Share worldMemory;
 
-    /** The number of the message that is being read or processed, from 1. */
-    private volatile long message = 1;
+    /** Both directions; null until TLS is agreed on. */
+    private volatile @Nullable MessageChannel channel;
 
     /** What is being carried out, and since when; null if nothing is. */
     private volatile @Nullable Bundle request;
@@ -145,7 +148,7 @@ final class Connection implements Runnable {
         if (around.log().take() >= 0) {
             LOG.log(
                     System.Logger.Level.ERROR,
-                    name + ": closed at message " + message + ", after an error of the module itself",
+                    name + ": closed at message " + message() + ", after an error of the module itself",
                     e);
         }
     }
@@ -208,24 +211,26 @@ final class Connection implements Runnable {
         Authenticator authenticator = new Authenticator(options.access(), in, times, newcomer);
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
         authenticator.watch(channel);
+        this.channel = channel;
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
-            converse(channel, in, session.pausing(turn::breathe, around.log()));
+            converse(channel, in, session.pausing(turn::breathe, around.log()).numbered(this::message));
         } finally {
             listener.ended();
         }
     }
 
     private void converse(MessageChannel channel, PacedInput in, Session session) throws IOException {
-        message = 1;
+        boolean isNew = true;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
             begin(request, start);
             newcomer.admit();
-            if (message == 1 && !(request instanceof InitBundle)) {
+            if (isNew && !(request instanceof InitBundle)) {
                 open(channel, session);
             }
+            isNew = false;
             refuse(channel, refusal(request, channel.messageBytes(), session.objectCount()));
             if (request instanceof BatchRequestBundle batch) {
                 in.needs(batch.workBytes());
@@ -243,9 +248,14 @@ final class Connection implements Runnable {
                 around.figures().answered(System.nanoTime() - start);
             }
             this.request = null;
-            message++;
         }
-        LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message + ", its end");
+        LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message() + ", its end");
+    }
+
+    /** The number of the message that is awaited, read or carried out, as its peer counts them, from 1. */
+    private long message() {
+        MessageChannel present = channel;
+        return present == null ? 1 : present.messageNumber();
     }
 
     private void begin(Bundle next, long start) {
@@ -279,7 +289,7 @@ final class Connection implements Runnable {
             }
             return reply;
         } catch (CpuTurn.CutOff e) {
-            channel.refuse("the module is shutting down: message " + message + " was cut off, and has no answer");
+            channel.refuse("the module is shutting down: message " + message() + " was cut off, and has no answer");
             throw e;
         } catch (OutOfMemoryError e) {
             channel.refuse(NO_MEMORY);
@@ -294,7 +304,7 @@ final class Connection implements Runnable {
     private @Nullable String refusal(Bundle request, int messageBytes, int objects) {
         Quotas quotas = options.quotas();
         if (request instanceof InitBundle init) {
-            String tooMany = tooMany("a world", "objects", init.objects().size(), quotas.objects());
+            String tooMany = tooMany("a world", "objects", WorldRequests.count(init.objects()), quotas.objects());
             return tooMany == null ? worldMemory.claim(messageBytes) : tooMany;
         }
         if (request instanceof MoveBundle moves) {
@@ -321,7 +331,8 @@ final class Connection implements Runnable {
     private static int additions(BatchRequestBundle batch) {
         int additions = 0;
         for (BatchRequest request : batch.requests()) {
-            additions += request instanceof WorldRequest about && about.addition() != null ? 1 : 0;
+            GeometryObject added = request instanceof WorldRequest about ? about.addition() : null;
+            additions += added == null ? 0 : WorldRequests.count(List.of(added));
         }
         return additions;
     }
@@ -332,11 +343,11 @@ final class Connection implements Runnable {
 
     private void closed(String reason, Throwable e) {
         if (ending) {
-            warn("closed at message " + message
+            warn("closed at message " + message()
                     + ", which was cut off and has no answer, as the module is shutting down");
         } else if (!stopping || guard.isBroken()) {
             around.figures().failed();
-            warn("closed at message " + message + ", " + Text.line(reason));
+            warn("closed at message " + message() + ", " + Text.line(reason));
         }
         LOG.log(System.Logger.Level.DEBUG, name + ": in detail", e);
     }
@@ -368,12 +379,18 @@ final class Connection implements Runnable {
         Duration age = present == null ? Duration.ZERO : Duration.ofNanos(System.nanoTime() - requestSince);
         String kind = present == null ? null : present.getClass().getSimpleName();
         return new GeometryServer.Peer(
-                id, String.valueOf(socket.getRemoteSocketAddress()), opened, newcomer.isAdmitted(), message, kind, age);
+                id,
+                String.valueOf(socket.getRemoteSocketAddress()),
+                opened,
+                newcomer.isAdmitted(),
+                message(),
+                kind,
+                age);
     }
 
     /** Ends the connection because an operator wants that. */
     void end() {
-        warn("ended by an operator at message " + message);
+        warn("ended by an operator at message " + message());
         abort();
     }
 

@@ -75,7 +75,14 @@ public final class GeometryServer implements AutoCloseable {
             boolean admitted,
             long message,
             @Nullable String request,
-            Duration age) {}
+            Duration age) {
+        /** Refuses null, except for {@code request}. */
+        public Peer {
+            Checks.present("address", address);
+            Checks.present("since", since);
+            Checks.present("age", age);
+        }
+    }
 
     /**
      * Starts to listen on the loopback address.

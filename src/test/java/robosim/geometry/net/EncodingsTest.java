@@ -151,7 +151,7 @@ class EncodingsTest {
                     .isEqualTo("{\"type\":\"error\",\"message\":\"line 2, the message: must have the field"
                             + " \\\"moves\\\" (got: none)\"}");
             assertThat(json.in.readLine()).isNull();
-            assertThat(log.linesWith("closed at message 1, line 2, the message: must have the field"))
+            assertThat(log.linesWith("closed at message 2, line 2, the message: must have the field"))
                     .hasSize(1);
         }
     }

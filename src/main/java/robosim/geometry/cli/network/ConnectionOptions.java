@@ -50,7 +50,10 @@ public final class ConnectionOptions {
             description = "longest silence of a peer between two messages (default: ${DEFAULT-VALUE})")
     private int idle;
 
-    @Option(names = "--max-objects", paramLabel = "N", description = "maximum number of objects in a world")
+    @Option(
+            names = "--max-objects",
+            paramLabel = "N",
+            description = "maximum number of objects in a world; of a group, its members")
     private int objects = Quotas.DEFAULT.objects();
 
     @Option(

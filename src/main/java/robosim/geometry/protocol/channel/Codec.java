@@ -14,6 +14,9 @@ interface Codec {
 
     void write(Reply reply) throws IOException;
 
+    /** The number of the message that is awaited or was read last, as the peer counts them, from 1. */
+    long messageNumber();
+
     /** The size in bytes of the last message read. */
     int messageBytes();
 }
