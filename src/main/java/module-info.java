@@ -4,7 +4,9 @@ module robosim.geometry {
     requires static com.fasterxml.jackson.core;
     requires static info.picocli;
     requires static java.desktop;
+    requires static java.logging;
     requires static java.management;
+    requires static jdk.httpserver;
     requires static org.jspecify;
     requires static org.junit.jupiter.api;
     requires static org.snakeyaml.engine;

@@ -1,9 +1,15 @@
 package robosim.geometry.net;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.Socket;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.PacedInput;
@@ -12,6 +18,7 @@ import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.Opening;
+import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -48,14 +55,21 @@ final class Connection implements Runnable {
     private final ConnectionContext around;
     private final NetOptions options;
     private final @Nullable Cipher cipher;
+    private Admissions.Newcomer newcomer;
     private final Watchdog.Guard guard;
     private final CpuTurn turn;
     private final MessageMemory.Share messageMemory;
     private final WorldMemory.Share worldMemory;
 
-    /** The number of the message that is being read or processed, from 1. */
-    private long message;
+    /** Both directions; null until TLS is agreed on. */
+    private volatile @Nullable MessageChannel channel;
 
+    /** What is being carried out, and since when; null if nothing is. */
+    private volatile @Nullable Bundle request;
+
+    private volatile long requestSince;
+
+    private final Instant opened = Instant.now();
     private long answers;
     private volatile boolean stopping;
 
@@ -79,10 +93,21 @@ final class Connection implements Runnable {
         this.around = around;
         this.options = around.options();
         this.cipher = cipher;
+        this.newcomer = Admissions.Newcomer.chosen();
         this.guard = around.watchdog().guard(this::abort);
         this.turn = around.turns().turn();
         this.messageMemory = around.messageMemory().share();
         this.worldMemory = around.worldMemory().share();
+    }
+
+    /** Takes a place among the connections of a server; waits for one if need be. */
+    void enter(Admissions admissions, InetAddress from) throws InterruptedException {
+        newcomer = admissions.enter(from, options.timeouts().admission().toNanos(), this::hasUnread, this::displace);
+    }
+
+    /** Gives that place back. */
+    void leave() {
+        newcomer.leave();
     }
 
     /**
@@ -113,6 +138,7 @@ final class Connection implements Runnable {
             abort();
             turn.give();
             worldMemory.free();
+            leave();
             around.figures().closed();
         }
     }
@@ -122,7 +148,7 @@ final class Connection implements Runnable {
         if (around.log().take() >= 0) {
             LOG.log(
                     System.Logger.Level.ERROR,
-                    name + ": closed at message " + message + ", after an error of the module itself",
+                    name + ": closed at message " + message() + ", after an error of the module itself",
                     e);
         }
     }
@@ -141,17 +167,29 @@ final class Connection implements Runnable {
     }
 
     private SSLSocket shakeHands(Cipher made) throws ProtocolException {
-        guard.begin(System.nanoTime() + options.timeouts().message().toNanos());
+        guard.begin(
+                newcomer.isAdmitted()
+                        ? System.nanoTime() + options.timeouts().message().toNanos()
+                        : newcomer.due());
         try {
             socket.setSoTimeout(Math.toIntExact(options.timeouts().stall().toMillis()));
             SSLSocket secured = made.over(socket);
             secured.startHandshake();
+            String refusal = Tls.refusal(secured);
+            if (refusal != null) {
+                secured.getOutputStream().write(MessageChannel.errorLine(refusal));
+                secured.close();
+                throw new ProtocolException(refusal);
+            }
             LOG.log(
                     System.Logger.Level.DEBUG,
                     name + ": is " + secured.getSession().getPeerPrincipal());
             return secured;
+        } catch (ProtocolException e) {
+            throw e;
         } catch (IOException e) {
-            throw new ProtocolException("TLS was not agreed on: " + e.getMessage(), e);
+            String reason = guard.isBroken() ? "the peer took too long" : e.getMessage();
+            throw new ProtocolException("TLS was not agreed on: " + reason, e);
         } finally {
             guard.end();
         }
@@ -170,33 +208,35 @@ final class Connection implements Runnable {
                 messageMemory,
                 () -> stopping);
         PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, times.stall(), times.message(), turn);
-        Authenticator authenticator = new Authenticator(options.access(), in, times);
+        Authenticator authenticator = new Authenticator(options.access(), in, times, newcomer);
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
         authenticator.watch(channel);
         channel.onWrongRequest(reason -> warn("answered with an error: " + Text.line(reason)));
+        this.channel = channel;
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
-            converse(channel, in, session.pausing(turn::breathe, around.log()));
+            converse(channel, in, session.pausing(turn::breathe, around.log()).numbered(this::message));
         } finally {
             listener.ended();
         }
     }
 
     private void converse(MessageChannel channel, PacedInput in, Session session) throws IOException {
-        message = 1;
         boolean isNew = true;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
+            begin(request, start);
+            newcomer.admit();
             if (isNew && !(request instanceof InitBundle)) {
                 open(channel, session);
                 isNew = false;
             }
             String refusal = refusal(request, channel.messageBytes(), session.objectCount());
             if (refusal != null && channel.encoding() == MessageChannel.Encoding.JSON) {
-                warn("answered message " + message + " with an error: " + Text.line(refusal));
+                warn("answered message " + message() + " with an error: " + Text.line(refusal));
                 channel.answerError(refusal);
-                message++;
+                this.request = null;
                 continue;
             }
             refuse(channel, refusal);
@@ -216,9 +256,20 @@ final class Connection implements Runnable {
                 answers++;
                 around.figures().answered(System.nanoTime() - start);
             }
-            message++;
+            this.request = null;
         }
-        LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message + ", its end");
+        LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message() + ", its end");
+    }
+
+    /** The number of the message that is awaited, read or carried out, as its peer counts them, from 1. */
+    private long message() {
+        MessageChannel present = channel;
+        return present == null ? 1 : present.messageNumber();
+    }
+
+    private void begin(Bundle next, long start) {
+        requestSince = start;
+        request = next;
     }
 
     private static void refuse(MessageChannel channel, @Nullable String refusal) throws ProtocolException {
@@ -247,7 +298,7 @@ final class Connection implements Runnable {
             }
             return reply;
         } catch (CpuTurn.CutOff e) {
-            channel.refuse("the module is shutting down: message " + message + " was cut off, and has no answer");
+            channel.refuse("the module is shutting down: message " + message() + " was cut off, and has no answer");
             throw e;
         } catch (OutOfMemoryError e) {
             channel.refuse(NO_MEMORY);
@@ -262,7 +313,7 @@ final class Connection implements Runnable {
     private @Nullable String refusal(Bundle request, int messageBytes, int objects) {
         Quotas quotas = options.quotas();
         if (request instanceof InitBundle init) {
-            String tooMany = tooMany("a world", "objects", init.objects().size(), quotas.objects());
+            String tooMany = tooMany("a world", "objects", WorldRequests.count(init.objects()), quotas.objects());
             return tooMany == null ? worldMemory.claim(messageBytes) : tooMany;
         }
         if (request instanceof MoveBundle moves) {
@@ -289,7 +340,8 @@ final class Connection implements Runnable {
     private static int additions(BatchRequestBundle batch) {
         int additions = 0;
         for (BatchRequest request : batch.requests()) {
-            additions += request instanceof WorldRequest about && about.addition() != null ? 1 : 0;
+            GeometryObject added = request instanceof WorldRequest about ? about.addition() : null;
+            additions += added == null ? 0 : WorldRequests.count(List.of(added));
         }
         return additions;
     }
@@ -300,11 +352,11 @@ final class Connection implements Runnable {
 
     private void closed(String reason, Throwable e) {
         if (ending) {
-            warn("closed at message " + message
+            warn("closed at message " + message()
                     + ", which was cut off and has no answer, as the module is shutting down");
         } else if (!stopping || guard.isBroken()) {
             around.figures().failed();
-            warn("closed at message " + message + ", " + Text.line(reason));
+            warn("closed at message " + message() + ", " + Text.line(reason));
         }
         LOG.log(System.Logger.Level.DEBUG, name + ": in detail", e);
     }
@@ -328,6 +380,45 @@ final class Connection implements Runnable {
         } catch (IOException e) {
             LOG.log(System.Logger.Level.DEBUG, name + ": parted from at once", e);
         }
+    }
+
+    /** What this connection does at the moment. */
+    GeometryServer.Peer report(long id) {
+        Bundle present = request;
+        Duration age = present == null ? Duration.ZERO : Duration.ofNanos(System.nanoTime() - requestSince);
+        String kind = present == null ? null : present.getClass().getSimpleName();
+        return new GeometryServer.Peer(
+                id,
+                String.valueOf(socket.getRemoteSocketAddress()),
+                opened,
+                newcomer.isAdmitted(),
+                message(),
+                kind,
+                age);
+    }
+
+    /** Ends the connection because an operator wants that. */
+    void end() {
+        warn("ended by an operator at message " + message());
+        abort();
+    }
+
+    /** Whether the peer has sent bytes that were not read yet. */
+    boolean hasUnread() {
+        try {
+            return socket.getInputStream().available() > 0;
+        } catch (IOException e) {
+            return false; // closed
+        }
+    }
+
+    /** Makes room for another peer before this one was admitted. */
+    void displace() {
+        around.figures().refused();
+        warn("closed before it was admitted, to make room for others: at most " + Admissions.MOST
+                + " connections, and " + Admissions.MOST_FROM_ONE
+                + " from another machine, may be without a first message");
+        abort();
     }
 
     /** Whether any request has been answered. */

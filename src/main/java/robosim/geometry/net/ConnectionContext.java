@@ -28,4 +28,10 @@ record ConnectionContext(
                 new LogBudget(System::nanoTime),
                 Opening.of(options.opening()));
     }
+
+    /** The same for connections from now on, which need other keys or another secret. */
+    ConnectionContext with(Access access) {
+        return new ConnectionContext(
+                options.withAccess(access), figures, watchdog, turns, messageMemory, worldMemory, log, opening);
+    }
 }

@@ -21,6 +21,8 @@ final class Figures implements FiguresMXBean {
     private final LongAdder refusedMoves = new LongAdder();
     private final LongAdder errors = new LongAdder();
     private final Histogram times = new Histogram();
+    private final LongAdder answers = new LongAdder();
+    private final LongAdder answerNanos = new LongAdder();
 
     void opened() {
         open.incrementAndGet();
@@ -59,6 +61,8 @@ final class Figures implements FiguresMXBean {
     /** Counts an answer that was sent, with the time since its request came. */
     void answered(long nanos) {
         times.add(nanos);
+        answers.increment();
+        answerNanos.add(nanos);
     }
 
     @Override
@@ -94,6 +98,16 @@ final class Figures implements FiguresMXBean {
     @Override
     public long getErrors() {
         return errors.sum();
+    }
+
+    @Override
+    public long getAnswers() {
+        return answers.sum();
+    }
+
+    @Override
+    public double getAnswerMicrosecondsInAll() {
+        return answerNanos.sum() / 1e3;
     }
 
     @Override

@@ -11,7 +11,7 @@ public interface FiguresMXBean {
     /** Connections so far, open ones included. */
     long getConnections();
 
-    /** Connections refused because there were too many. */
+    /** Connections refused because there were too many, or closed before their first message for the same reason. */
     long getRefusedConnections();
 
     /** Messages processed, including those that make a world. */
@@ -25,6 +25,12 @@ public interface FiguresMXBean {
 
     /** Connections closed because of an error or a timeout of the peer, or an internal error of the module. */
     long getErrors();
+
+    /** Answers sent. */
+    long getAnswers();
+
+    /** The sum of the times of all answers, from when each request has been read to the last byte sent, microseconds. */
+    double getAnswerMicrosecondsInAll();
 
     /** The median time of an answer, from when its request has been read to the last byte sent, microseconds. */
     double getAnswerMicrosecondsP50();

@@ -29,6 +29,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     private final String host;
     private final int port;
     private final NetOptions options;
+    private volatile Access access;
     private final Figures figures = new Figures();
     private final RandomGenerator random;
     private final Pause pause;
@@ -71,8 +72,14 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         this.host = Checks.present("host", host);
         this.port = Checks.port(port, 1);
         this.options = Checks.present("options", options);
+        this.access = options.access();
         this.random = random;
         this.pause = pause;
+    }
+
+    /** Changes the keys, certificates or secret for the next time that it dials; the present connection goes on. */
+    public void renew(Access other) {
+        access = Checks.present("other", other);
     }
 
     /** What it has done so far; a live view. */
@@ -156,9 +163,10 @@ public final class GeometryClient implements Runnable, AutoCloseable {
      */
     private boolean converse(ConnectionContext around, String name) throws IOException {
         Socket socket = new Socket();
-        Tls tls = options.access().tls();
-        Connection own =
-                new Connection(socket, name, around, tls == null ? null : plain -> tls.dial(plain, host, port));
+        Access present = access;
+        Tls tls = present.tls();
+        Connection own = new Connection(
+                socket, name, around.with(present), tls == null ? null : plain -> tls.dial(plain, host, port));
         try {
             synchronized (lock) {
                 if (isClosed()) {

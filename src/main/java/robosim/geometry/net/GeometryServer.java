@@ -6,11 +6,18 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.protocol.channel.MessageChannel;
 
@@ -34,15 +41,48 @@ public final class GeometryServer implements AutoCloseable {
     private final NetOptions options;
     private final Figures figures = new Figures();
     private final Watchdog watchdog;
-    private final ConnectionContext around;
+    private final Admissions admissions;
+    private volatile ConnectionContext around;
     private final Management management;
-    private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
+    private final Map<Connection, Place> connections = new ConcurrentHashMap<>();
 
     /** Threads whose connection is over but that have not ended yet. */
     private final Set<Thread> ending = ConcurrentHashMap.newKeySet();
 
     private final Thread acceptor;
     private volatile boolean closed;
+    private volatile boolean draining;
+    private final AtomicLong lastId = new AtomicLong();
+
+    /** A connection's number and thread. */
+    private record Place(long id, Thread thread) {}
+
+    /**
+     * An open connection.
+     *
+     * @param id       its number, from 1 in the order in which connections were made
+     * @param address  where its peer is
+     * @param since    when it was made
+     * @param admitted whether TLS, its secret and its first message have come
+     * @param message  the number of the message that is awaited or carried out, from 1
+     * @param request  the kind of request that is carried out or waits for its turn; null if none does
+     * @param age      for how long it has been
+     */
+    public record Peer(
+            long id,
+            String address,
+            Instant since,
+            boolean admitted,
+            long message,
+            @Nullable String request,
+            Duration age) {
+        /** Refuses null, except for {@code request}. */
+        public Peer {
+            Checks.present("address", address);
+            Checks.present("since", since);
+            Checks.present("age", age);
+        }
+    }
 
     /**
      * Starts to listen on the loopback address.
@@ -69,7 +109,8 @@ public final class GeometryServer implements AutoCloseable {
         Checks.port(port, 0);
         this.options = Checks.present("options", options);
         options.access().check(address);
-        this.listening = listen(address, port, options.quotas().connections());
+        this.listening = listen(address, port, options.quotas().connections() + Admissions.MOST);
+        this.admissions = new Admissions(options.quotas().connections(), System::nanoTime);
         this.watchdog =
                 new Watchdog("geometry-watch-" + port(), options.timeouts().finest());
         this.around = new ConnectionContext(options, figures, watchdog);
@@ -96,9 +137,20 @@ public final class GeometryServer implements AutoCloseable {
         return (InetSocketAddress) listening.getLocalSocketAddress();
     }
 
-    /** The number of open connections. */
+    /** The number of open connections, with those that are not admitted yet. */
     public int connections() {
         return connections.size();
+    }
+
+    /**
+     * Changes who may connect, for connections that are made from now on; the others go on. So keys, certificates and
+     * secrets can be replaced while sessions last.
+     *
+     * @throws IllegalArgumentException if other machines can reach the address, and there is neither TLS nor a secret
+     */
+    public void renew(Access access) {
+        Checks.present("access", access).check(listening.getInetAddress());
+        around = around.with(access);
     }
 
     /** What it has done so far; a live view. */
@@ -106,19 +158,48 @@ public final class GeometryServer implements AutoCloseable {
         return figures;
     }
 
+    /** Its open connections, the oldest first; waits for none of them. */
+    public List<Peer> peers() {
+        return connections.entrySet().stream()
+                .map(each -> each.getKey().report(each.getValue().id()))
+                .sorted(Comparator.comparingLong(Peer::id))
+                .toList();
+    }
+
+    /**
+     * Ends a connection at once; work for it ends soon after.
+     *
+     * @return whether there was one of that number
+     */
+    public boolean end(long id) {
+        for (Map.Entry<Connection, Place> each : connections.entrySet()) {
+            if (each.getValue().id() == id) {
+                each.getKey().end();
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether new connections are accepted. */
+    public boolean isListening() {
+        return !closed && !draining;
+    }
+
     private void accept() {
         boolean full = false;
-        while (!closed) {
+        while (isListening()) {
             try {
                 Socket socket = listening.accept();
-                boolean refused = connections.size() >= options.quotas().connections();
+                boolean refused = admissions.isFull();
                 if (refused) {
                     figures.refused();
                     // Logged first, so that the reason is in the log by the time the peer sees the connection end.
                     if (!full) {
                         LOG.log(
                                 System.Logger.Level.WARNING,
-                                "server " + port() + ": connections are refused, there are " + connections.size());
+                                "server " + port() + ": connections are refused, there are "
+                                        + options.quotas().connections());
                     }
                     turnAway(socket);
                 } else {
@@ -126,10 +207,13 @@ public final class GeometryServer implements AutoCloseable {
                 }
                 full = refused;
             } catch (IOException | OutOfMemoryError e) { // out of files or threads for the moment
-                if (!closed) {
+                if (isListening()) {
                     LOG.log(System.Logger.Level.WARNING, "server " + port() + ": cannot accept: " + e.getMessage());
                     pause();
                 }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt(); // closed
+                return;
             }
         }
     }
@@ -140,11 +224,8 @@ public final class GeometryServer implements AutoCloseable {
      */
     private void turnAway(Socket socket) {
         try (socket) {
-            if (options.access().tls() == null) {
-                int most = options.quotas().connections();
-                socket.getOutputStream()
-                        .write(MessageChannel.errorLine("there must be at most " + most
-                                + " connections (got: more); close one, or dial again later"));
+            if (around.options().access().tls() == null) {
+                socket.getOutputStream().write(MessageChannel.errorLine(admissions.fullness()));
                 socket.shutdownOutput();
                 socket.getInputStream().skipNBytes(socket.getInputStream().available());
             }
@@ -153,10 +234,12 @@ public final class GeometryServer implements AutoCloseable {
         }
     }
 
-    private void serve(Socket socket) throws IOException {
+    private void serve(Socket socket) throws IOException, InterruptedException {
         String name = "server " + port() + ", peer " + socket.getRemoteSocketAddress();
-        Tls tls = options.access().tls();
-        Connection connection = new Connection(socket, name, around, tls == null ? null : tls::accept);
+        ConnectionContext present = around;
+        Tls tls = present.options().access().tls();
+        Connection connection = new Connection(socket, name, present, tls == null ? null : tls::accept);
+        connection.enter(admissions, socket.getInetAddress());
         Thread thread = new Thread(
                 () -> {
                     try {
@@ -168,12 +251,13 @@ public final class GeometryServer implements AutoCloseable {
                 },
                 "geometry-session-" + port() + "-" + socket.getPort());
         ending.removeIf(each -> !each.isAlive());
-        connections.put(connection, thread);
+        connections.put(connection, new Place(lastId.incrementAndGet(), thread));
         try {
             thread.start();
         } catch (OutOfMemoryError e) {
             connections.remove(connection);
             connection.abort();
+            connection.leave();
             throw e;
         }
     }
@@ -186,6 +270,32 @@ public final class GeometryServer implements AutoCloseable {
         }
     }
 
+    private void stopListening() {
+        try {
+            listening.close();
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, "the listening socket could not be closed", e);
+        }
+    }
+
+    /**
+     * Stops accepting connections and lets the open ones go on until their peers end them, or the time is over; then
+     * {@link #close closes}.
+     */
+    public void drain(Duration longest) {
+        Checks.present("longest", longest);
+        draining = true;
+        stopListening();
+        long end = System.nanoTime() + longest.toNanos();
+        while (!connections.isEmpty()
+                && !closed
+                && !Thread.currentThread().isInterrupted()
+                && end - System.nanoTime() > 0) {
+            pause();
+        }
+        close();
+    }
+
     /**
      * Stops accepting connections, answers the requests already read, and closes every connection, all within 2
      * seconds. Requests without an answer after a second and a half are cut off with a line in the log; a peer that
@@ -195,11 +305,7 @@ public final class GeometryServer implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        try {
-            listening.close();
-        } catch (IOException e) {
-            LOG.log(System.Logger.Level.DEBUG, "the listening socket could not be closed", e);
-        }
+        stopListening();
         long start = System.nanoTime();
         try {
             join(acceptor, start + Ending.ANSWERS_NANOS);
@@ -219,8 +325,8 @@ public final class GeometryServer implements AutoCloseable {
     }
 
     private void joinAll(long deadline) throws InterruptedException {
-        for (Thread thread : connections.values()) {
-            join(thread, deadline);
+        for (Place place : connections.values()) {
+            join(place.thread(), deadline);
         }
         for (Thread thread : ending) {
             join(thread, deadline);

@@ -99,7 +99,7 @@ public record NetOptions(
 
     /** These options with other timeouts within a message. */
     public NetOptions withTimes(Duration stall, Duration message) {
-        return withTimeouts(new Timeouts(stall, message, timeouts.idle()));
+        return withTimeouts(new Timeouts(stall, message, timeouts.idle(), timeouts.admission()));
     }
 
     /** These options with other quotas. */
@@ -114,8 +114,12 @@ public record NetOptions(
 
     /** These options with TLS, a secret or both. */
     public NetOptions withAccess(@Nullable Tls tls, @Nullable Secret secret) {
-        return new NetOptions(
-                session, listeners, translator, timeouts, quotas, new Access(tls, secret), redial, opening);
+        return withAccess(new Access(tls, secret));
+    }
+
+    /** These options with another way to tell who may connect. */
+    public NetOptions withAccess(Access other) {
+        return new NetOptions(session, listeners, translator, timeouts, quotas, other, redial, opening);
     }
 
     /** These options for a client that dials again; null for one that dials once. */

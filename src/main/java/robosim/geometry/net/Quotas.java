@@ -6,8 +6,9 @@ import robosim.geometry.protocol.MessageLimits;
 /**
  * How much peers may request; each limit is at least 1.
  *
- * @param connections maximum number of connections of a server at a time; each has a thread
- * @param objects     maximum number of objects in a world; a group counts as one
+ * @param connections maximum number of admitted connections of a server at a time; each has a thread. Those that have
+ *     not sent a first message yet have a limit of their own
+ * @param objects     maximum number of objects in a world; a group counts as its members
  * @param requests    maximum number of moves or sonar requests in a bundle, or of beams, poses, edges and pixels of a batch
  */
 public record Quotas(int connections, int objects, int requests) {

@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -155,6 +156,12 @@ public final class Session {
         return this;
     }
 
+    /** Makes this session call its messages in the log by the numbers that they have for its peer. */
+    Session numbered(LongSupplier message) {
+        complaints.numbered(message);
+        return this;
+    }
+
     /**
      * Carries out a request; the short form of {@link #reply}.
      *
@@ -175,8 +182,9 @@ public final class Session {
      */
     public @Nullable Reply reply(Bundle request) {
         if (request instanceof InitBundle.Answered asked) {
-            reply(asked.init());
-            return reply(InitBundle.Answered.QUESTION);
+            complaints.next();
+            observed(asked.init());
+            return observed(InitBundle.Answered.QUESTION);
         }
         if (request == null || request.isAnswer()) {
             throw new IllegalArgumentException(
@@ -185,6 +193,10 @@ public final class Session {
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
+        return observed(request);
+    }
+
+    private @Nullable Reply observed(Bundle request) {
         listener.asked(request);
         long start = System.nanoTime();
         Reply reply = carryOut(request);
@@ -249,7 +261,7 @@ public final class Session {
             about.leftOut(index, name, reason);
             return false;
         }
-        about.added();
+        about.added(object);
         if (name != null) {
             names.add(name);
         }
@@ -377,7 +389,7 @@ public final class Session {
         listener.tried(new MoveRequest(go.objectName(), go.x(), go.y(), go.z(), go.rx(), go.ry()), result);
     }
 
-    /** How many objects the world has. */
+    /** How many objects the world has, of groups their members. */
     int objectCount() {
         return about.present();
     }

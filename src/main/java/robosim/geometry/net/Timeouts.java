@@ -9,22 +9,34 @@ import robosim.geometry.exact.Checks;
  * @param stall   how long a message that has begun may pause, in or out, and how long dialling may take
  * @param message how long a message may take from its first byte to its last, either way
  * @param idle    how long a peer may be silent between two messages
+ * @param admission how long a server waits for a new peer in all: for TLS, its secret and its first message, or the first
+ *     256 kB of it
  */
-public record Timeouts(Duration stall, Duration message, Duration idle) {
+public record Timeouts(Duration stall, Duration message, Duration idle, Duration admission) {
     private static final Duration LONGEST = Duration.ofDays(1);
+
+    /** A handshake over a slow line takes half a second; and a peer that connects has a world to send. */
+    private static final Duration ADMISSION = Duration.ofSeconds(10);
 
     /** 10 seconds for a pause, 60 for a message, a day between two, since a simulation may be halted overnight. */
     public static final Timeouts DEFAULT = new Timeouts(Duration.ofSeconds(10), Duration.ofSeconds(60), LONGEST);
+
+    /** Times with 10 seconds for an admission. */
+    public Timeouts(Duration stall, Duration message, Duration idle) {
+        this(stall, message, idle, ADMISSION);
+    }
 
     /** Refuses null and times out of range. */
     public Timeouts {
         Checks.time("stall", stall, LONGEST);
         Checks.time("message", message, LONGEST);
         Checks.time("idle", idle, LONGEST);
+        Checks.time("admission", admission, LONGEST);
     }
 
-    /** The shortest time within a message. */
+    /** The shortest time that a peer is waited for. */
     Duration finest() {
-        return stall.compareTo(message) < 0 ? stall : message;
+        Duration within = stall.compareTo(message) < 0 ? stall : message;
+        return within.compareTo(admission) < 0 ? within : admission;
     }
 }

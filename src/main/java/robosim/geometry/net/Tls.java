@@ -5,15 +5,21 @@ import java.net.Socket;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
+import java.security.cert.CertificateException;
+import java.security.cert.X509Certificate;
 import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLParameters;
+import javax.net.ssl.SSLPeerUnverifiedException;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
-/** TLS 1.3 or 1.2 in which both ends present a certificate. */
+/**
+ * TLS 1.3 or 1.2 in which both ends present a certificate, which must be valid at the time. Java does not check the dates
+ * of a certificate that is itself in the trust store; here they are checked in every case.
+ */
 public final class Tls {
     private static final String[] VERSIONS = {"TLSv1.3", "TLSv1.2"};
 
@@ -83,6 +89,21 @@ public final class Tls {
         parameters.setEndpointIdentificationAlgorithm("HTTPS");
         socket.setSSLParameters(parameters);
         return socket;
+    }
+
+    /** Why the peer's certificate cannot be used now, after the handshake; null if it can. */
+    static @Nullable String refusal(SSLSocket agreed) throws SSLPeerUnverifiedException {
+        if (!(agreed.getSession().getPeerCertificates()[0] instanceof X509Certificate leaf)) {
+            return "the peer's certificate must be an X.509 certificate (got: another kind)";
+        }
+        try {
+            leaf.checkValidity();
+            return null;
+        } catch (CertificateException e) {
+            return "the peer's certificate must be valid now (got: " + leaf.getSubjectX500Principal() + ", valid from "
+                    + leaf.getNotBefore().toInstant() + " to "
+                    + leaf.getNotAfter().toInstant() + ")";
+        }
     }
 
     private static SSLParameters parameters() {

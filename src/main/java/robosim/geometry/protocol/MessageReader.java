@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.ObjectStreamConstants;
 import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
@@ -26,6 +27,8 @@ public final class MessageReader {
 
     /** What the last message asks besides; null if nothing. */
     private @Nullable Bundle followUp;
+
+    private final AtomicLong message = new AtomicLong();
 
     /** Reads the module's own records. */
     public MessageReader(InputStream in) {
@@ -51,6 +54,7 @@ public final class MessageReader {
             followUp = null;
             return next;
         }
+        message.incrementAndGet();
         try {
             boolean open = objects != null || open();
             return open && input.awaitMessage() >= 0 ? decode() : null;
@@ -90,6 +94,11 @@ public final class MessageReader {
             return asked.init();
         }
         return bundle;
+    }
+
+    /** The number of the message that is awaited or was read last, from 1; may be called by any thread. */
+    public long messageNumber() {
+        return Math.max(1, message.get());
     }
 
     /** The size in bytes of the last message read, without a reset before it. */

@@ -60,6 +60,8 @@ class DirectionsTest {
             Map.entry("javax.net.", Set.of("net")),
             Map.entry("java.lang.management.", Set.of("net")),
             Map.entry("javax.management.", Set.of("net")),
+            Map.entry("com.sun.net.httpserver.", Set.of("cli")),
+            Map.entry("java.util.logging.", Set.of("cli")),
             Map.entry("javax.xml.", Set.of("world", "viewer")),
             Map.entry("org.xml.", Set.of("world", "viewer", "sensor")),
             Map.entry("javax.imageio.", Set.of("world", "viewer")),

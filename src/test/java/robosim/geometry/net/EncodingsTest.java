@@ -155,7 +155,7 @@ class EncodingsTest {
             json.converse();
             assertThat(json.ask("{\"type\":\"moves\"]")).startsWith("{\"type\":\"error\",\"message\":\"line 6, ");
             assertThat(json.in.readLine()).isNull();
-            assertThat(log.linesWith("closed at message 4, line 6, ")).hasSize(1);
+            assertThat(log.linesWith("closed at message 6, line 6, ")).hasSize(1);
         }
     }
 }

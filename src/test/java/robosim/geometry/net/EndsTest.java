@@ -327,10 +327,14 @@ class EndsTest {
             server.close();
             assertThat(ownThreads()).isEqualTo(before);
             assertThat(json.heardToTheEnd())
-                    .contains("\"message\":\"the module is shutting down: message 2 was cut off, and has no answer\"");
+                    .contains("\"message\":\"the module is shutting down: message 3 was cut off, and has no answer\"");
             assertThat(java.receive()).isNull();
             assertThat(log.linesWith("closed at message 2, which was cut off and has no answer"))
-                    .hasSize(2);
+                    .as("of Java")
+                    .hasSize(1);
+            assertThat(log.linesWith("closed at message 3, which was cut off and has no answer"))
+                    .as("of JSON, whose hello is the first")
+                    .hasSize(1);
         }
     }
 
@@ -350,7 +354,7 @@ class EndsTest {
             assertThat(peer.heardToTheEnd())
                     .contains("the module does not have enough memory for this request")
                     .doesNotContain("an error of the module itself");
-            assertThat(log.linesWith("closed at message 1, the module does not have enough memory"))
+            assertThat(log.linesWith("closed at message 2, the module does not have enough memory"))
                     .hasSize(1)
                     .first()
                     .asString()

@@ -21,34 +21,44 @@ final class Stores {
     Stores(Path folder) throws IOException, InterruptedException, GeneralSecurityException {
         this.folder = folder;
         for (String who : List.of("module", "environment", "stranger")) {
-            keytool(
-                    who + ".p12",
-                    "-genkeypair",
-                    "-alias",
-                    who,
-                    "-keyalg",
-                    "EC",
-                    "-groupname",
-                    "secp256r1",
-                    "-validity",
-                    "2",
-                    "-dname",
-                    "CN=" + who,
-                    "-ext",
-                    "SAN=ip:127.0.0.1,dns:localhost");
+            make(who, "-0d");
         }
         trust("module", "environment");
         trust("environment", "module");
         trust("stranger", "module");
     }
 
-    private void trust(String who, String whom) throws IOException, GeneralSecurityException {
+    /** A key of that name, which is valid for two days from a start as in {@code +1d}. */
+    void make(String who, String start) throws IOException, InterruptedException {
+        keytool(
+                who + ".p12",
+                "-genkeypair",
+                "-alias",
+                who,
+                "-keyalg",
+                "EC",
+                "-groupname",
+                "secp256r1",
+                "-startdate",
+                start,
+                "-validity",
+                "2",
+                "-dname",
+                "CN=" + who,
+                "-ext",
+                "SAN=ip:127.0.0.1,dns:localhost");
+    }
+
+    /** A store of the certificates that somebody trusts. */
+    void trust(String who, String... others) throws IOException, GeneralSecurityException {
         char[] password = PASSWORD.toCharArray();
         KeyStore trusts = KeyStore.getInstance("PKCS12");
         trusts.load(null, password);
-        trusts.setCertificateEntry(
-                whom,
-                KeyStore.getInstance(path(whom + ".p12").toFile(), password).getCertificate(whom));
+        for (String whom : others) {
+            trusts.setCertificateEntry(
+                    whom,
+                    KeyStore.getInstance(path(whom + ".p12").toFile(), password).getCertificate(whom));
+        }
         try (OutputStream out = Files.newOutputStream(path(who + "-trusts.p12"))) {
             trusts.store(out, password);
         }

@@ -14,6 +14,7 @@ import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Redial;
+import robosim.geometry.net.Timeouts;
 
 /** Dials an environment and answers its requests. */
 @Command(
@@ -65,11 +66,14 @@ public final class ConnectCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Ports.check(spec, port, 1);
-        NetOptions options =
-                record.inFile(common.options(Quotas.DEFAULT.connections())).withRedial(once ? null : Redial.DEFAULT);
+        NetOptions options = record.inFile(common.options(
+                        Quotas.DEFAULT.connections(),
+                        Timeouts.DEFAULT.admission().toSeconds()))
+                .withRedial(once ? null : Redial.DEFAULT);
         WatchOptions.Watch watched = watch.begin(options);
         int seconds = common.figuresSeconds();
         GeometryClient client = new GeometryClient(host, port, watched.options());
+        common.keepFresh(client::renew);
         FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, () -> {
             client.close();
             watched.close();

@@ -6,12 +6,16 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import robosim.geometry.net.Access;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Secret;
@@ -46,7 +50,10 @@ public final class ConnectionOptions {
             description = "longest silence of a peer between two messages (default: ${DEFAULT-VALUE})")
     private int idle;
 
-    @Option(names = "--max-objects", paramLabel = "N", description = "maximum number of objects in a world")
+    @Option(
+            names = "--max-objects",
+            paramLabel = "N",
+            description = "maximum number of objects in a world; of a group, its members")
     private int objects = Quotas.DEFAULT.objects();
 
     @Option(
@@ -67,6 +74,13 @@ public final class ConnectionOptions {
             defaultValue = "0",
             description = "how often to print a line of figures; 0 for never. A last line is printed at the end.")
     private int figures;
+
+    @Option(
+            names = "--log",
+            paramLabel = "FORM",
+            defaultValue = "text",
+            description = "form of the log's lines: text or json (default: ${DEFAULT-VALUE})")
+    private String log = "text";
 
     private ConnectionOptions() {}
 
@@ -120,16 +134,40 @@ public final class ConnectionOptions {
     }
 
     /** The options as given; a bad value is refused as a usage error. */
-    NetOptions options(int connections) {
+    NetOptions options(int connections, long admission) {
+        useLog();
         try {
             return NetOptions.defaults()
                     .withTimeouts(new Timeouts(
-                            Duration.ofSeconds(stall), Duration.ofSeconds(messageTime), Duration.ofSeconds(idle)))
+                            Duration.ofSeconds(stall),
+                            Duration.ofSeconds(messageTime),
+                            Duration.ofSeconds(idle),
+                            Duration.ofSeconds(admission)))
                     .withQuotas(new Quotas(connections, objects, requests))
-                    .withAccess(tls(), secret());
+                    .withAccess(access());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }
+    }
+
+    private void useLog() {
+        if (!log.equals("text") && !log.equals("json")) {
+            throw new ParameterException(spec.commandLine(), "--log must be text or json (got: " + log + ")");
+        }
+        LogLines.use(log.equals("json") ? LogLines.Form.JSON : LogLines.Form.TEXT);
+    }
+
+    private Access access() {
+        return new Access(tls(), secret());
+    }
+
+    /** Has keys, certificates and secrets that are in files renewed when the files change. */
+    void keepFresh(Consumer<Access> renew) {
+        Stores tls = stores;
+        Stream<@Nullable Path> files = Stream.concat(
+                tls == null ? Stream.of() : Stream.of(tls.key, tls.trust, tls.password.file),
+                secret == null ? Stream.of() : Stream.of(secret.file));
+        new Renewal(files.filter(Objects::nonNull).toList(), this::access, renew).start();
     }
 
     /** 0 for never. */

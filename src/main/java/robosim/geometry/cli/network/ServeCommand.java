@@ -3,6 +3,7 @@ package robosim.geometry.cli.network;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -43,7 +44,8 @@ import robosim.geometry.world.WorldException;
             "  robosim-geometry serve 5555",
             "  robosim-geometry serve 5555 --world worlds/rooms.xml",
             "  robosim-geometry serve 5555 --record recordings --figures 60",
-            "  robosim-geometry serve 5555 --watch 5556"
+            "  robosim-geometry serve 5555 --watch 5556",
+            "  robosim-geometry serve 5555 --admin 5580 --drain 60 --log json"
         })
 public final class ServeCommand implements Callable<Integer> {
     @Spec
@@ -68,6 +70,30 @@ public final class ServeCommand implements Callable<Integer> {
             defaultValue = "256",
             description = "maximum number of connections at a time (default: ${DEFAULT-VALUE})")
     private int connections;
+
+    @Option(
+            names = "--admission",
+            paramLabel = "SECONDS",
+            defaultValue = "10",
+            description = "longest time until a new peer has sent its first message, TLS and the secret included"
+                    + " (default: ${DEFAULT-VALUE})")
+    private int admission;
+
+    @Option(
+            names = "--drain",
+            paramLabel = "SECONDS",
+            defaultValue = "0",
+            description =
+                    "when it is told to end, accept no new connections and let the open ones go on until they end,"
+                            + " for at most that time (default: ${DEFAULT-VALUE})")
+    private int drain;
+
+    @Option(
+            names = "--admin",
+            paramLabel = "PORT",
+            description = "open an HTTP port on this machine for its operator: /health, /metrics for Prometheus,"
+                    + " /connections; 0 for any free port")
+    private @Nullable Integer admin;
 
     @Option(
             names = "--world",
@@ -98,23 +124,50 @@ public final class ServeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        NetOptions options = common.options(connections);
+        NetOptions options = common.options(connections, admission);
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
+        if (drain < 0) {
+            throw new ParameterException(spec.commandLine(), "--drain must be at least 0 (got: " + drain + ")");
+        }
+        if (admin != null) {
+            Ports.check(spec, admin, 0);
+        }
         WatchOptions.Watch watched = watch.begin(record.inFolder(options.withOpening(opening)));
         GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, watched.options());
+        common.keepFresh(server::renew);
         PrintWriter out = spec.commandLine().getOut();
         if (!opening.isEmpty()) {
             out.println("Connections begin with the world of " + world + ", "
                     + NumberText.count(((InitBundle) opening.get(0)).objects().size(), "object"));
         }
+        AdminPort operator = admin == null ? null : operator(server, out);
         out.println("Listening on " + server.address());
         out.flush();
         FiguresPrinter.start(out, server.figures(), seconds, () -> {
-            server.close();
+            server.drain(Duration.ofSeconds(drain));
             watched.close();
+            if (operator != null) {
+                operator.close();
+            }
         });
+        ServiceManager.ready("listening on " + server.address());
         return 0;
+    }
+
+    private AdminPort operator(GeometryServer server, PrintWriter out) {
+        try {
+            AdminPort port = new AdminPort(admin == null ? 0 : admin, server);
+            out.println("Admin on " + port.address());
+            return port;
+        } catch (NoClassDefFoundError e) {
+            server.close();
+            throw new ParameterException(
+                    spec.commandLine(), "--admin needs the JDK's module jdk.httpserver (got: a Java without it)", e);
+        } catch (RuntimeException e) {
+            server.close();
+            throw e;
+        }
     }
 
     /** The requests with which connections begin; none without a world. */

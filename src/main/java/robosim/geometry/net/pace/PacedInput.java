@@ -6,6 +6,7 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 
@@ -26,6 +27,7 @@ public final class PacedInput extends InputStream implements MessagePace {
     private final MessageMemory.Share memory;
     private final BooleanSupplier stopping;
     private Duration idleTime;
+    private Admissions.@Nullable Newcomer newcomer;
     private boolean opening;
     private boolean inside;
 
@@ -90,7 +92,12 @@ public final class PacedInput extends InputStream implements MessagePace {
         inside = true;
         messageBytes = 0;
         deadline = System.nanoTime() + messageNanos;
-        turn.hold();
+        compute();
+    }
+
+    /** Until this connection is admitted, its time is limited as a whole. */
+    public void from(Admissions.Newcomer peer) {
+        newcomer = peer;
     }
 
     /** An answer was sent, and with it the acknowledgement of all that has come. */
@@ -145,7 +152,21 @@ public final class PacedInput extends InputStream implements MessagePace {
     private void compute() {
         long start = System.nanoTime();
         turn.hold();
-        deadline += System.nanoTime() - start;
+        allow(System.nanoTime() - start);
+    }
+
+    private void allow(long nanos) {
+        deadline += nanos;
+        Admissions.Newcomer stranger = stranger();
+        if (stranger != null) {
+            stranger.extend(nanos);
+        }
+    }
+
+    /** The peer as long as it is not admitted; else null. */
+    private Admissions.@Nullable Newcomer stranger() {
+        Admissions.Newcomer peer = newcomer;
+        return peer == null || peer.isAdmitted() ? null : peer;
     }
 
     /** Counts bytes; a large message waits for its share of memory. */
@@ -153,6 +174,10 @@ public final class PacedInput extends InputStream implements MessagePace {
         messageBytes += Math.max(0, got);
         if (messageBytes < LARGE_BYTES) {
             return;
+        }
+        Admissions.Newcomer stranger = stranger();
+        if (stranger != null) {
+            stranger.admit(); // the rest of a large first message has the time of any message
         }
         grow((messageBytes / LARGE_BYTES + 1) * LARGE_BYTES * MessageMemory.MEMORY_FOR_A_BYTE);
     }
@@ -162,7 +187,7 @@ public final class PacedInput extends InputStream implements MessagePace {
             turn.give();
             long start = System.nanoTime();
             memory.growTo(wanted);
-            deadline += System.nanoTime() - start; // the wait was not its fault
+            allow(System.nanoTime() - start); // the wait was not its fault
         }
     }
 
@@ -181,8 +206,13 @@ public final class PacedInput extends InputStream implements MessagePace {
     }
 
     private int readIdle(byte[] into, int at, int length) throws IOException {
-        socket.setSoTimeout(opening ? SILENCE_MILLIS : millis(idleTime.toNanos()));
+        long idle = opening ? SILENCE_MILLIS * 1_000_000L : idleTime.toNanos();
+        Admissions.Newcomer stranger = stranger();
         try {
+            if (stranger != null) {
+                return readBefore(stranger, idle, into, at, length);
+            }
+            socket.setSoTimeout(millis(idle));
             return in.read(into, at, length);
         } catch (SocketTimeoutException e) {
             if (opening) {
@@ -194,7 +224,31 @@ public final class PacedInput extends InputStream implements MessagePace {
         }
     }
 
+    /** Reads from a peer that is not admitted; one read through TLS may be several reads of the socket. */
+    private int readBefore(Admissions.Newcomer stranger, long pause, byte[] into, int at, int length)
+            throws IOException {
+        long due = stranger.due();
+        long left = due - System.nanoTime();
+        if (left <= 0) {
+            throw stranger.late();
+        }
+        socket.setSoTimeout(millis(Math.min(left, pause)));
+        guard.begin(due);
+        try {
+            return in.read(into, at, length);
+        } catch (IOException e) {
+            boolean late = left <= pause && e instanceof SocketTimeoutException;
+            throw guard.isBroken() || late ? stranger.late() : e;
+        } finally {
+            guard.end();
+        }
+    }
+
     private int readInside(byte[] into, int at, int length) throws IOException {
+        Admissions.Newcomer stranger = stranger();
+        if (stranger != null && stranger.due() - deadline < 0) {
+            return readBefore(stranger, stallNanos, into, at, length);
+        }
         long left = deadline - System.nanoTime();
         if (left <= 0) {
             throw new SocketTimeoutException();

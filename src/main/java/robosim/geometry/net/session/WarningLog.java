@@ -2,6 +2,7 @@ package robosim.geometry.net.session;
 
 import java.util.HashSet;
 import java.util.Set;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -16,6 +17,7 @@ public final class WarningLog {
     private final Set<String> said = new HashSet<>();
     private @Nullable LogBudget budget;
     private long message;
+    private LongSupplier number = () -> message;
 
     public WarningLog(System.Logger log, String session) {
         this.log = log;
@@ -25,6 +27,11 @@ public final class WarningLog {
     /** Limits the lines from now on by a shared budget. */
     public void within(LogBudget shared) {
         budget = shared;
+    }
+
+    /** Takes the numbers of messages from elsewhere from now on. */
+    public void numbered(LongSupplier messages) {
+        number = messages;
     }
 
     /** Starts the next message, to which warnings from now on refer. */
@@ -47,7 +54,7 @@ public final class WarningLog {
     }
 
     private void log(String words) {
-        String line = session + ", message " + message + ": " + words;
+        String line = session + ", message " + number.getAsLong() + ": " + words;
         if (budget == null) {
             log.log(System.Logger.Level.WARNING, line);
         } else {

@@ -14,6 +14,7 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.protocol.Text;
@@ -33,7 +34,7 @@ public final class WorldRequests {
     private @Nullable String failure;
     private final ObjectNumbers numbers = new ObjectNumbers();
 
-    /** How many objects there are now. */
+    /** How many objects there are now, of groups their members. */
     private int present;
 
     /** Is told of a move that was tried. */
@@ -56,7 +57,16 @@ public final class WorldRequests {
     public void beginWith(List<GeometryObject> objects) {
         begin(objects);
         added = objects.size();
-        present = added;
+        present = count(objects);
+    }
+
+    /** How many objects these are, where a group counts as its members. */
+    public static int count(List<? extends GeometryObject> objects) {
+        int count = 0;
+        for (GeometryObject object : objects) {
+            count += object instanceof ObjectGroup group ? count(group.members()) : 1;
+        }
+        return count;
     }
 
     /** The last init made no world. */
@@ -65,9 +75,9 @@ public final class WorldRequests {
     }
 
     /** An object of an init was added. */
-    public void added() {
+    public void added(GeometryObject object) {
         added++;
-        present++;
+        present += count(List.of(object));
     }
 
     /** An object of an init was left out. */
@@ -79,7 +89,7 @@ public final class WorldRequests {
         leftOut.add(new WorldAnswer.LeftOut(index, isShort ? told : "", isShort ? reason : ""));
     }
 
-    /** How many objects the world has. */
+    /** How many objects the world has, of groups their members. */
     public int present() {
         return present;
     }
@@ -169,11 +179,12 @@ public final class WorldRequests {
     }
 
     private WorldAnswer remove(Geometry world, String name, Set<String> moveable) {
+        int members = world.hasObject(name) ? count(List.of(world.getObject(name))) : 0;
         boolean isRemoved = world.removeObject(name);
         if (isRemoved) {
             moveable.remove(name);
             numbers.removed(name);
-            present--;
+            present -= members;
         }
         return new WorldAnswer.Changed(isRemoved, null);
     }
@@ -186,7 +197,7 @@ public final class WorldRequests {
         GeometryObject object = add.object();
         boolean isAdded = add.overlapping() ? world.addObjectUnchecked(object) : world.addObject(object);
         if (isAdded) {
-            present++;
+            present += count(List.of(object));
             numbers.added(object);
             String name = object.name();
             if (object.isMoveable() && name != null) {

@@ -17,6 +17,9 @@ interface Codec {
     /** Answers the last message with an error, if the encoding has one after which the conversation goes on; returns whether. */
     boolean refuse(String reason) throws IOException;
 
+    /** The number of the message that is awaited or was read last, as the peer counts them, from 1. */
+    long messageNumber();
+
     /** The size in bytes of the last message read. */
     int messageBytes();
 }

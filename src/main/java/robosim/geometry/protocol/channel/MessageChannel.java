@@ -47,6 +47,9 @@ public final class MessageChannel {
         JSON
     }
 
+    /** The first byte of a handshake: RFC 8446, 5.1. */
+    private static final int TLS_HANDSHAKE = 0x16;
+
     private static final int JAVA = ObjectStreamConstants.STREAM_MAGIC >> 8 & 0xff;
 
     private final InputStream in;
@@ -151,6 +154,15 @@ public final class MessageChannel {
         return encoding;
     }
 
+    /**
+     * The number of the message that is awaited or was read last, as the peer counts them, from 1: of JSON lines that of the
+     * line. May be called by any thread.
+     */
+    public long messageNumber() {
+        Codec spoken = speech;
+        return spoken == null ? 1 : spoken.messageNumber();
+    }
+
     /** The size in bytes of the last message read; 0 before the first. */
     public int messageBytes() {
         Codec spoken = speech;
@@ -167,10 +179,7 @@ public final class MessageChannel {
             Codec opened = switch (first) {
                 case JAVA -> java(whole);
                 case '{' -> json(whole);
-                default ->
-                    throw new ProtocolException(
-                            "a stream must begin with AC ED 00 05, Java serialization, or with {, JSON lines"
-                                    + " (got: %02X)".formatted(first));
+                default -> throw unknown(first);
             };
             speech = opened;
             return opened;
@@ -180,6 +189,18 @@ public final class MessageChannel {
             throw new ProtocolException(
                     "the connection failed before its first message: " + Text.line(e.toString()), e);
         }
+    }
+
+    /** Whoever sends anything but Java can read a line, too. */
+    private ProtocolException unknown(int first) {
+        encoding = Encoding.JSON;
+        return new ProtocolException(
+                first == TLS_HANDSHAKE
+                        ? "this port must be spoken to without TLS, as the module was given no keys (got: the"
+                                + " handshake of TLS); dial without it, or start the module with --key-store and"
+                                + " --trust-store"
+                        : "a stream must begin with AC ED 00 05, Java serialization, or with {, JSON lines"
+                                + " (got: %02X)".formatted(first));
     }
 
     private int first() throws IOException {
@@ -216,6 +237,11 @@ public final class MessageChannel {
             @Override
             public boolean refuse(String reason) {
                 return false;
+            }
+
+            @Override
+            public long messageNumber() {
+                return reader.messageNumber();
             }
 
             @Override
@@ -258,6 +284,11 @@ public final class MessageChannel {
             public boolean refuse(String reason) throws IOException {
                 lines.refuse(reason);
                 return true;
+            }
+
+            @Override
+            public long messageNumber() {
+                return lines.messageNumber();
             }
 
             @Override

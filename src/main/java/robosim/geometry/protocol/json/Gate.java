@@ -1,6 +1,7 @@
 package robosim.geometry.protocol.json;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.ProtocolException;
 
 /** Decides which peers are admitted. From a peer that is not, only the hello is read. */
 @FunctionalInterface
@@ -12,6 +13,7 @@ public interface Gate {
      * Whether the peer is admitted. Called once per connection; must take the same time for every wrong secret.
      *
      * @param secret the secret in the peer's hello; null if there is none, as always in Java serialization
+     * @throws ProtocolException if the peer would be admitted, but there is no room
      */
-    boolean admits(@Nullable String secret);
+    boolean admits(@Nullable String secret) throws ProtocolException;
 }

@@ -40,6 +40,9 @@ public final class JsonCodec {
 
     private int messageBytes;
 
+    /** The number of the line that is awaited or was read last. */
+    private volatile int message = 1;
+
     private JsonCodec(InputStream in, OutputStream out, MessagePace pace, Gate gate, Consumer<String> wrongRequests) {
         this.lines = new LineInput(in, pace);
         this.target = out;
@@ -80,6 +83,7 @@ public final class JsonCodec {
         try {
             Bundle request = null;
             while (request == null) {
+                message = lines.number() + 1;
                 if (!lines.await(admitted ? MessageLimits.MAX_MESSAGE_BYTES : MessageLimits.MAX_HELLO_BYTES)) {
                     return null;
                 }
@@ -241,6 +245,11 @@ public final class JsonCodec {
             buffered.write('\n');
             buffered.flush();
         }
+    }
+
+    /** The number of the line that is awaited or was read last, from 1. */
+    public long messageNumber() {
+        return message;
     }
 
     /** The size in bytes of the last message read. */

@@ -174,7 +174,9 @@ class MessageChannelTest {
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("AC ED 00 05")
                 .hasMessageContaining("JSON lines");
-        assertThat(out.toByteArray()).isEmpty();
+        assertThat(out.toString(StandardCharsets.UTF_8))
+                .startsWith("{\"type\":\"error\",")
+                .endsWith("}\n");
     }
 
     @ParameterizedTest
