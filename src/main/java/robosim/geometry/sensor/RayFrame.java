@@ -32,7 +32,6 @@ public abstract class RayFrame {
     private @Nullable RayPattern pattern;
     private int size;
     private long number;
-    private Dimension dimension = Dimension.SPATIAL;
 
     /** How the sensor moved; null where it did not. */
     private @Nullable ScanMotion motion;
@@ -100,9 +99,8 @@ public abstract class RayFrame {
 
     @SuppressWarnings(
             "ReferenceEquality") // an equal setup makes an equal motion; to compare its rays would take longer
-    void filled(Setup setup, Dimension ofWorld, long frame) {
+    void filled(Setup setup, long frame) {
         pattern = setup.pattern();
-        dimension = ofWorld;
         number = frame;
         ranges = buffer.distances();
         Twist twist = setup.options().motion();
@@ -160,7 +158,7 @@ public abstract class RayFrame {
         return incidence;
     }
 
-    /** Sets the vector to a ray's unit direction in the world, which in PLANAR is level. */
+    /** Sets the vector to a ray's unit direction in the world, level if it was measured in the plane. */
     private void direction(RayPattern rays, int ray) {
         vector[0] = rays.x(ray);
         vector[1] = rays.y(ray);
@@ -171,7 +169,7 @@ public abstract class RayFrame {
             moving.turn(vector);
         }
         turn(vector[0], vector[1], vector[2], vector, 0);
-        if (dimension == Dimension.PLANAR) {
+        if (buffer.dimension() == Dimension.PLANAR) {
             vector[1] = 0;
         }
         double length = Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
@@ -252,7 +250,7 @@ public abstract class RayFrame {
 
     /**
      * Writes the point that a ray measured, in the sensor's own frame: its range along its direction, as a sensor computes it
-     * that knows nothing of its motion. In a world in PLANAR ranges are measured in the plane, and so is the point.
+     * that knows nothing of its motion. A level laser in a PLANAR world measures in the plane, where the point then is.
      *
      * @param out takes X, Y and Z; they are NaN where nothing echoes
      * @param at  where in the array they begin
@@ -263,7 +261,7 @@ public abstract class RayFrame {
         vector[0] = rays.x(ray);
         vector[1] = rays.y(ray);
         vector[2] = rays.z(ray);
-        if (dimension == Dimension.PLANAR) {
+        if (buffer.dimension() == Dimension.PLANAR) {
             turn(vector[0], vector[1], vector[2], vector, 0);
             turnBack(vector[0], 0, vector[2], vector, 0);
         }

@@ -9,7 +9,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
-import robosim.geometry.model.Twist;
 
 /**
  * A sensor with rays: what lidars, cameras and sonars share. Immutable; each {@code with} returns a new sensor.
@@ -61,13 +60,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
      * @param max range in world units, {@code min <= max}; may be infinite
      */
     public S withRange(double min, double max) {
-        SenseOptions options = setup.options();
-        SenseOptions ranged = SenseOptions.range(min, max)
-                .withWidth(options.width())
-                .withCarrier(options.carrier())
-                .withThreads(options.threads());
-        Twist motion = options.motion();
-        return with(setup.with(motion == null ? ranged : ranged.withMotion(motion)));
+        return with(setup.with(setup.options().withRange(min, max)));
     }
 
     /** This sensor, seeing or not seeing the object that carries it. Unless told otherwise it does not. */
@@ -165,14 +158,12 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
                 needsNormals(out) || needsIncidence,
                 setup.options().width() > 0);
         sense(world, snapshot, setup.options(), out.buffer());
-        Dimension dimension = world != null
-                ? world.dimension()
-                : Checks.present("world", snapshot).dimension();
-        out.filled(setup, dimension, frame);
+        out.filled(setup, frame);
         if (!setup.noise().isNone()) {
-            SenseOptions cones = setup.cones();
+            Setup.Cones cones = setup.cones();
             if (cones != null) {
-                sense(world, snapshot, cones, out.cones());
+                boolean isFlat = out.buffer().dimension() == Dimension.PLANAR;
+                sense(world, snapshot, isFlat ? cones.flat() : cones.tall(), out.cones());
             }
             out.disturb(setup);
         }

@@ -17,7 +17,23 @@ record Setup(
         Noise noise,
         long seed,
         long sensor,
-        @Nullable SenseOptions cones) {
+        @Nullable Cones cones) {
+
+    /**
+     * How cones are asked.
+     *
+     * @param flat with rays that measure in the plane of a PLANAR world
+     * @param tall with rays that see heights
+     */
+    record Cones(SenseOptions flat, SenseOptions tall) {
+        private static @Nullable Cones of(SenseOptions options, double width) {
+            if (width == 0) {
+                return null;
+            }
+            SenseOptions wide = options.withWidth(width);
+            return new Cones(wide, wide.withHeights());
+        }
+    }
 
     static Setup of(RayPattern pattern, SenseOptions options) {
         return new Setup(
@@ -35,8 +51,7 @@ record Setup(
     }
 
     Setup with(SenseOptions given) {
-        SenseOptions wide = cones == null ? null : given.withWidth(cones.width());
-        return new Setup(mounting, pattern, given, noise, seed, sensor, wide);
+        return new Setup(mounting, pattern, given, noise, seed, sensor, Cones.of(given, noise.coneWidth()));
     }
 
     Setup with(Noise given, long itsSeed, long itsSensor) {
@@ -46,7 +61,6 @@ record Setup(
                     "noise must not need the normals of rays, as grazing and mixedPixels do, where beams are cones (got: "
                             + given + ")");
         }
-        SenseOptions wide = width == 0 ? null : options.withWidth(width);
-        return new Setup(mounting, pattern, options, given, itsSeed, itsSensor, wide);
+        return new Setup(mounting, pattern, options, given, itsSeed, itsSensor, Cones.of(options, width));
     }
 }
