@@ -9,6 +9,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
+import robosim.geometry.sensor.effects.Draws;
 
 /**
  * A sensor with rays: what lidars, cameras and sonars share. Immutable; each {@code with} returns a new sensor.
@@ -79,10 +80,22 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
      * This sensor with noise. Its readings then need the number of their frame.
      *
      * @param seed   of a whole run
-     * @param sensor tells the sensors of a run apart, any number
+     * @param sensor any number, another one for each sensor of a run: two sensors with the same seed and number have the same
+     *               errors
      */
     public S withNoise(Noise noise, long seed, long sensor) {
         return with(setup.with(noise, seed, sensor));
+    }
+
+    /**
+     * This sensor with noise that depends on its name, so that two sensors of one run have errors of their own. Its readings
+     * then need the number of their frame.
+     *
+     * @param seed of a whole run
+     * @param name of the sensor, as in a file; any text
+     */
+    public S withNoise(Noise noise, long seed, String name) {
+        return withNoise(noise, seed, Draws.number(Checks.present("name", name)));
     }
 
     /** The directions of the rays in the sensor's own frame, and their order. */
