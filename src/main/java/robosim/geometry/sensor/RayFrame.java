@@ -43,6 +43,11 @@ public abstract class RayFrame {
     private double[] ranges = NONE;
 
     private double[] noisy = NONE;
+
+    /** Which echoes are nearer than the blind range; empty where none can be. */
+    private boolean[] near = new boolean[0];
+
+    private boolean hasNear;
     private double[] incidence = NONE;
     private boolean hasIncidence;
     private final double[] vector = new double[3];
@@ -62,6 +67,7 @@ public abstract class RayFrame {
         size = 0;
         pattern = null;
         hasIncidence = false;
+        hasNear = false;
         // What another sensor needed stays, except that a buffer with parts or normals takes no cones.
         boolean hasEnough = (hasObjects || !objects)
                 && (hasParts || !parts)
@@ -113,22 +119,49 @@ public abstract class RayFrame {
         }
     }
 
-    /** Applies noise to a copy of the distances. */
-    void disturb(Setup setup) {
+    /** Makes what the sensor reports of the true distances, in a copy: with noise, and within its range. */
+    void measure(Setup setup) {
+        double min = setup.options().min();
+        if (min == 0 && setup.noise().isNone()) {
+            return;
+        }
         int count = setup.pattern().size();
         if (noisy.length < count) {
             noisy = new double[count];
+            near = new boolean[count];
+        }
+        hasNear = true;
+        double[] truth = buffer.distances();
+        for (int k = 0; k < count; k++) {
+            near[k] = truth[k] < min;
+            noisy[k] = near[k] ? min : truth[k];
         }
         ranges = noisy;
-        System.arraycopy(buffer.distances(), 0, noisy, 0, count);
+        if (!setup.noise().isNone()) {
+            disturb(setup, count);
+        }
+        double max = setup.options().max();
+        for (int k = 0; k < count; k++) {
+            double distance = noisy[k];
+            near[k] |= distance < min;
+            if (distance > max) {
+                noisy[k] = Double.POSITIVE_INFINITY;
+            }
+            if (near[k] && distance <= max) { // not lost
+                noisy[k] = setup.outOfRange().near(distance, min);
+            }
+        }
+    }
+
+    private void disturb(Setup setup, int count) {
         measured.distances = noisy;
         measured.count = count;
         measured.min = setup.options().min();
         measured.max = setup.options().max();
+        measured.lost = setup.outOfRange().lost();
         measured.incidence = setup.noise().needsIncidence() ? incidence() : NONE;
-        measured.cones = setup.cones() == null ? NONE : cones.distances();
-        setup.noise().apply(setup.seed(), setup.sensor(), number, measured);
-        measured.clamp();
+        measured.cones = setup.asked().cones() == null ? NONE : cones.distances();
+        setup.noise().apply(setup.errors().seed(), setup.errors().sensor(), number, measured);
     }
 
     /** Computes the cosine of each angle of incidence, -1 where no surface was met. */
@@ -226,10 +259,29 @@ public abstract class RayFrame {
 
     /**
      * The distance that a ray measured, along the ray from the sensor; {@code +Infinity} where nothing echoes. Without noise
-     * it is, to the bit, what {@link robosim.geometry.Geometry#getRayDistance} returns.
+     * it is, to the bit, what {@link robosim.geometry.Geometry#getRayDistance} returns, unless the sensor reports what is
+     * {@linkplain OutOfRange#REP_117 out of range} in another way.
      */
     public double range(int ray) {
         return ranges[checked(ray)];
+    }
+
+    /**
+     * Whether a ray's echo was nearer than the blind range, or its noise made it so. Nothing is known of it but that it is
+     * there: it has no point, no intensity, and is in no cloud.
+     */
+    public boolean isNear(int ray) {
+        return hasNear && near[checked(ray)];
+    }
+
+    /** Whether a ray measured a distance within the sensor's range. */
+    public boolean hasPoint(int ray) {
+        return isMeasured(checked(ray));
+    }
+
+    /** The same while the frame is being read. */
+    boolean isMeasured(int ray) {
+        return Math.abs(ranges[ray]) < Double.POSITIVE_INFINITY && !(hasNear && near[ray]); // NaN is no distance
     }
 
     /**
@@ -252,7 +304,7 @@ public abstract class RayFrame {
      * Writes the point that a ray measured, in the sensor's own frame: its range along its direction, as a sensor computes it
      * that knows nothing of its motion. A level laser in a PLANAR world measures in the plane, where the point then is.
      *
-     * @param out takes X, Y and Z; they are NaN where nothing echoes
+     * @param out takes X, Y and Z; they are NaN where the ray has {@linkplain #hasPoint no point}
      * @param at  where in the array they begin
      */
     public void point(int ray, double[] out, int at) {
@@ -296,16 +348,15 @@ public abstract class RayFrame {
     }
 
     private double rangeOrNaN(int ray) {
-        double range = ranges[checked(ray)];
-        return range < Double.POSITIVE_INFINITY ? range : Double.NaN;
+        return hasPoint(ray) ? ranges[ray] : Double.NaN;
     }
 
-    /** Adds each point that has an echo to a cloud, in the sensor's own frame: see {@link #point}. */
+    /** Adds each {@linkplain #hasPoint point} to a cloud, in the sensor's own frame: see {@link #point}. */
     public void addTo(PointCloud cloud) {
         cloud.add(this, false);
     }
 
-    /** Adds each point that has an echo to a cloud, in the world: see {@link #worldPoint}. */
+    /** Adds each {@linkplain #hasPoint point} to a cloud, in the world: see {@link #worldPoint}. */
     public void addInWorldTo(PointCloud cloud) {
         cloud.add(this, true);
     }

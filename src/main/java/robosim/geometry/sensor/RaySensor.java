@@ -57,11 +57,17 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /**
      * This sensor with other ranges.
      *
-     * @param min blind range in world units; a nearer echo is reported as {@code min} and still hides what is behind it
+     * @param min blind range in world units; a nearer echo is reported as {@code min}, unless {@link #withOutOfRange} says
+     *            otherwise, and still hides what is behind it
      * @param max range in world units, {@code min <= max}; may be infinite
      */
     public S withRange(double min, double max) {
         return with(setup.with(setup.options().withRange(min, max)));
+    }
+
+    /** This sensor with other values for what is out of its range. */
+    public S withOutOfRange(OutOfRange reported) {
+        return with(setup.with(reported));
     }
 
     /** This sensor, seeing or not seeing the object that carries it. Unless told otherwise it does not. */
@@ -106,6 +112,11 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /** Ranges, carrier and threads. */
     public SenseOptions options() {
         return setup.options();
+    }
+
+    /** What is reported where an echo is out of range; {@link OutOfRange#CLAMPED} unless told otherwise. */
+    public OutOfRange outOfRange() {
+        return setup.outOfRange();
     }
 
     /** The noise; {@link Noise#NONE} unless one was given. */
@@ -170,16 +181,16 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
                 needsParts(out),
                 needsNormals(out) || needsIncidence,
                 setup.options().width() > 0);
-        sense(world, snapshot, setup.options(), out.buffer());
+        sense(world, snapshot, setup.asked().rays(), out.buffer());
         out.filled(setup, frame);
         if (!setup.noise().isNone()) {
-            Setup.Cones cones = setup.cones();
+            boolean isFlat = out.buffer().dimension() == Dimension.PLANAR;
+            SenseOptions cones = isFlat ? setup.asked().cones() : setup.asked().tall();
             if (cones != null) {
-                boolean isFlat = out.buffer().dimension() == Dimension.PLANAR;
-                sense(world, snapshot, isFlat ? cones.flat() : cones.tall(), out.cones());
+                sense(world, snapshot, cones, out.cones());
             }
-            out.disturb(setup);
         }
+        out.measure(setup);
         finish(out);
         out.finished();
     }
@@ -207,6 +218,6 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     @Override
     public String toString() {
         return getClass().getSimpleName() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options()
-                + ", " + setup.noise();
+                + ", " + setup.outOfRange() + ", " + setup.noise();
     }
 }

@@ -209,6 +209,90 @@ class SensorsTest {
         assertThat(wall).isBetween(image.size() / 5, image.size() * 4 / 5);
     }
 
+    /** What is nearer than a sensor can measure is no point of a cloud, whatever is reported for it. */
+    @ParameterizedTest
+    @EnumSource
+    void whatIsNearerThanTheBlindRangeHasNoPoint(OutOfRange reported) {
+        Geometry world = new Geometry(40, 4, 40);
+        world.addObject(new BoxObject(new Point(0.35, 0, 0), 0.1, 2, 2)); // its face is at 0.3
+        world.addObject(new BoxObject(new Point(-9, 0, 0), 2, 3, 6)); // at 8
+        world.addObject(new BoxObject(new Point(0, 0, 15), 2, 3, 2)); // beyond the range
+        Lidar lidar = Lidar.ousterOs1With64(10).withRange(0.8, 12).withOutOfRange(reported);
+        assertThat(lidar.outOfRange()).isEqualTo(reported);
+        LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES);
+        Lidar.of(lidar.pattern(), SenseOptions.range(0, 12)).read(world, turn);
+        double[] truth = ranges(turn);
+        lidar.read(world, turn);
+        PointCloud cloud = new PointCloud(PointCloud.Field.INTENSITY);
+        turn.addTo(cloud);
+        double[] point = new double[3];
+        int near = 0;
+        int points = 0;
+        for (int k = 0; k < turn.size(); k++) {
+            boolean isNear = truth[k] < 0.8;
+            boolean isPoint = !isNear && truth[k] < NOTHING;
+            double blind = reported == OutOfRange.REP_117 ? -NOTHING : 0.8;
+            turn.point(k, point, 0);
+            assertThat(turn.range(k)).isEqualTo(isNear ? blind : truth[k]);
+            assertThat(turn.isNear(k)).isEqualTo(isNear);
+            assertThat(turn.hasPoint(k)).isEqualTo(isPoint);
+            assertThat(Double.isNaN(point[0])).isEqualTo(!isPoint);
+            assertThat(turn.intensity(k) > 0).isEqualTo(isPoint);
+            near += isNear ? 1 : 0;
+            points += isPoint ? 1 : 0;
+        }
+        assertThat(near).isGreaterThan(10_000);
+        assertThat(points).isBetween(1000, turn.size() - near - 1000);
+        assertThat(cloud.size()).isEqualTo(points);
+        DepthFrame image = new DepthFrame();
+        DepthCamera.of(Intrinsics.fieldOfView(9, 7, 60))
+                .withRange(0.5, 10)
+                .withOutOfRange(reported)
+                .read(world, image);
+        short[] millimetres = new short[image.size()];
+        image.millimetres(1, millimetres);
+        boolean isClamped = reported == OutOfRange.CLAMPED;
+        assertThat(image.depth(31)).isEqualTo(isClamped ? 0.5 : -NOTHING);
+        assertThat(millimetres[31]).isEqualTo((short) (isClamped ? 500 : 0));
+    }
+
+    /** With noise: what was near stays so, what gets near becomes so, and a lost reading is an error. */
+    @Test
+    void noiseAndWhatIsOutOfRange() {
+        Geometry world = new Geometry(40, 4, 40);
+        world.addObject(new BoxObject(new Point(0.4, 0, -4), 0.2, 2, 8)); // at 0.3, on the left
+        world.addObject(new BoxObject(new Point(1.9, 0, 4.1), 2, 2, 8)); // at 0.9, on the right
+        Lidar plain = Lidar.of(RayPattern.fan(-45, 0.01, 9000), SenseOptions.range(0.8, 1.2));
+        Noise noise = Noise.gaussian(0.1).and(Noise.dropout(0.1));
+        LidarFrame frame = new LidarFrame();
+        int[] counts = new int[4];
+        plain.withRange(0, 1.2).read(world, frame);
+        double[] truth = ranges(frame);
+        plain.withNoise(noise, 5, "a").read(world, 1, frame);
+        double[] clamped = ranges(frame);
+        plain.withNoise(noise, 5, "a").withOutOfRange(OutOfRange.REP_117).read(world, 1, frame);
+        for (int k = 0; k < truth.length; k++) {
+            double range = frame.range(k);
+            if (Double.isNaN(range)) {
+                counts[0]++;
+                assertThat(clamped[k]).isEqualTo(NOTHING);
+            } else if (range == -NOTHING) {
+                counts[truth[k] < 0.8 ? 1 : 2]++;
+                assertThat(clamped[k]).isBetween(0.8, truth[k] < 0.8 ? NOTHING : 0.8);
+                assertThat(frame.isNear(k)).isTrue();
+            } else {
+                counts[3]++;
+                assertThat(truth[k]).isGreaterThanOrEqualTo(0.8);
+                assertThat(range).isEqualTo(clamped[k]).isGreaterThanOrEqualTo(0.8);
+                assertThat(frame.hasPoint(k)).isEqualTo(range <= 1.2);
+            }
+        }
+        assertThat(counts[0]).isBetween(750, 1050);
+        assertThat(counts[1]).isGreaterThan(1000);
+        assertThat(counts[2]).isGreaterThan(100);
+        assertThat(counts[3]).isGreaterThan(1000);
+    }
+
     @ParameterizedTest
     @EnumSource
     void normalsAndObjectsAreThoseOfCastRay(Dimension dimension) {

@@ -27,6 +27,7 @@ import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
+import robosim.geometry.sensor.OutOfRange;
 import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.WorldException;
 
@@ -96,6 +97,7 @@ public class SdfSensorsTest {
         Lidar lidar = SdfSensors.lidar(laser);
         assertThat(lidar.pattern().size()).isEqualTo(640);
         assertThat(lidar.options()).isEqualTo(SenseOptions.range(0.08, 9));
+        assertThat(lidar.outOfRange()).isEqualTo(OutOfRange.REP_117);
         Geometry world = SdfReader.read(REAL, List.of()).world().toGeometry();
         LidarFrame frame = new LidarFrame();
         lidar.read(world, frame);
