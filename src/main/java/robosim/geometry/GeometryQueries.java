@@ -56,7 +56,7 @@ abstract class GeometryQueries {
         view = registry.view;
         BeamQuery ranging = new BeamQuery(objects, scratch);
         beams = new Beams(dimension, objects, ranging);
-        sensor = new PatternSensor(dimension, objects, ranging, scratch);
+        sensor = new PatternSensor(registry, ranging, scratch);
         rays = new RayBatch(dimension, objects, ranging);
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(registry, scratch);
@@ -144,7 +144,8 @@ abstract class GeometryQueries {
 
     /**
      * A scan: rays from the centre of a moveable object in its own horizontal plane. Ray k points {@code firstDegrees +
-     * k * stepDegrees} counter-clockwise from forward.
+     * k * stepDegrees} counter-clockwise from forward. In a PLANAR world, that of a tipped object looks up or down and sees
+     * heights, as {@link #sense} describes.
      *
      * @param count number of rays; at least 0
      * @return one distance per ray, as {@link #getRayDistance} returns it with a width of 0
@@ -168,13 +169,18 @@ abstract class GeometryQueries {
     public void scan(
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         Checks.present("mount", mount);
-        sensor.scan(view, registry.mover(name), mount, firstDegrees, stepDegrees, min, max, out);
+        sensor.scan(registry.mover(name), mount, firstDegrees, stepDegrees, min, max, out);
     }
 
     /**
      * All beams of a sensor that is mounted on a moveable object. Each distance is, to the bit, that of
      * {@link #getSonarDistance(String, Ray, double, double, double)} along {@code new Ray(mount.center(), d)}, where d is
      * the beam's direction turned by the rotation of the mount. A {@link #scan} is a {@link RayPattern#fan}.
+     *
+     * <p>In a PLANAR world, sonars (beams with a width) and level lasers measure in the plane. A sensor that looks up or
+     * down, as cameras and lidars with elevation do, sees the objects with their heights: its answers are those of a SPATIAL
+     * world with the same objects. A laser is level if its {@linkplain RayPattern#isLevel pattern} is and if it stands
+     * upright to 2<sup>-16</sup>.
      *
      * @param mount   where the sensor is and which way it faces, in the object's own frame
      * @param options a world answers on the calling thread alone, whatever the number of threads: see
@@ -188,7 +194,8 @@ abstract class GeometryQueries {
 
     /**
      * All beams of a sensor that nothing carries. Each distance is, to the bit, that of {@link #getRayDistance} from the
-     * sensor's place, and each object and normal that of {@link #castRay}.
+     * sensor's place, and each object and normal that of {@link #castRay}. In a PLANAR world, a sensor that looks up or down
+     * sees heights: see above.
      *
      * @param sensor where it is and which way it faces
      */
@@ -199,7 +206,7 @@ abstract class GeometryQueries {
 
     private void sense(RayPattern pattern, SenseOptions options, SenseBuffer out) {
         Echoes echoes = prepareSensor(pattern, options, out);
-        sensor.sense(view, pattern, options, echoes, 0, sensor.tiles(pattern, options));
+        sensor.sense(pattern, options, echoes, 0, sensor.tiles(pattern, options));
         PatternSensor.finish(pattern, echoes);
     }
 
@@ -228,7 +235,7 @@ abstract class GeometryQueries {
 
     /** Answers some tiles of the sensor. */
     void senseSome(RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
-        sensor.sense(view, pattern, options, out, from, to);
+        sensor.sense(pattern, options, out, from, to);
     }
 
     /**

@@ -3,6 +3,7 @@ package robosim.geometry;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.sensing.Echoes;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 
 /**
@@ -108,6 +109,14 @@ public final class SenseBuffer {
     private double normal(int beam, int axis) {
         checkHas(Extra.NORMALS, echoes.hasNormals());
         return echoes.normals()[3 * checked(beam) + axis];
+    }
+
+    /**
+     * In which dimension the beams were measured: in a PLANAR world {@code PLANAR} for sonars and level lasers, whose
+     * distances are those in the plane, and {@code SPATIAL} for a sensor that looks up or down.
+     */
+    public Dimension dimension() {
+        return echoes.dimension();
     }
 
     /**

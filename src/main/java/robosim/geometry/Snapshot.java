@@ -163,6 +163,29 @@ public final class Snapshot implements Serializable {
         return List.copyOf(worlds);
     }
 
+    /**
+     * The same objects in a SPATIAL world, where heights count: what cameras see of a PLANAR one. The world is made as high
+     * as needed, since a PLANAR one does not bound heights. A SPATIAL snapshot is returned as it is.
+     */
+    public Snapshot withHeights() {
+        if (dimension == Dimension.SPATIAL) {
+            return this;
+        }
+        double half = height / 2;
+        for (GeometryObject object : objects()) {
+            half = Math.max(
+                    half, Math.max(-object.bounds().minY(), object.bounds().maxY()));
+        }
+        Settings settings =
+                new Settings(width, Checks.worldSize("height", 2 * half), length, Dimension.SPATIAL, accuracy);
+        GeometryObject[] fixed = IntStream.range(0, statics.objects.size())
+                .mapToObj(statics.objects::value)
+                .toArray(GeometryObject[]::new);
+        long[] came =
+                IntStream.range(0, fixed.length).mapToLong(statics::arrival).toArray();
+        return new Snapshot(settings, settings.statics(fixed, came), movers, arrivals, time);
+    }
+
     private Geometry toGeometry(Scratch scratch) {
         Geometry world = new Geometry(width, height, length, dimension, accuracy, statics, scratch);
         for (int k = 0; k < movers.length; k++) {

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Twist;
@@ -14,6 +15,9 @@ final class BodyState {
 
     final String name;
     final Body body;
+
+    /** When its object came into the world, which no other object ever shares: a name may pass to another one. */
+    private final long arrival;
 
     @Nullable
     Drive drive;
@@ -48,9 +52,16 @@ final class BodyState {
     /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
     final double[] spatial = new double[6];
 
-    BodyState(String name, Body body) {
+    BodyState(String name, Body body, long arrival) {
         this.name = name;
         this.body = body;
+        this.arrival = arrival;
+    }
+
+    /** Whether its object is still in the world. */
+    boolean isThere(ObjectTable objects) {
+        int id = objects.find(name);
+        return id >= 0 && objects.arrival(id) == arrival;
     }
 
     /** The velocity along its own axes; the heading, in degrees, and its rounding error stand at an index of places. */

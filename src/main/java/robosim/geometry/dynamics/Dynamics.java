@@ -1,7 +1,6 @@
 package robosim.geometry.dynamics;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -38,7 +37,7 @@ import robosim.geometry.model.Twist;
  * <p>Who meets when, translating and turning, is found with plain doubles; then those go whose ways are proved to keep apart,
  * and the others as far as swept moves that are exact let them, so that nothing overlaps and nothing passes through anything.
  * Bodies stop {@code 1e-10} metres before contact. What has no body stands still, moveable or not. The world may be changed
- * between steps. Not thread-safe, like the world.
+ * between steps. A body belongs to its object: with the object it goes, and another object of that name has none. Not thread-safe, like the world.
  *
  * <p>In a SPATIAL world spheres, boxes, cylinders and capsules can be bodies, and gravity pulls them. A step goes by slices of
  * a millisecond; what is decided along a way that turns, and how, is told in {@code docs/dynamics.md}.
@@ -70,7 +69,6 @@ public final class Dynamics {
 
     private final Geometry world;
     private final Map<String, BodyState> bodies = new LinkedHashMap<>();
-    private final Map<String, Surface> surfaces = new HashMap<>();
     private final Carrier carrier;
     private final ObjectTable objects;
     private final PlanarStepper stepper;
@@ -133,8 +131,9 @@ public final class Dynamics {
         if (falling != null) {
             Falling.check(object);
         }
-        BodyState state = new BodyState(name, body);
-        BodyState before = bodies.put(name, state);
+        BodyState before = find(name);
+        BodyState state = new BodyState(name, body, objects.arrival(objects.find(name)));
+        bodies.put(name, state);
         if (before != null) {
             state.vx = before.vx;
             state.vz = before.vz;
@@ -147,14 +146,16 @@ public final class Dynamics {
 
     /** Takes the body from an object, which from then on stands still; answers whether it had one. */
     public boolean remove(String name) {
+        boolean hadOne = find(name) != null;
+        bodies.remove(name);
         isStale = true;
-        return bodies.remove(Checks.present("name", name)) != null;
+        return hadOne;
     }
 
     /** Gives an object without a body a surface of its own, instead of that given for all. */
     public void surface(String name, Surface surface) {
         world.getObject(name);
-        surfaces.put(name, Checks.present("surface", surface));
+        table.give(objects, name, Checks.present("surface", surface));
         isStale = true;
     }
 
@@ -205,9 +206,8 @@ public final class Dynamics {
                 : state.velocity(objects.places(), heading(name));
     }
 
-    /** Where the heading of an object is among the places; refuses one that has been removed. */
+    /** Where the heading of a body is among the places. */
     private int heading(String name) {
-        world.getObject(name);
         return objects.place(objects.find(name)) + HEADING;
     }
 
@@ -229,7 +229,15 @@ public final class Dynamics {
 
     /** The names of all bodies, in the order in which they were added. */
     public List<String> names() {
-        return List.copyOf(bodies.keySet());
+        return bodies.values().stream()
+                .filter(each -> each.isThere(objects))
+                .map(each -> each.name)
+                .toList();
+    }
+
+    /** Whether an object has a body. */
+    public boolean has(String name) {
+        return find(name) != null;
     }
 
     /** The body of an object. */
@@ -238,9 +246,20 @@ public final class Dynamics {
     }
 
     private BodyState state(String name) {
-        BodyState state = bodies.get(Checks.present("name", name));
+        BodyState state = find(name);
         if (state == null) {
             throw new IllegalArgumentException("name must be that of a body (got: \"" + name + "\")");
+        }
+        return state;
+    }
+
+    /** The body of the object that has a name now; null if it has none, though an earlier one of that name had. */
+    private @Nullable BodyState find(String name) {
+        BodyState state = bodies.get(Checks.present("name", name));
+        if (state != null && !state.isThere(objects)) {
+            bodies.remove(name);
+            isStale = true;
+            return null;
         }
         return state;
     }
@@ -273,7 +292,7 @@ public final class Dynamics {
             return;
         }
         if (falling != null) {
-            falling.advance(bodies, surfaces, isStale, seconds);
+            falling.advance(bodies, isStale, seconds);
             isStale = false;
             return;
         }
@@ -350,15 +369,10 @@ public final class Dynamics {
         if (!isStale && !stepper.isOld()) {
             return;
         }
-        bodies.keySet().removeIf(name -> !world.hasObject(name));
+        bodies.values().removeIf(each -> !each.isThere(objects));
         stepper.clear();
         order.clear();
-        table.clear();
-        surfaces.forEach((name, surface) -> {
-            if (world.hasObject(name)) {
-                table.put(objects.find(name), surface);
-            }
-        });
+        table.begin(objects);
         Set<Integer> moved = new HashSet<>();
         for (BodyState each : bodies.values()) {
             betweenParts.run();

@@ -16,7 +16,6 @@ import robosim.geometry.model.Twist;
 
 /** What {@link Dynamics} does in a SPATIAL world: its bodies, as {@link SpatialStepper} has them. */
 final class Falling {
-    private final Geometry world;
     private final Carrier carrier;
     private final SpatialStepper space;
     private final SurfaceTable table;
@@ -26,7 +25,6 @@ final class Falling {
     private long changes = -1;
 
     Falling(Geometry world, Carrier carrier, SurfaceTable table, Point gravity) {
-        this.world = world;
         this.carrier = carrier;
         this.table = table;
         if (!SpatialStepper.isExact(carrier)) {
@@ -57,9 +55,9 @@ final class Falling {
         space.begin();
     }
 
-    void advance(Map<String, BodyState> bodies, Map<String, Surface> surfaces, boolean isStale, double seconds) {
+    void advance(Map<String, BodyState> bodies, boolean isStale, double seconds) {
         if (isStale || changes != carrier.objects.changes()) {
-            build(bodies, surfaces);
+            build(bodies);
         }
         for (int b = 0; b < order.size(); b++) {
             space.setVelocity(b, order.get(b).spatial);
@@ -71,18 +69,13 @@ final class Falling {
         }
     }
 
-    private void build(Map<String, BodyState> bodies, Map<String, Surface> surfaces) {
+    private void build(Map<String, BodyState> bodies) {
         ObjectTable objects = carrier.objects;
         changes = objects.changes();
-        bodies.keySet().removeIf(name -> !world.hasObject(name));
+        bodies.values().removeIf(each -> !each.isThere(objects));
         space.clear();
         order.clear();
-        table.clear();
-        surfaces.forEach((name, surface) -> {
-            if (world.hasObject(name)) {
-                table.put(objects.find(name), surface);
-            }
-        });
+        table.begin(objects);
         for (BodyState each : bodies.values()) {
             int id = carrier.mover(each.name);
             GeometryObject object = objects.value(id);

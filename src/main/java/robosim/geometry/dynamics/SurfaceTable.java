@@ -3,18 +3,45 @@ package robosim.geometry.dynamics;
 import java.util.HashMap;
 import java.util.Map;
 import robosim.geometry.dynamics.step.Surfaces;
+import robosim.geometry.engine.objects.ObjectTable;
 
 /** The surfaces of objects by their ids, and one for all others. */
 final class SurfaceTable implements Surfaces {
+    /** By id, for a step. */
     private final Map<Integer, Surface> own = new HashMap<>();
+
+    /** By name, those that were given to objects without a body. */
+    private final Map<String, Given> given = new HashMap<>();
+
     private final Surface ground;
+
+    /**
+     * A surface of an object.
+     *
+     * @param arrival when the object came into the world: another one may get its name
+     */
+    private record Given(Surface surface, long arrival) {}
 
     SurfaceTable(Surface ground) {
         this.ground = ground;
     }
 
-    void clear() {
+    /** Gives an object in the world a surface. */
+    void give(ObjectTable objects, String name, Surface surface) {
+        given.put(name, new Given(surface, objects.arrival(objects.find(name))));
+    }
+
+    /** Begins anew with the surfaces of the objects that are still there. */
+    void begin(ObjectTable objects) {
         own.clear();
+        given.entrySet().removeIf(each -> {
+            int id = objects.find(each.getKey());
+            if (id < 0 || objects.arrival(id) != each.getValue().arrival) {
+                return true;
+            }
+            own.put(id, each.getValue().surface);
+            return false;
+        });
     }
 
     void put(int id, Surface surface) {

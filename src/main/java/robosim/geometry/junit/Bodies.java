@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.session.Motion;
 import robosim.geometry.protocol.Problem;
@@ -65,14 +64,17 @@ final class Bodies {
     }
 
     /** The request by which a new session comes to where this one is, with the bodies that are still there. */
-    StepBundle anew(Predicate<String> isThere) {
+    StepBundle anew() {
         List<BodyRequest> all = new ArrayList<>();
         for (BodyAnswer body : last.bodies()) {
-            if (isThere.test(body.objectName())) {
-                all.add(of(body.objectName()).withVelocity(body.velocity()));
+            String name = body.objectName();
+            if (motion.has(name)) {
+                all.add(of(name).withVelocity(body.velocity()));
+            } else {
+                given.remove(name);
             }
         }
-        told.keySet().removeIf(isThere.negate());
+        told.keySet().removeIf(name -> !motion.has(name));
         return new StepBundle(0, all, List.copyOf(told.values()));
     }
 

@@ -68,14 +68,21 @@ public sealed class Robot permits Range, Sonar {
      * its shape, 200 kg/m<sup>3</sup>, and two wheels as far apart as it is wide.
      *
      * @param speed m/s forward; a world unit is a metre
-     * @param turn  degrees a second, counter-clockwise; of a car the angle of its front wheels
+     * @param turn  degrees a second, counter-clockwise; of a car the angle of its front wheels, which turns it about its rear
+     *              axle; of a {@code ForceDrive} newton metres
      */
     public Driving drives(double speed, double turn) {
         world.tell(name, speed, 0, turn);
         return new Driving(world, this);
     }
 
-    /** Tells it to drive in any direction from now on, as {@link #drives(double, double)}; an error for drives that cannot. */
+    /**
+     * Tells it to drive in any direction from now on, as {@link #drives(double, double)}; an error for drives that cannot.
+     *
+     * @param forward m/s forward; of a {@code ForceDrive} newtons
+     * @param right   m/s to the right; of a {@code ForceDrive} newtons
+     * @param turn    degrees a second, counter-clockwise; of a {@code ForceDrive} newton metres
+     */
     public Driving drives(double forward, double right, double turn) {
         world.tell(name, forward, right, turn);
         return new Driving(world, this);

@@ -27,6 +27,8 @@ import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.DriveSettings.Kind;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.drive.WorldBodies;
 import robosim.geometry.world.SonarRing;
@@ -75,13 +77,13 @@ public final class RobotWorld {
 
     private void catchUp() {
         Bodies before = bodies;
-        boolean isNew = before != null && transcript.isBehind();
-        if (isNew) {
+        // Asked before settling, which puts other objects in their places.
+        StepBundle anew = before != null && transcript.isBehind() ? before.anew() : null;
+        if (anew != null) {
             settle();
         }
         transcript.catchUp();
-        if (before != null && isNew) {
-            StepBundle anew = before.anew(geometry::hasObject);
+        if (before != null && anew != null) {
             bodies = before.again(new Motion(geometry));
             run(bodies, anew);
         }
@@ -143,9 +145,12 @@ public final class RobotWorld {
         all.give(body);
     }
 
-    /** Tells a robot to drive, from the next step on. */
-    void tell(String name, double forward, double right, double degrees) {
-        bodies().tell(new DriveCommand(name, forward, right, Degrees.toRadians(degrees)));
+    /** Tells a robot to drive, from the next step on; the turn is degrees, or newton metres for a force. */
+    void tell(String name, double forward, double right, double turn) {
+        Bodies all = bodies();
+        DriveSettings drive = all.of(name).drive();
+        Kind kind = (drive == null ? DriveSettings.DEFAULT : drive).kind();
+        all.tell(new DriveCommand(name, forward, right, kind.turn(turn)));
     }
 
     /** Lets time pass. */

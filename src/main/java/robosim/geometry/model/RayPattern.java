@@ -38,6 +38,9 @@ public final class RayPattern {
 
     private final double farthestTime;
 
+    /** Whether all directions are level: 0 if nobody has asked yet, else 1 or -1. Threads that ask at once find the same. */
+    private int level;
+
     private RayPattern(int rows, int columns) {
         this(rows, columns, new double[3 * rows * columns], null);
     }
@@ -284,6 +287,26 @@ public final class RayPattern {
             times[k] = seconds * k / columns;
         }
         return withTimes(times);
+    }
+
+    /**
+     * Whether no beam rises or falls, as in a {@link #fan}: the pattern of a level laser, which measures in the plane in a
+     * PLANAR world.
+     */
+    public boolean isLevel() {
+        if (level == 0) {
+            level = findLevel() ? 1 : -1;
+        }
+        return level > 0;
+    }
+
+    private boolean findLevel() {
+        for (int at = 1; at < directions.length; at += 3) {
+            if (directions[at] != 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Whether the beams are fired at different times. */

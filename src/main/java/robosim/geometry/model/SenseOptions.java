@@ -22,6 +22,7 @@ public final class SenseOptions {
     private final Carrier carrier;
     private final int threads;
     private final @Nullable Twist motion;
+    private final boolean heights;
 
     /** Whether a sensor sees the object that carries it. */
     public enum Carrier {
@@ -31,13 +32,21 @@ public final class SenseOptions {
         SEEN
     }
 
-    private SenseOptions(double min, double max, double width, Carrier carrier, int threads, @Nullable Twist motion) {
+    private SenseOptions(
+            double min,
+            double max,
+            double width,
+            Carrier carrier,
+            int threads,
+            @Nullable Twist motion,
+            boolean heights) {
         this.min = min;
         this.max = max;
         this.width = width;
         this.carrier = carrier;
         this.threads = threads;
         this.motion = motion;
+        this.heights = heights;
     }
 
     /**
@@ -48,7 +57,7 @@ public final class SenseOptions {
      */
     public static SenseOptions range(double min, double max) {
         Checks.range(min, max);
-        return new SenseOptions(min + 0.0, max + 0.0, 0, Carrier.IGNORED, 1, null);
+        return new SenseOptions(min + 0.0, max + 0.0, 0, Carrier.IGNORED, 1, null, false);
     }
 
     /**
@@ -57,12 +66,12 @@ public final class SenseOptions {
      * @param degrees full opening angle of each beam, from 0 (a ray) up to, not including, 180
      */
     public SenseOptions withWidth(double degrees) {
-        return new SenseOptions(min, max, Checks.width(degrees) + 0.0, carrier, threads, motion);
+        return new SenseOptions(min, max, Checks.width(degrees) + 0.0, carrier, threads, motion, heights);
     }
 
     /** These options for a sensor that sees or does not see the object that carries it. */
     public SenseOptions withCarrier(Carrier seen) {
-        return new SenseOptions(min, max, width, Checks.present("carrier", seen), threads, motion);
+        return new SenseOptions(min, max, width, Checks.present("carrier", seen), threads, motion, heights);
     }
 
     /**
@@ -72,7 +81,7 @@ public final class SenseOptions {
      * @param count 1 to 1024
      */
     public SenseOptions withThreads(int count) {
-        return new SenseOptions(min, max, width, carrier, Checks.threads(count), motion);
+        return new SenseOptions(min, max, width, carrier, Checks.threads(count), motion, heights);
     }
 
     /**
@@ -84,7 +93,26 @@ public final class SenseOptions {
      * <p>The object that carries the sensor must be {@link Carrier#IGNORED}.
      */
     public SenseOptions withMotion(Twist velocity) {
-        return new SenseOptions(min, max, width, carrier, threads, Checks.present("velocity", velocity));
+        return new SenseOptions(min, max, width, carrier, threads, Checks.present("velocity", velocity), heights);
+    }
+
+    /** These options for a sensor that stands still during the scan. */
+    public SenseOptions withoutMotion() {
+        return new SenseOptions(min, max, width, carrier, threads, null, heights);
+    }
+
+    /** These options with other ranges, as in {@link #range}. */
+    public SenseOptions withRange(double least, double most) {
+        Checks.range(least, most);
+        return new SenseOptions(least + 0.0, most + 0.0, width, carrier, threads, motion, heights);
+    }
+
+    /**
+     * These options for beams that see the objects of a PLANAR world with their heights. Without it sonars and level lasers
+     * measure in the plane there, and only a sensor that looks up or down sees heights. In a SPATIAL world it has no effect.
+     */
+    public SenseOptions withHeights() {
+        return new SenseOptions(min, max, width, carrier, threads, motion, true);
     }
 
     /** Blind range in world units. */
@@ -117,6 +145,11 @@ public final class SenseOptions {
         return motion;
     }
 
+    /** Whether the beams see heights in a PLANAR world too, whichever way they look. */
+    public boolean seesHeights() {
+        return heights;
+    }
+
     @Override
     public boolean equals(Object other) {
         return other instanceof SenseOptions that
@@ -125,17 +158,18 @@ public final class SenseOptions {
                 && width == that.width
                 && carrier == that.carrier
                 && threads == that.threads
+                && heights == that.heights
                 && Objects.equals(motion, that.motion);
     }
 
     @Override
     public int hashCode() {
-        return Objects.hash(min, max, width, carrier.name(), threads, motion);
+        return Objects.hash(min, max, width, carrier.name(), threads, motion, heights);
     }
 
     @Override
     public String toString() {
         return "SenseOptions[min=" + min + ", max=" + max + ", width=" + width + ", carrier=" + carrier + ", threads="
-                + threads + (motion == null ? "]" : ", motion=" + motion + "]");
+                + threads + (motion == null ? "" : ", motion=" + motion) + (heights ? ", with heights]" : "]");
     }
 }

@@ -9,14 +9,15 @@ import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.image.PngWriter;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SenseOptions.Carrier;
 
 /**
  * A colour camera without distortion: surfaces with their materials, lit by a {@link Lighting}, with hard shadows and
- * mirrors. An immutable value; what it sees goes into a {@link ColorFrame}, which is used again for the next picture.
+ * mirrors. An immutable value; what it sees goes into a {@link ColorFrame}, which is used again for the next picture. It
+ * sees heights in a PLANAR world too; each picture of a PLANAR {@link Geometry} first makes a copy of it with heights, so
+ * for many pictures of one state take its {@link Snapshot}.
  *
  * <p>The optical axis is the camera's own +X, +Y is up in the picture and +Z to the right, as of a
  * {@link robosim.geometry.model.RayPattern#pinhole}. Each pixel is the mean light of its samples, which lie on a regular
@@ -257,8 +258,7 @@ public final class ColorCamera {
     /**
      * Takes a picture of a world, on the calling thread.
      *
-     * @throws IllegalArgumentException if the world is PLANAR, which has no heights, or has no moveable object of the
-     *     carrier's name
+     * @throws IllegalArgumentException if the world has no moveable object of the carrier's name
      */
     public void render(Geometry world, ColorFrame out) {
         render(world, out, percent -> {});
@@ -268,11 +268,10 @@ public final class ColorCamera {
      * Takes a picture of a world, on the calling thread.
      *
      * @param progress is told how many percent are done, now and then; what it throws ends the picture, and the frame has none
-     * @throws IllegalArgumentException if the world is PLANAR, which has no heights, or has no moveable object of the
-     *     carrier's name
+     * @throws IllegalArgumentException if the world has no moveable object of the carrier's name
      */
     public void render(Geometry world, ColorFrame out, IntConsumer progress) {
-        checkSpatial(Checks.present("world", world).dimension());
+        Checks.present("world", world);
         Checks.present("out", out).reset(plan.width, plan.height);
         Checks.present("progress", progress);
         BlockPainter painter = out.painter(world);
@@ -299,7 +298,7 @@ public final class ColorCamera {
      * @param progress is told how many percent are done, from any of the threads, now and then
      */
     public void render(Snapshot snapshot, ColorFrame out, IntConsumer progress) {
-        checkSpatial(Checks.present("snapshot", snapshot).dimension());
+        Checks.present("snapshot", snapshot);
         Checks.present("out", out).reset(plan.width, plan.height);
         Checks.present("progress", progress);
         int count = Math.min(options.threads, plan.blocks());
@@ -324,13 +323,6 @@ public final class ColorCamera {
             });
         }
         out.finish(plan.width, plan.height);
-    }
-
-    private static void checkSpatial(Dimension dimension) {
-        if (dimension == Dimension.PLANAR) {
-            throw new IllegalArgumentException("world must be SPATIAL, as a picture needs heights: add its objects to a"
-                    + " SPATIAL one (got: PLANAR)");
-        }
     }
 
     FramePlan plan() {

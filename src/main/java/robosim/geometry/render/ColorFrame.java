@@ -10,10 +10,11 @@ import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.image.PngWriter;
+import robosim.geometry.model.Dimension;
 
 /**
  * Takes the pictures of a {@link ColorCamera}, with the working memory for them. Used again for the next picture, it
- * allocates nothing more unless that is larger. A frame is used by one call at a time.
+ * allocates nothing more unless that is larger, or the world is PLANAR. A frame is used by one call at a time.
  */
 public final class ColorFrame {
     private int width;
@@ -57,8 +58,9 @@ public final class ColorFrame {
         if (snapshot != of || painters.length < count) {
             painters = new BlockPainter[count];
             snapshot = of;
+            Snapshot seen = of.withHeights();
             for (int k = 0; k < count; k++) {
-                painters[k] = new BlockPainter(of.toGeometry());
+                painters[k] = new BlockPainter(seen.toGeometry());
             }
         }
         return painters;
@@ -66,6 +68,9 @@ public final class ColorFrame {
 
     /** The painter of a world. */
     BlockPainter painter(Geometry world) {
+        if (world.dimension() == Dimension.PLANAR) {
+            return painters(world.snapshot(), 1)[0];
+        }
         if (snapshot != null || painters.length == 0 || !painters[0].isOf(world)) {
             painters = new BlockPainter[] {new BlockPainter(world)};
             snapshot = null;

@@ -34,7 +34,7 @@ public final class DepthFrame extends RayFrame {
 
     /**
      * The depth of a pixel along the optical axis, as depth images have it: {@code range(ray)} times how far the ray's unit
-     * direction goes forward; {@code +Infinity} where nothing echoes.
+     * direction goes forward; {@code +Infinity} where nothing echoes, and what {@link OutOfRange} says of a range that is none.
      */
     public double depth(int ray) {
         return depths[checked(ray)];
@@ -64,7 +64,7 @@ public final class DepthFrame extends RayFrame {
         double scale = 1000 * metresPerUnit;
         for (int k = 0; k < size(); k++) {
             double millimetres = Math.rint(depths[k] * scale);
-            out[k] = (short) (millimetres <= MOST_MILLIMETRES ? (int) millimetres : 0);
+            out[k] = (short) (millimetres >= 0 && millimetres <= MOST_MILLIMETRES ? (int) millimetres : 0);
         }
     }
 }

@@ -185,10 +185,7 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
 
     /** This lidar at rest during its turns. */
     public Lidar withoutMotion() {
-        SenseOptions options = setup.options();
-        return with(setup.with(SenseOptions.range(options.min(), options.max())
-                .withCarrier(options.carrier())
-                .withThreads(options.threads())));
+        return with(setup.with(setup.options().withoutMotion()));
     }
 
     /** Seconds from the start of a turn until a ray is sent; the pattern has the time of its column's first ray. */

@@ -41,9 +41,8 @@ public final class LidarFrame extends RayFrame {
             intensities = new double[count];
         }
         double[] cosines = incidence();
-        double[] ranges = ranges();
         for (int k = 0; k < count; k++) {
-            boolean isLit = ranges[k] < Double.POSITIVE_INFINITY && cosines[k] > 0;
+            boolean isLit = isMeasured(k) && cosines[k] > 0;
             GeometryObject met = buffer().object(k);
             intensities[k] = isLit && met != null ? cosines[k] * reflectance(met, buffer().part(k)) : 0;
         }
@@ -65,7 +64,7 @@ public final class LidarFrame extends RayFrame {
 
     /**
      * How much light comes back: the {@linkplain robosim.geometry.material.Material#reflectance reflectance} of the surface
-     * times the cosine of the angle between the ray and the surface normal; 0 where nothing echoes. Like the calibrated
+     * times the cosine of the angle between the ray and the surface normal; 0 where the ray has {@linkplain #hasPoint no point}. Like the calibrated
      * intensities of real lidars it does not fall off with the distance.
      */
     public double intensity(int ray) {

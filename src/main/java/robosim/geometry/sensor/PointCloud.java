@@ -101,7 +101,7 @@ public final class PointCloud {
     void add(RayFrame frame, boolean inWorld) {
         int rays = frame.size();
         for (int k = 0; k < rays; k++) {
-            if (frame.range(k) < Double.POSITIVE_INFINITY) {
+            if (frame.hasPoint(k)) {
                 reserve();
                 for (int f = 0; f < fields.size(); f++) {
                     values[size * fields.size() + f] = frame.field(fields.get(f), k);

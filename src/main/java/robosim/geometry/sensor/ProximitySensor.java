@@ -2,6 +2,7 @@ package robosim.geometry.sensor;
 
 import robosim.geometry.Geometry;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.sensor.effects.Draws;
 import robosim.geometry.sensor.effects.Measured;
 
 /**
@@ -54,6 +55,11 @@ public final class ProximitySensor {
                             + " mixedPixels do (got: " + given + ")");
         }
         return new ProximitySensor(name, max, given, itsSeed, itsSensor);
+    }
+
+    /** This sensor with noise that depends on its name, as with {@link RaySensor#withNoise(Noise, long, String)}. */
+    public ProximitySensor withNoise(Noise given, long itsSeed, String itsName) {
+        return withNoise(given, itsSeed, Draws.number(Checks.present("name", itsName)));
     }
 
     /**

@@ -32,7 +32,6 @@ public abstract class RayFrame {
     private @Nullable RayPattern pattern;
     private int size;
     private long number;
-    private Dimension dimension = Dimension.SPATIAL;
 
     /** How the sensor moved; null where it did not. */
     private @Nullable ScanMotion motion;
@@ -44,6 +43,11 @@ public abstract class RayFrame {
     private double[] ranges = NONE;
 
     private double[] noisy = NONE;
+
+    /** Which echoes are nearer than the blind range; empty where none can be. */
+    private boolean[] near = new boolean[0];
+
+    private boolean hasNear;
     private double[] incidence = NONE;
     private boolean hasIncidence;
     private final double[] vector = new double[3];
@@ -63,6 +67,7 @@ public abstract class RayFrame {
         size = 0;
         pattern = null;
         hasIncidence = false;
+        hasNear = false;
         // What another sensor needed stays, except that a buffer with parts or normals takes no cones.
         boolean hasEnough = (hasObjects || !objects)
                 && (hasParts || !parts)
@@ -100,9 +105,8 @@ public abstract class RayFrame {
 
     @SuppressWarnings(
             "ReferenceEquality") // an equal setup makes an equal motion; to compare its rays would take longer
-    void filled(Setup setup, Dimension ofWorld, long frame) {
+    void filled(Setup setup, long frame) {
         pattern = setup.pattern();
-        dimension = ofWorld;
         number = frame;
         ranges = buffer.distances();
         Twist twist = setup.options().motion();
@@ -115,22 +119,49 @@ public abstract class RayFrame {
         }
     }
 
-    /** Applies noise to a copy of the distances. */
-    void disturb(Setup setup) {
+    /** Makes what the sensor reports of the true distances, in a copy: with noise, and within its range. */
+    void measure(Setup setup) {
+        double min = setup.options().min();
+        if (min == 0 && setup.noise().isNone()) {
+            return;
+        }
         int count = setup.pattern().size();
         if (noisy.length < count) {
             noisy = new double[count];
+            near = new boolean[count];
+        }
+        hasNear = true;
+        double[] truth = buffer.distances();
+        for (int k = 0; k < count; k++) {
+            near[k] = truth[k] < min;
+            noisy[k] = near[k] ? min : truth[k];
         }
         ranges = noisy;
-        System.arraycopy(buffer.distances(), 0, noisy, 0, count);
+        if (!setup.noise().isNone()) {
+            disturb(setup, count);
+        }
+        double max = setup.options().max();
+        for (int k = 0; k < count; k++) {
+            double distance = noisy[k];
+            near[k] |= distance < min;
+            if (distance > max) {
+                noisy[k] = Double.POSITIVE_INFINITY;
+            }
+            if (near[k] && distance <= max) { // not lost
+                noisy[k] = setup.outOfRange().near(distance, min);
+            }
+        }
+    }
+
+    private void disturb(Setup setup, int count) {
         measured.distances = noisy;
         measured.count = count;
         measured.min = setup.options().min();
         measured.max = setup.options().max();
+        measured.lost = setup.outOfRange().lost();
         measured.incidence = setup.noise().needsIncidence() ? incidence() : NONE;
-        measured.cones = setup.cones() == null ? NONE : cones.distances();
-        setup.noise().apply(setup.seed(), setup.sensor(), number, measured);
-        measured.clamp();
+        measured.cones = setup.asked().cones() == null ? NONE : cones.distances();
+        setup.noise().apply(setup.errors().seed(), setup.errors().sensor(), number, measured);
     }
 
     /** Computes the cosine of each angle of incidence, -1 where no surface was met. */
@@ -160,7 +191,7 @@ public abstract class RayFrame {
         return incidence;
     }
 
-    /** Sets the vector to a ray's unit direction in the world, which in PLANAR is level. */
+    /** Sets the vector to a ray's unit direction in the world, level if it was measured in the plane. */
     private void direction(RayPattern rays, int ray) {
         vector[0] = rays.x(ray);
         vector[1] = rays.y(ray);
@@ -171,7 +202,7 @@ public abstract class RayFrame {
             moving.turn(vector);
         }
         turn(vector[0], vector[1], vector[2], vector, 0);
-        if (dimension == Dimension.PLANAR) {
+        if (buffer.dimension() == Dimension.PLANAR) {
             vector[1] = 0;
         }
         double length = Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
@@ -228,10 +259,29 @@ public abstract class RayFrame {
 
     /**
      * The distance that a ray measured, along the ray from the sensor; {@code +Infinity} where nothing echoes. Without noise
-     * it is, to the bit, what {@link robosim.geometry.Geometry#getRayDistance} returns.
+     * it is, to the bit, what {@link robosim.geometry.Geometry#getRayDistance} returns, unless the sensor reports what is
+     * {@linkplain OutOfRange#REP_117 out of range} in another way.
      */
     public double range(int ray) {
         return ranges[checked(ray)];
+    }
+
+    /**
+     * Whether a ray's echo was nearer than the blind range, or its noise made it so. Nothing is known of it but that it is
+     * there: it has no point, no intensity, and is in no cloud.
+     */
+    public boolean isNear(int ray) {
+        return hasNear && near[checked(ray)];
+    }
+
+    /** Whether a ray measured a distance within the sensor's range. */
+    public boolean hasPoint(int ray) {
+        return isMeasured(checked(ray));
+    }
+
+    /** The same while the frame is being read. */
+    boolean isMeasured(int ray) {
+        return Math.abs(ranges[ray]) < Double.POSITIVE_INFINITY && !(hasNear && near[ray]); // NaN is no distance
     }
 
     /**
@@ -252,9 +302,9 @@ public abstract class RayFrame {
 
     /**
      * Writes the point that a ray measured, in the sensor's own frame: its range along its direction, as a sensor computes it
-     * that knows nothing of its motion. In a world in PLANAR ranges are measured in the plane, and so is the point.
+     * that knows nothing of its motion. A level laser in a PLANAR world measures in the plane, where the point then is.
      *
-     * @param out takes X, Y and Z; they are NaN where nothing echoes
+     * @param out takes X, Y and Z; they are NaN where the ray has {@linkplain #hasPoint no point}
      * @param at  where in the array they begin
      */
     public void point(int ray, double[] out, int at) {
@@ -263,7 +313,7 @@ public abstract class RayFrame {
         vector[0] = rays.x(ray);
         vector[1] = rays.y(ray);
         vector[2] = rays.z(ray);
-        if (dimension == Dimension.PLANAR) {
+        if (buffer.dimension() == Dimension.PLANAR) {
             turn(vector[0], vector[1], vector[2], vector, 0);
             turnBack(vector[0], 0, vector[2], vector, 0);
         }
@@ -298,16 +348,15 @@ public abstract class RayFrame {
     }
 
     private double rangeOrNaN(int ray) {
-        double range = ranges[checked(ray)];
-        return range < Double.POSITIVE_INFINITY ? range : Double.NaN;
+        return hasPoint(ray) ? ranges[ray] : Double.NaN;
     }
 
-    /** Adds each point that has an echo to a cloud, in the sensor's own frame: see {@link #point}. */
+    /** Adds each {@linkplain #hasPoint point} to a cloud, in the sensor's own frame: see {@link #point}. */
     public void addTo(PointCloud cloud) {
         cloud.add(this, false);
     }
 
-    /** Adds each point that has an echo to a cloud, in the world: see {@link #worldPoint}. */
+    /** Adds each {@linkplain #hasPoint point} to a cloud, in the world: see {@link #worldPoint}. */
     public void addInWorldTo(PointCloud cloud) {
         cloud.add(this, true);
     }

@@ -9,7 +9,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
-import robosim.geometry.model.Twist;
+import robosim.geometry.sensor.effects.Draws;
 
 /**
  * A sensor with rays: what lidars, cameras and sonars share. Immutable; each {@code with} returns a new sensor.
@@ -57,17 +57,17 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /**
      * This sensor with other ranges.
      *
-     * @param min blind range in world units; a nearer echo is reported as {@code min} and still hides what is behind it
+     * @param min blind range in world units; a nearer echo is reported as {@code min}, unless {@link #withOutOfRange} says
+     *            otherwise, and still hides what is behind it
      * @param max range in world units, {@code min <= max}; may be infinite
      */
     public S withRange(double min, double max) {
-        SenseOptions options = setup.options();
-        SenseOptions ranged = SenseOptions.range(min, max)
-                .withWidth(options.width())
-                .withCarrier(options.carrier())
-                .withThreads(options.threads());
-        Twist motion = options.motion();
-        return with(setup.with(motion == null ? ranged : ranged.withMotion(motion)));
+        return with(setup.with(setup.options().withRange(min, max)));
+    }
+
+    /** This sensor with other values for what is out of its range. */
+    public S withOutOfRange(OutOfRange reported) {
+        return with(setup.with(reported));
     }
 
     /** This sensor, seeing or not seeing the object that carries it. Unless told otherwise it does not. */
@@ -86,10 +86,22 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
      * This sensor with noise. Its readings then need the number of their frame.
      *
      * @param seed   of a whole run
-     * @param sensor tells the sensors of a run apart, any number
+     * @param sensor any number, another one for each sensor of a run: two sensors with the same seed and number have the same
+     *               errors
      */
     public S withNoise(Noise noise, long seed, long sensor) {
         return with(setup.with(noise, seed, sensor));
+    }
+
+    /**
+     * This sensor with noise that depends on its name, so that two sensors of one run have errors of their own. Its readings
+     * then need the number of their frame.
+     *
+     * @param seed of a whole run
+     * @param name of the sensor, as in a file; any text
+     */
+    public S withNoise(Noise noise, long seed, String name) {
+        return withNoise(noise, seed, Draws.number(Checks.present("name", name)));
     }
 
     /** The directions of the rays in the sensor's own frame, and their order. */
@@ -100,6 +112,11 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /** Ranges, carrier and threads. */
     public SenseOptions options() {
         return setup.options();
+    }
+
+    /** What is reported where an echo is out of range; {@link OutOfRange#CLAMPED} unless told otherwise. */
+    public OutOfRange outOfRange() {
+        return setup.outOfRange();
     }
 
     /** The noise; {@link Noise#NONE} unless one was given. */
@@ -164,18 +181,16 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
                 needsParts(out),
                 needsNormals(out) || needsIncidence,
                 setup.options().width() > 0);
-        sense(world, snapshot, setup.options(), out.buffer());
-        Dimension dimension = world != null
-                ? world.dimension()
-                : Checks.present("world", snapshot).dimension();
-        out.filled(setup, dimension, frame);
+        sense(world, snapshot, setup.asked().rays(), out.buffer());
+        out.filled(setup, frame);
         if (!setup.noise().isNone()) {
-            SenseOptions cones = setup.cones();
+            boolean isFlat = out.buffer().dimension() == Dimension.PLANAR;
+            SenseOptions cones = isFlat ? setup.asked().cones() : setup.asked().tall();
             if (cones != null) {
                 sense(world, snapshot, cones, out.cones());
             }
-            out.disturb(setup);
         }
+        out.measure(setup);
         finish(out);
         out.finished();
     }
@@ -203,6 +218,6 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     @Override
     public String toString() {
         return getClass().getSimpleName() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options()
-                + ", " + setup.noise();
+                + ", " + setup.outOfRange() + ", " + setup.noise();
     }
 }

@@ -5,7 +5,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
@@ -15,6 +18,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
+import robosim.geometry.world.sdf.SdfSensor;
 import robosim.geometry.world.sdf.SdfShapes;
 import robosim.geometry.world.sdf.SdfState;
 import robosim.geometry.world.sdf.SdfTree;
@@ -69,6 +73,35 @@ public final class SdfReader {
         public Sensor {
             values = Map.copyOf(values);
         }
+
+        /**
+         * What of its description is not applied although it changes what the sensor measures, as a sentence for people that
+         * names the sensor; empty if nothing is.
+         */
+        public Optional<String> ignored() {
+            Set<String> elements = new TreeSet<>();
+            values.forEach((path, value) -> {
+                String[] names = path.split("/");
+                if (names.length == 3 && names[0].equals("lens")) { // <intrinsics> or <projection>, and a number
+                    elements.add("<lens><" + names[1] + ">");
+                } else if (path.startsWith("distortion/") && !isZero(value)) {
+                    elements.add("<distortion>");
+                }
+            });
+            return elements.isEmpty()
+                    ? Optional.empty()
+                    : Optional.of(source + ":" + line + ": sensor " + name + ": " + String.join(", ", elements)
+                            + " is ignored; the camera is a pinhole with its <horizontal_fov> and without distortion");
+        }
+
+        private static boolean isZero(String number) {
+            return number.matches("[-+]?(0+\\.?0*|\\.0+)([eE][-+]?\\d+)?");
+        }
+
+        private static Sensor of(SdfSensor each) {
+            return new Sensor(
+                    each.name(), each.type(), each.carrier(), each.pose(), each.values(), each.file(), each.line());
+        }
     }
 
     /**
@@ -86,14 +119,7 @@ public final class SdfReader {
             Path main = Files.isDirectory(file) ? SdfFiles.modelOf(file, remark -> {}) : file;
             SdfFiles files = new SdfFiles(main, models);
             return found(new SdfTree(files), files, main).sensors().stream()
-                    .map(each -> new Sensor(
-                            each.name(),
-                            each.type(),
-                            each.carrier(),
-                            each.pose(),
-                            each.values(),
-                            each.file(),
-                            each.line()))
+                    .map(Sensor::of)
                     .toList();
         } catch (FileProblem e) {
             throw new WorldException(e);
@@ -137,6 +163,7 @@ public final class SdfReader {
             remarks.addAll(files.remarks());
             remarks.addAll(tree.remarks());
             remarks.addAll(found.remarks());
+            found.sensors().forEach(each -> Sensor.of(each).ignored().ifPresent(remarks::add));
             List<Skipped> skipped = Stream.concat(tree.skipped().stream(), files.leftOut().stream())
                     .map(Skipped::of)
                     .toList();

@@ -7,7 +7,9 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,6 +38,25 @@ class DriveCommandTest {
                 .containsPattern("\"cart\" at \\([0-9.]+, [-0-9.]+\\).* m/s, after .* m; met \"crate 1\"")
                 .contains("\"mule\" at (-4, 2), heading 30, 0 m/s, after 0 m\n")
                 .contains("12 s in 240 steps, ", "cart");
+    }
+
+    /** What turns a force is a torque: 0.5 N m on 1 kg m^2 turn by 0.25 rad in a second. */
+    @Test
+    void aTorqueIsInNewtonMetres(@TempDir Path folder) throws IOException {
+        Path world = Files.writeString(folder.resolve("w.xml"), """
+                <world xmlns="urn:robosim:world:1" width="20" height="5" length="20" dimension="PLANAR">
+                  <cylinder radius="0.5" height="1" name="tug" moveable="true">
+                    <body mass="5" inertia="1"><drive kind="force"/></body>
+                  </cylinder>
+                </world>
+                """);
+        for (String[] command : new String[][] {{"--robot", "tug", "--turn", "0.5"}, {"--tell", "tug=0,0.5"}}) {
+            out.getBuffer().setLength(0);
+            List<String> all = new ArrayList<>(List.of("drive", world.toString(), "--seconds", "1"));
+            all.addAll(List.of(command));
+            assertThat(run(all.toArray(new String[0]))).as(err.toString()).isLessThan(2);
+            assertThat(out.toString()).contains(", heading 14.3239, ");
+        }
     }
 
     @Test

@@ -165,6 +165,24 @@ class ScanCommandTest {
         assertThat(out.toString()).contains("--on and --at must not be given with --sensor");
     }
 
+    /** Two equal lasers of one robot, and the same laser on two robots, have errors of their own for one seed. */
+    @Test
+    void sensorsOfOneSeedHaveErrorsOfTheirOwn() throws IOException {
+        String laser = SdfSensorsTest.ROBOT.replace("name=\"eye\"", "name=\"eye2\"");
+        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);
+        Path other = Files.writeString(folder.resolve("v.sdf"), laser);
+        byte[][] files = new byte[3][];
+        String[][] runs = {{world.toString(), "eye"}, {other.toString(), "eye2"}, {world.toString(), "eye"}};
+        for (int k = 0; k < 3; k++) {
+            Path out = folder.resolve(k + ".npy");
+            assertThat(run("scan", runs[k][0], "--sensor", runs[k][1], "--seed", "3", "-o", out.toString()))
+                    .isZero();
+            files[k] = Files.readAllBytes(out);
+        }
+        assertThat(files[1]).isNotEqualTo(files[0]);
+        assertThat(files[2]).isEqualTo(files[0]);
+    }
+
     @Test
     void noiseFollowsTheSeed() throws IOException {
         byte[][] files = new byte[4][];

@@ -119,6 +119,7 @@ class GridSnapshotTest {
     void patternsAreTheirBeams(Dimension dimension, double heading) {
         Geometry world = filled(dimension, Accuracy.EXACT, heading);
         Snapshot snapshot = world.snapshot();
+        Geometry seen = dimension == Dimension.PLANAR ? Heights.of(world) : world; // beams look up and down
         RandomObjects objects = new RandomObjects(random, SPREAD);
         SenseBuffer out = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS);
         SenseBuffer ofCones = new SenseBuffer();
@@ -137,8 +138,8 @@ class GridSnapshotTest {
                 snapshot.sense(there, pattern, lines.withThreads(threads), out);
                 for (int beam = 0; beam < 60; beam++) {
                     Ray ray = new Ray(there.center(), pattern.direction(beam));
-                    assertThat(out.distance(beam)).as("%s", ray).isEqualTo(world.getRayDistance(ray, 0, 30, 0));
-                    RayHit hit = world.castRay(ray, 30);
+                    assertThat(out.distance(beam)).as("%s", ray).isEqualTo(seen.getRayDistance(ray, 0, 30, 0));
+                    RayHit hit = seen.castRay(ray, 30);
                     assertThat(out.object(beam)).as("%s", ray).isEqualTo(hit == null ? null : hit.object());
                     if (hit != null) {
                         assertThat(new Point(out.normalX(beam), out.normalY(beam), out.normalZ(beam)))

@@ -104,6 +104,11 @@ class SenseTest {
 
     /** One question, and its answers one by one. */
     private record Question(String name, Pose pose, RayPattern pattern, SenseOptions options) {
+        /** The world whose single rays are the truth. */
+        Geometry seen(Geometry world) {
+            return Heights.seen(world, name, pose, pattern, options.width());
+        }
+
         double single(Geometry world, int beam) {
             Ray ray = beam(pose, pattern, beam);
             if (name == null) {
@@ -160,16 +165,20 @@ class SenseTest {
         SenseBuffer ofSnapshot = new SenseBuffer(Extra.OBJECTS);
         int echoes = 0;
         int beams = 0;
+        int withHeights = 0;
         for (int k = 0; k < 24; k++) {
             Question question = question(objects, k);
             double[] truth = new double[question.pattern.size()];
+            Geometry seen = question.seen(world);
+            withHeights += seen == world ? 0 : 1;
             for (int beam = 0; beam < truth.length; beam++) {
-                truth[beam] = question.single(world, beam);
+                truth[beam] = question.single(seen, beam);
                 echoes += truth[beam] < Double.POSITIVE_INFINITY && truth[beam] > question.options.min() ? 1 : 0;
             }
             beams += truth.length;
             question.ask(world, out);
             assertSame(question, out, truth);
+            assertThat(out.dimension()).isEqualTo(seen.dimension());
             question.ask(copy, out);
             assertSame(question, out, truth);
             for (int threads : new int[] {1, 2, 5}) {
@@ -178,6 +187,8 @@ class SenseTest {
             }
         }
         assertThat(echoes).isBetween(beams / 5, beams * 19 / 20);
+        assertThat(withHeights)
+                .isBetween(dimension == Dimension.PLANAR ? 5 : 0, dimension == Dimension.PLANAR ? 19 : 0);
     }
 
     private static void assertSame(Question question, SenseBuffer out, double[] truth) {
@@ -213,6 +224,9 @@ class SenseTest {
             GeometryObject carrier = null;
             if (name == null) {
                 pose = pose(objects, k % 3);
+            }
+            without = Heights.seen(without, name, pose, pattern, 0);
+            if (name == null) {
                 world.sense(pose, pattern, options, out);
             } else {
                 carrier = world.getObject(name);
@@ -258,6 +272,35 @@ class SenseTest {
             RayPattern fan = RayPattern.fan(first, step, 500);
             world.sense("robot " + k % 3, Pose.of(mount, 0), fan, SenseOptions.range(0.1, 20), out);
             assertThat(Arrays.copyOf(out.distances(), 500)).isEqualTo(scan);
+        }
+    }
+
+    /** A camera that has looked at a PLANAR world sees what comes, goes and moves afterwards. */
+    @Test
+    void heightsFollowChanges() {
+        for (int round = 0; round < 6; round++) {
+            Geometry world = filled(Dimension.PLANAR, Accuracy.EXACT, 60, 8, 0.25, round < 3 ? 4 : 20);
+            Geometry given = round % 2 == 0 ? world : world.snapshot().toGeometry();
+            RayPattern camera = RayPattern.pinhole(40, 30, 100);
+            SenseOptions options = SenseOptions.range(0, 30);
+            int changed = 0;
+            for (int step = 0; step < 12; step++) {
+                Pose above = Pose.of(new Point(0, 0.7, 0), 0).turned(-5, 0);
+                SenseBuffer before = new SenseBuffer();
+                given.sense(above, camera, options, before);
+                Script.run(given, 10, random.nextLong(), 8, 0.25);
+                given.removeObject("object " + step);
+                given.addObjectUnchecked(new BoxObject(new Point(step - 5, 0.5, 3), 0.3, 1 + step, 0.3));
+                SenseBuffer out = new SenseBuffer();
+                given.sense(above, camera, options, out);
+                Question question = new Question(null, above, camera, options);
+                Geometry twin = Heights.of(given);
+                double[] truth = new double[camera.size()];
+                Arrays.setAll(truth, beam -> question.single(twin, beam));
+                assertSame(question, out, truth);
+                changed += Arrays.equals(truth, Arrays.copyOf(before.distances(), truth.length)) ? 0 : 1;
+            }
+            assertThat(changed).isGreaterThan(3);
         }
     }
 
@@ -356,7 +399,8 @@ class SenseTest {
                 () -> world.sense(Pose.ORIGIN, fan, options.withWidth(5), new SenseBuffer(Extra.NORMALS)));
         refused(
                 "direction 1 must not be vertical in a PLANAR world, which has no heights (got: (0.0, 2.0, 0.0))",
-                () -> world.sense(Pose.ORIGIN, RayPattern.of(new double[] {1, 0, 0, 0, 2, 0}), options, out));
+                () -> world.sense(
+                        Pose.ORIGIN, RayPattern.of(new double[] {1, 0, 0, 0, 2, 0}), options.withWidth(5), out));
         refused("the buffer must have been made for OBJECTS", () -> out.object(0));
         refused("the buffer must have been made for NORMALS", () -> out.normals());
         refused("beam must be one that was answered, and none was: sense first (got: 0)", () -> out.distance(0));

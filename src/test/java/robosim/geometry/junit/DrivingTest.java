@@ -16,6 +16,7 @@ import org.opentest4j.AssertionFailedError;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.DifferentialDrive;
+import robosim.geometry.dynamics.ForceDrive;
 import robosim.geometry.dynamics.OmnidirectionalDrive;
 import robosim.geometry.dynamics.Surface;
 import robosim.geometry.model.Accuracy;
@@ -95,6 +96,33 @@ class DrivingTest {
         double apart =
                 world.robot("other").center().x() - world.robot("drum").center().x();
         assertThat(apart).isGreaterThanOrEqualTo(0.6);
+    }
+
+    /** The turn of a force is a torque, not an angle: half of 0.5 rad/s^2 for 2 s. */
+    @Test
+    void aTorqueIsInNewtonMetres() {
+        RobotWorld world = RobotWorld.of(arena());
+        world.robot("drum")
+                .hasBody(Body.of(10, 2))
+                .hasDrive(new ForceDrive(0, 0, 0))
+                .drives(0, 0, 1)
+                .forSeconds(2);
+        assertThat(world.robot("drum").heading())
+                .isCloseTo(Math.toDegrees(0.5 * 0.5 * 4), org.assertj.core.data.Offset.offset(1e-9));
+    }
+
+    /** A robot that takes the place of another one of its name is none that drives. */
+    @Test
+    void anotherRobotOfTheNameInheritsNothing() {
+        RobotWorld world = RobotWorld.of(arena());
+        world.robot("drum").hasBody(Body.of(7, 2)).drives(0.5, 0).forSeconds(1);
+        world.robot("crate").drives(0, 90).forSeconds(1);
+        world.geometry().removeObject("drum");
+        world.geometry().addObject(new CylinderObject(new Point(-6, 0, 5), 0.3, 1).moveable("drum"));
+        world.robot("crate").drives(0, 0).forSeconds(1);
+        assertThat(world.robot("crate").heading()).isCloseTo(90, org.assertj.core.data.Offset.offset(1e-6));
+        world.robot("drum").endsNear(-6, 5, 0);
+        world.robot("drum").drives(1, 0).forSeconds(1).endsNear(-5, 5, 1e-9);
     }
 
     @Test

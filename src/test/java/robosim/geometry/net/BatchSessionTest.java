@@ -349,7 +349,7 @@ class BatchSessionTest {
             up[3 * k] = k < 66 ? 1 : 0;
             up[3 * k + 1] = 1;
         }
-        SenseRequest steep = new SenseRequest("robot", new BeamPattern.Directions(new Numbers(up)));
+        SenseRequest steep = sense(Mount.CENTER, new BeamPattern.Directions(new Numbers(up)), 0.2, false, false);
         Reply reply = Objects.requireNonNull(session.reply(new BatchRequestBundle(List.of(
                 new SenseRequest("rover", new BeamPattern.Fan(0, 1, 4)),
                 early,
@@ -372,6 +372,16 @@ class BatchSessionTest {
         assertThatThrownBy(() -> session.reply(BatchSamples.answers()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("(got: BatchAnswerBundle)");
+    }
+
+    /** A lidar sees heights in a PLANAR world with every ring, though beams are answered in parts that may be level alone. */
+    @Test
+    void aLevelRingSeesHeightsAsTheOthersDo() {
+        Geometry world = init(Dimension.PLANAR);
+        BeamPattern lidar = new BeamPattern.Layers(Numbers.of(0, 0.3), 0, 0.01, 200);
+        SenseRequest request = sense(Mount.CENTER, lidar, 0, false, true);
+        RayPattern rays = RayPattern.layers(new double[] {0, Degrees.toDegrees(0.3)}, 0, Degrees.toDegrees(0.01), 200);
+        same((SenseAnswer) ask(request).get(0), world, request, rays);
     }
 
     /** However much a message asks for, others wait for no more than a part of it. */

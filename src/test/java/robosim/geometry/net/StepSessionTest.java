@@ -26,6 +26,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.session.LogBudget;
+import robosim.geometry.net.session.Motion;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
@@ -161,6 +162,50 @@ class StepSessionTest {
         assertThat(answer.bodies()).extracting(BodyAnswer::objectName).containsExactly("ball", "cart");
         assertThat(answer.bodies().get(0).center().x()).isEqualTo(-4);
         assertThat(answer.bodies().get(1).center().x()).isEqualTo(-1);
+    }
+
+    /** A body or a command that is refused leaves no body behind: here two wheels without a distance between them. */
+    @Test
+    void whatIsRefusedIsNoBody() {
+        Geometry world = new Geometry(40, 5, 40, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObject(new BoxObject(new Point(), 1, 1, 0).moveable("sheet"));
+        Motion motion = new Motion(world);
+        BodyRequest heavy = BodyRequest.of("sheet").withMass(5);
+        List<StepBundle> steps = List.of(
+                new StepBundle(1, List.of(heavy.withDrive(DriveSettings.DEFAULT)), List.of()),
+                new StepBundle(1, List.of(), List.of(new DriveCommand("sheet", 1, 0))));
+        for (StepBundle step : steps) {
+            List<String> reasons = new ArrayList<>();
+            assertThat(motion.step(step, (index, reason) -> reasons.add(reason)).bodies())
+                    .isEmpty();
+            assertThat(reasons).hasSize(1);
+            assertThat(motion.has("sheet")).isFalse();
+        }
+        assertThat(motion.step(new StepBundle(1, List.of(heavy), List.of()), (index, reason) -> {})
+                        .bodies())
+                .hasSize(1);
+    }
+
+    /** Another object of a body's name has neither its body nor the drive that it was given. */
+    @Test
+    void anotherObjectOfTheNameIsNoBody() {
+        Geometry world = new Geometry(40, 5, 40, Dimension.PLANAR, Accuracy.EXACT);
+        CylinderObject cart = new CylinderObject(new Point(), 0.5, 1).moveable("cart");
+        world.addObject(cart);
+        Motion motion = new Motion(world);
+        BodyRequest given = BodyRequest.of("cart").withDrive(DriveSettings.of(DriveSettings.Kind.OMNIDIRECTIONAL));
+        List<DriveCommand> aside = List.of(new DriveCommand("cart", 0, 1, 0));
+        List<String> reasons = new ArrayList<>();
+        motion.step(new StepBundle(1, List.of(given), aside), (index, reason) -> reasons.add(reason));
+        assertThat(world.getObject("cart").center().z()).isEqualTo(1);
+        world.removeObject("cart");
+        world.addObject(cart);
+        StepBundle.Answer answer = motion.step(new StepBundle(1, List.of(), List.of()), (index, reason) -> {});
+        assertThat(answer.bodies()).isEmpty();
+        assertThat(world.getObject("cart").center().z()).isZero();
+        assertThat(reasons).isEmpty();
+        motion.step(new StepBundle(1, List.of(), aside), (index, reason) -> reasons.add(reason));
+        assertThat(reasons.get(0)).contains("right must be 0 for a drive of kind DIFFERENTIAL");
     }
 
     /** Wheels that do not swivel cannot go to the right: nobody is told that they do. */

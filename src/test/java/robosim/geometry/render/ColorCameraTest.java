@@ -22,6 +22,7 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.Ray;
 import robosim.geometry.model.SenseOptions.Carrier;
 
 class ColorCameraTest {
@@ -127,10 +128,45 @@ class ColorCameraTest {
                 () -> new Light.Spot(new Point(), new Point(1, 0, 0), 180, Color.WHITE, 1),
                 "degrees must be above 0 and below 180 (got: 180.0)");
         refused(() -> Viewpoints.lookAt(new Point(1, 2, 3), new Point(1, 2, 3)), "target must not be the eye itself");
-        Geometry flat = new Geometry(9, 9, 9, Dimension.PLANAR, Accuracy.EXACT);
-        refused(() -> camera(1).render(flat, new ColorFrame()), "world must be SPATIAL");
         refused(() -> camera(1).on("nobody", Pose.ORIGIN).render(new Geometry(9, 9, 9), new ColorFrame()), "nobody");
         assertThat(camera(2)).isEqualTo(camera(2)).hasSameHashCodeAs(camera(2)).isNotEqualTo(camera(3));
+    }
+
+    /** A PLANAR world is seen with its heights, wherever they are, from the world and from its snapshot. */
+    @Test
+    void planarWorldsHaveHeights() {
+        int[][] pictures = new int[3][];
+        for (int k = 0; k < 3; k++) {
+            Geometry world = new Geometry(40, 9, 40, k == 0 ? Dimension.SPATIAL : Dimension.PLANAR, Accuracy.EXACT);
+            for (int n = 0; n < 9; n++) {
+                world.addObjectUnchecked(new BoxObject(new Point(6 + n, n / 4.0 - 1, n - 4), 1, 1 + n / 3.0, 0.7));
+            }
+            world.addObject(new CylinderObject(new Point(), 0.3, 1).moveable("robot"));
+            world.simpleMove("robot", 2, 0, 0);
+            ColorCamera camera = camera(2).on("robot", Pose.of(new Point(0.4, 0.5, 0), 10));
+            ColorFrame frame = new ColorFrame();
+            for (int round = 0; round < 2; round++) { // the second time, the robot is elsewhere
+                world.simpleMove("robot", 1, 0, 0.2);
+                if (k == 2) {
+                    camera.withThreads(2).render(world.snapshot(), frame);
+                } else {
+                    camera.render(world, frame);
+                }
+            }
+            pictures[k] = frame.pixels().clone();
+        }
+        assertThat(pictures[1]).isEqualTo(pictures[0]);
+        assertThat(pictures[2]).isEqualTo(pictures[0]);
+        assertThat(Arrays.stream(pictures[0]).distinct().count()).isGreaterThan(50);
+        Geometry tall = new Geometry(40, 1, 40, Dimension.PLANAR, Accuracy.EXACT);
+        tall.addObject(new BoxObject(new Point(5, 700, 0), 1, 20, 1));
+        assertThat(tall.snapshot().withHeights().height()).isEqualTo(1420);
+        assertThat(tall.snapshot()
+                        .withHeights()
+                        .toGeometry()
+                        .castRay(new Ray(new Point(0, 700, 0), new Point(1, 0, 0)), 9))
+                .isNotNull();
+        assertThat(tall.snapshot().withHeights().withHeights().objects()).isEqualTo(tall.objects());
     }
 
     private static void refused(ThrowingCallable call, String because) {

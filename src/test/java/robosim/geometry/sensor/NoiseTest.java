@@ -7,6 +7,11 @@ import java.util.Arrays;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.sensor.effects.Measured;
 
 /** Each effect does what its page says, by its moments over many rays. */
@@ -177,6 +182,41 @@ class NoiseTest {
                 assertThat(different.distances[k]).isNotEqualTo(whole[k]);
             }
         }
+    }
+
+    /** Named sensors of one seed: no two of them have anything in common, and each is the same again. */
+    @Test
+    void sensorsWithNamesHaveErrorsOfTheirOwn() {
+        Geometry world = new Geometry(40, 4, 40);
+        world.addObject(new BoxObject(new Point(6, 0, 0), 1, 2, 30));
+        Lidar plain = Lidar.of(RayPattern.fan(-45, 0.09, 1001), SenseOptions.range(0, 30));
+        LidarFrame frame = new LidarFrame();
+        plain.read(world, frame);
+        double[] truth = frame.ranges().clone();
+        String[] names = {"la", "lb", "al", "l", "la ", "bot::base::la", ""};
+        double[][] errors = new double[names.length][];
+        for (int k = 0; k < names.length; k++) {
+            plain.withNoise(Noise.gaussian(0.05), 7, names[k]).read(world, 3, frame);
+            errors[k] = new double[frame.size()];
+            for (int ray = 0; ray < frame.size(); ray++) {
+                errors[k][ray] = (frame.range(ray) - truth[ray]) / 0.05;
+            }
+        }
+        for (int a = 0; a < names.length; a++) {
+            for (int b = 0; b <= a; b++) {
+                double product = 0;
+                for (int ray = 0; ray < frame.size(); ray++) {
+                    product += errors[a][ray] * errors[b][ray] / frame.size();
+                }
+                // Of 1001 independent normal numbers: 5 standard deviations are 0.16.
+                assertThat(product).isBetween(a == b ? 0.75 : -0.16, a == b ? 1.25 : 0.16);
+            }
+        }
+        plain.withNoise(Noise.gaussian(0.05), 7, names[0]).read(world, 3, frame);
+        assertThat((frame.range(0) - truth[0]) / 0.05).isEqualTo(errors[0][0]);
+        assertThat(plain.withNoise(Noise.gaussian(1), 7, "la"))
+                .isEqualTo(plain.withNoise(Noise.gaussian(1), 7, "la"))
+                .isNotEqualTo(plain.withNoise(Noise.gaussian(1), 7, "lb"));
     }
 
     @Test

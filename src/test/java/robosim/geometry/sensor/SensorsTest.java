@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.RayHit;
 import robosim.geometry.Snapshot;
+import robosim.geometry.contract.Heights;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -114,7 +115,9 @@ class SensorsTest {
     private <S extends RaySensor<S, F>, F extends RayFrame> void readsSingles(Dimension dimension, S given, F frame) {
         Geometry world = world(dimension);
         S sensor = given.on("robot", MOUNT);
-        double[] truth = singles(world, sensor.pattern(), sensor.options());
+        Geometry seen = Heights.seen(
+                world, "robot", MOUNT, sensor.pattern(), sensor.options().width());
+        double[] truth = singles(seen, sensor.pattern(), sensor.options());
         sensor.read(world, frame);
         assertThat(ranges(frame)).isEqualTo(truth);
         Snapshot snapshot = world.snapshot();
@@ -179,12 +182,124 @@ class SensorsTest {
         }
     }
 
+    /** A wall 3 high in a PLANAR world is seen as such: above and below it there is nothing. */
+    @ParameterizedTest
+    @EnumSource
+    void depthsAreThoseOfThePointsTheyShow(Dimension dimension) {
+        Geometry world = new Geometry(20, 4, 20, dimension, Accuracy.EXACT);
+        world.addObject(new BoxObject(new Point(6, 0, 0), 2, 3, 18));
+        DepthFrame image = new DepthFrame();
+        DepthCamera camera = DepthCamera.of(Intrinsics.fieldOfView(64, 48, 80));
+        camera.read(world, image);
+        double[] point = new double[3];
+        int wall = 0;
+        for (int k = 0; k < image.size(); k++) {
+            boolean isOnWall = Math.abs(camera.pattern().y(k) / camera.pattern().x(k)) < 0.3;
+            wall += isOnWall ? 1 : 0;
+            if (isOnWall) {
+                image.point(k, point, 0);
+                assertThat(image.depth(k)).isCloseTo(5, ROUNDING);
+                assertThat(point[0]).isCloseTo(5, ROUNDING);
+                assertThat(point[1])
+                        .isCloseTo(5 * camera.pattern().y(k) / camera.pattern().x(k), ROUNDING);
+            } else {
+                assertThat(image.depth(k)).isEqualTo(NOTHING);
+            }
+        }
+        assertThat(wall).isBetween(image.size() / 5, image.size() * 4 / 5);
+    }
+
+    /** What is nearer than a sensor can measure is no point of a cloud, whatever is reported for it. */
+    @ParameterizedTest
+    @EnumSource
+    void whatIsNearerThanTheBlindRangeHasNoPoint(OutOfRange reported) {
+        Geometry world = new Geometry(40, 4, 40);
+        world.addObject(new BoxObject(new Point(0.35, 0, 0), 0.1, 2, 2)); // its face is at 0.3
+        world.addObject(new BoxObject(new Point(-9, 0, 0), 2, 3, 6)); // at 8
+        world.addObject(new BoxObject(new Point(0, 0, 15), 2, 3, 2)); // beyond the range
+        Lidar lidar = Lidar.ousterOs1With64(10).withRange(0.8, 12).withOutOfRange(reported);
+        assertThat(lidar.outOfRange()).isEqualTo(reported);
+        LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES);
+        Lidar.of(lidar.pattern(), SenseOptions.range(0, 12)).read(world, turn);
+        double[] truth = ranges(turn);
+        lidar.read(world, turn);
+        PointCloud cloud = new PointCloud(PointCloud.Field.INTENSITY);
+        turn.addTo(cloud);
+        double[] point = new double[3];
+        int near = 0;
+        int points = 0;
+        for (int k = 0; k < turn.size(); k++) {
+            boolean isNear = truth[k] < 0.8;
+            boolean isPoint = !isNear && truth[k] < NOTHING;
+            double blind = reported == OutOfRange.REP_117 ? -NOTHING : 0.8;
+            turn.point(k, point, 0);
+            assertThat(turn.range(k)).isEqualTo(isNear ? blind : truth[k]);
+            assertThat(turn.isNear(k)).isEqualTo(isNear);
+            assertThat(turn.hasPoint(k)).isEqualTo(isPoint);
+            assertThat(Double.isNaN(point[0])).isEqualTo(!isPoint);
+            assertThat(turn.intensity(k) > 0).isEqualTo(isPoint);
+            near += isNear ? 1 : 0;
+            points += isPoint ? 1 : 0;
+        }
+        assertThat(near).isGreaterThan(10_000);
+        assertThat(points).isBetween(1000, turn.size() - near - 1000);
+        assertThat(cloud.size()).isEqualTo(points);
+        DepthFrame image = new DepthFrame();
+        DepthCamera.of(Intrinsics.fieldOfView(9, 7, 60))
+                .withRange(0.5, 10)
+                .withOutOfRange(reported)
+                .read(world, image);
+        short[] millimetres = new short[image.size()];
+        image.millimetres(1, millimetres);
+        boolean isClamped = reported == OutOfRange.CLAMPED;
+        assertThat(image.depth(31)).isEqualTo(isClamped ? 0.5 : -NOTHING);
+        assertThat(millimetres[31]).isEqualTo((short) (isClamped ? 500 : 0));
+    }
+
+    /** With noise: what was near stays so, what gets near becomes so, and a lost reading is an error. */
+    @Test
+    void noiseAndWhatIsOutOfRange() {
+        Geometry world = new Geometry(40, 4, 40);
+        world.addObject(new BoxObject(new Point(0.4, 0, -4), 0.2, 2, 8)); // at 0.3, on the left
+        world.addObject(new BoxObject(new Point(1.9, 0, 4.1), 2, 2, 8)); // at 0.9, on the right
+        Lidar plain = Lidar.of(RayPattern.fan(-45, 0.01, 9000), SenseOptions.range(0.8, 1.2));
+        Noise noise = Noise.gaussian(0.1).and(Noise.dropout(0.1));
+        LidarFrame frame = new LidarFrame();
+        int[] counts = new int[4];
+        plain.withRange(0, 1.2).read(world, frame);
+        double[] truth = ranges(frame);
+        plain.withNoise(noise, 5, "a").read(world, 1, frame);
+        double[] clamped = ranges(frame);
+        plain.withNoise(noise, 5, "a").withOutOfRange(OutOfRange.REP_117).read(world, 1, frame);
+        for (int k = 0; k < truth.length; k++) {
+            double range = frame.range(k);
+            if (Double.isNaN(range)) {
+                counts[0]++;
+                assertThat(clamped[k]).isEqualTo(NOTHING);
+            } else if (range == -NOTHING) {
+                counts[truth[k] < 0.8 ? 1 : 2]++;
+                assertThat(clamped[k]).isBetween(0.8, truth[k] < 0.8 ? NOTHING : 0.8);
+                assertThat(frame.isNear(k)).isTrue();
+            } else {
+                counts[3]++;
+                assertThat(truth[k]).isGreaterThanOrEqualTo(0.8);
+                assertThat(range).isEqualTo(clamped[k]).isGreaterThanOrEqualTo(0.8);
+                assertThat(frame.hasPoint(k)).isEqualTo(range <= 1.2);
+            }
+        }
+        assertThat(counts[0]).isBetween(750, 1050);
+        assertThat(counts[1]).isGreaterThan(1000);
+        assertThat(counts[2]).isGreaterThan(100);
+        assertThat(counts[3]).isGreaterThan(1000);
+    }
+
     @ParameterizedTest
     @EnumSource
     void normalsAndObjectsAreThoseOfCastRay(Dimension dimension) {
         Geometry world = world(dimension);
         Pose pose = Pose.of(new Point(0, 0, 0.5), 20).turned(0, 15);
         Intrinsics lens = Intrinsics.fieldOfView(60, 40, 100);
+        Geometry seen = Heights.of(world);
         NormalCamera camera = NormalCamera.of(lens).at(pose);
         NormalFrame normals = new NormalFrame();
         camera.read(world, normals);
@@ -199,7 +314,7 @@ class SensorsTest {
                     r[0] * pattern.x(k) + r[1] * pattern.y(k) + r[2] * pattern.z(k),
                     r[3] * pattern.x(k) + r[4] * pattern.y(k) + r[5] * pattern.z(k),
                     r[6] * pattern.x(k) + r[7] * pattern.y(k) + r[8] * pattern.z(k));
-            RayHit hit = world.castRay(new Ray(pose.center(), direction), NOTHING);
+            RayHit hit = seen.castRay(new Ray(pose.center(), direction), NOTHING);
             Point normal = hit == null ? new Point() : hit.normal();
             assertThat(new Point(normals.normalX(k), normals.normalY(k), normals.normalZ(k)))
                     .isEqualTo(normal);
@@ -250,6 +365,7 @@ class SensorsTest {
         Lidar lidar = Lidar.velodyneVlp16(20).withRange(0, 9).at(Pose.of(new Point(0, 0.5, 0), 10));
         LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
         lidar.read(world, turn);
+        Geometry seen = Heights.of(world);
         RayPattern pattern = lidar.pattern();
         double cos = Math.cos(Math.toRadians(10));
         double sin = Math.sin(Math.toRadians(10));
@@ -257,7 +373,7 @@ class SensorsTest {
         for (int k = 0; k < turn.size(); k++) {
             Point direction = new Point(
                     cos * pattern.x(k) + sin * pattern.z(k), pattern.y(k), cos * pattern.z(k) - sin * pattern.x(k));
-            RayHit hit = world.castRay(new Ray(new Point(0, 0.5, 0), direction), 9);
+            RayHit hit = seen.castRay(new Ray(new Point(0, 0.5, 0), direction), 9);
             if (hit == null) {
                 dark++;
                 assertThat(turn.intensity(k)).isZero();
@@ -265,9 +381,7 @@ class SensorsTest {
                 continue;
             }
             Point n = hit.normal();
-            double up = dimension == Dimension.PLANAR ? 0 : direction.y();
-            double length = Math.sqrt(direction.x() * direction.x() + up * up + direction.z() * direction.z());
-            double cosine = Math.abs(n.x() * direction.x() + n.y() * up + n.z() * direction.z()) / length;
+            double cosine = Math.abs(n.x() * direction.x() + n.y() * direction.y() + n.z() * direction.z());
             boolean isBright = hit.object() instanceof ObjectGroup && turn.part(k) == 2;
             double reflectance = isBright ? 0.25 : hit.object().material().reflectance();
             if (!(hit.object() instanceof ObjectGroup) || turn.part(k) > 0) {

@@ -37,6 +37,8 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.DriveSettings.Kind;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.drive.DriveRun;
@@ -95,7 +97,9 @@ public final class DrivingCommand implements Callable<Integer> {
     @Option(
             names = "--turn",
             paramLabel = "DEGREES",
-            description = "degrees a second, counter-clockwise; of a car the angle of its front wheels (default: 0)")
+            description =
+                    "degrees a second, counter-clockwise; of a car the angle of its front wheels, of a force newton metres"
+                            + " (default: 0)")
     private double turn;
 
     @Option(
@@ -207,8 +211,8 @@ public final class DrivingCommand implements Callable<Integer> {
         for (String name : names) {
             known(read, "--robot", name);
             once(named, name, "--robot=" + name);
-            commands.add(
-                    new DriveCommand(name, quantity("--speed", speed), Degrees.toRadians(quantity("--turn", turn))));
+            commands.add(new DriveCommand(
+                    name, quantity("--speed", speed), kind(read, name).turn(quantity("--turn", turn))));
         }
         for (String text : told) {
             String[] pair = pair("--tell", TOLD, text);
@@ -219,11 +223,22 @@ public final class DrivingCommand implements Callable<Integer> {
                 throw refused("--tell must be " + TOLD + " (got: " + text + ")");
             }
             double forward = number("--tell", TOLD, text, numbers[0]);
-            double degrees = numbers.length == 1 ? 0 : number("--tell", TOLD, text, numbers[1]);
+            double turns = numbers.length == 1 ? 0 : number("--tell", TOLD, text, numbers[1]);
             commands.add(new DriveCommand(
-                    pair[0], quantity("--tell", forward), Degrees.toRadians(quantity("--tell", degrees))));
+                    pair[0], quantity("--tell", forward), kind(read, pair[0]).turn(quantity("--tell", turns))));
         }
         return commands;
+    }
+
+    /** What drives a robot, which says what the turn of a command is. */
+    private static Kind kind(World read, String name) {
+        for (BodyRequest body : WorldBodies.of(read)) {
+            DriveSettings drive = body.drive();
+            if (drive != null && name.equals(body.objectName())) {
+                return drive.kind();
+            }
+        }
+        return DriveSettings.DEFAULT.kind();
     }
 
     private static String first(World read) {

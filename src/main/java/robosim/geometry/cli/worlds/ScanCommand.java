@@ -193,9 +193,9 @@ public final class ScanCommand implements Callable<Integer> {
                     Lidar lidar = placed(read, model.lidar());
                     lidar = lidar.withRange(
                             lidar.options().min() / metres, lidar.options().max() / metres);
-                    what = scan(snapshot, lidar, its, name, progress);
+                    what = scan(snapshot, noisy(lidar, its), name, progress);
                 } else {
-                    what = scan(snapshot, placed(read, DepthCamera.of(pixels)), its, name, progress);
+                    what = scan(snapshot, noisy(placed(read, DepthCamera.of(pixels)), its), name, progress);
                 }
             } else {
                 what = scan(read, snapshot, described, name, progress);
@@ -213,8 +213,10 @@ public final class ScanCommand implements Callable<Integer> {
         try {
             Noise its = SdfSensors.noise(found).and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
             return switch (SdfSensors.kind(found)) {
-                case LIDAR -> scan(snapshot, SdfSensors.lidar(found), its, name, progress);
-                case DEPTH -> scan(snapshot, SdfSensors.depthCamera(found), its, name, progress);
+                case LIDAR ->
+                    scan(snapshot, SdfSensors.lidar(found).withNoise(its, seed, found.name()), name, progress);
+                case DEPTH ->
+                    scan(snapshot, SdfSensors.depthCamera(found).withNoise(its, seed, found.name()), name, progress);
                 case SEGMENTATION, NORMALS, COLOR, OTHER ->
                     throw refused("--sensor must be a lidar or a depth camera (got: " + found.name() + " of type "
                             + found.type() + ")");
@@ -241,13 +243,19 @@ public final class ScanCommand implements Callable<Integer> {
         }
     }
 
+    /** With noise of its own: a sensor that the file does not name goes by the name of what carries it. */
+    private <S extends RaySensor<S, ?>> S noisy(S by, Noise its) {
+        String on = by.carrier();
+        return by.withNoise(its, seed, on == null ? "" : on);
+    }
+
     private static int threads() {
         return Runtime.getRuntime().availableProcessors();
     }
 
-    private String scan(Snapshot snapshot, Lidar lidar, Noise its, String name, Progress progress) throws IOException {
+    private String scan(Snapshot snapshot, Lidar lidar, String name, Progress progress) throws IOException {
         LidarFrame frame = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
-        read(lidar.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
+        read(lidar.withThreads(threads()), snapshot, frame, progress);
         return write(
                 frame,
                 lidar.pattern(),
@@ -261,10 +269,9 @@ public final class ScanCommand implements Callable<Integer> {
                         PointCloud.Field.LABEL));
     }
 
-    private String scan(Snapshot snapshot, DepthCamera camera, Noise its, String name, Progress progress)
-            throws IOException {
+    private String scan(Snapshot snapshot, DepthCamera camera, String name, Progress progress) throws IOException {
         DepthFrame frame = new DepthFrame();
-        read(camera.withNoise(its, seed, 0).withThreads(threads()), snapshot, frame, progress);
+        read(camera.withThreads(threads()), snapshot, frame, progress);
         return write(frame, camera.pattern(), frame.depths(), "depths", name, new PointCloud());
     }
 

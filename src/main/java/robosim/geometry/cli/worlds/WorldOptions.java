@@ -56,7 +56,7 @@ public final class WorldOptions {
     }
 
     /**
-     * A sensor that the world's file describes.
+     * A sensor that the world's file describes; warns of what is not applied.
      *
      * @param option that names it, for messages
      * @param name   in full, or what follows the last {@code ::} of one sensor only
@@ -72,7 +72,7 @@ public final class WorldOptions {
                 .toList();
         for (SdfReader.Sensor each : found) {
             if (each.name().equals(name)) {
-                return each;
+                return warned(each);
             }
         }
         if (found.size() != 1) {
@@ -82,7 +82,12 @@ public final class WorldOptions {
                     + (names.isEmpty() ? "which has none" : Text.choice(name, names)) + " (got: " + name
                     + ")");
         }
-        return found.get(0);
+        return warned(found.get(0));
+    }
+
+    private SdfReader.Sensor warned(SdfReader.Sensor found) {
+        found.ignored().ifPresent(what -> spec.commandLine().getErr().println("warning: " + what));
+        return found;
     }
 
     private ParameterException refused(String message) {

@@ -78,7 +78,7 @@ public final class ObjectRegistry {
         s = scratch;
         worldBounds = new WorldBounds(width, height, length, dimension);
         objects = shared == null ? new ObjectTable() : new ObjectTable(shared);
-        view = new AccuracyView(objects, accuracy, dimension, width, length, shared(accuracy));
+        view = new AccuracyView(objects, accuracy, dimension, width, length, shared(accuracy, dimension));
         views = new AccuracyView[] {view};
         asked = view.own;
         overlaps = new BoxQuery(objects, this::touches);
@@ -91,19 +91,27 @@ public final class ObjectRegistry {
     }
 
     /** What is shared as it is seen at an accuracy. */
-    private @Nullable LeafTable shared(Accuracy accuracy) {
-        return shared == null ? null : shared.table(accuracy);
+    private @Nullable LeafTable shared(Accuracy accuracy, Dimension seen) {
+        return shared == null ? null : shared.table(accuracy, seen);
     }
 
     /** The world as it is seen at an accuracy, made when it is first asked. */
     public AccuracyView at(Accuracy asked) {
-        Checks.present("accuracy", asked);
+        return at(Checks.present("accuracy", asked), dimension);
+    }
+
+    /** The world with the heights of its objects, made when a PLANAR one is first asked. */
+    public AccuracyView withHeights() {
+        return at(view.accuracy, Dimension.SPATIAL);
+    }
+
+    private AccuracyView at(Accuracy asked, Dimension seen) {
         for (AccuracyView each : views) {
-            if (each.accuracy == asked) {
+            if (each.accuracy == asked && each.dimension == seen) {
                 return each;
             }
         }
-        AccuracyView made = new AccuracyView(objects, asked, dimension, width, length, shared(asked));
+        AccuracyView made = new AccuracyView(objects, asked, seen, width, length, shared(asked, seen));
         IntStream.range(0, objects.limit()).filter(objects::isPresent).forEach(id -> made.add(id, objects.present(id)));
         views = Arrays.copyOf(views, views.length + 1);
         views[views.length - 1] = made;

@@ -3,6 +3,7 @@ package robosim.geometry.engine.sensing;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 
 /**
@@ -22,6 +23,7 @@ public final class Echoes {
     private int[] parts = new int[0];
     private int[] faces = new int[0];
     private int size;
+    private Dimension dimension = Dimension.SPATIAL;
 
     /** Where the sensor was: X, Y and Z, then its rotation, row by row. */
     private final double[] place = new double[PLACE];
@@ -32,8 +34,9 @@ public final class Echoes {
         this.hasParts = hasParts;
     }
 
-    /** Forgets what was heard and makes room. */
-    void clear(int beams) {
+    /** Forgets what was heard and makes room for what is measured in a dimension. */
+    void clear(int beams, Dimension seen) {
+        dimension = seen;
         if (beams > distances.length) {
             distances = new double[beams];
             objects = hasObjects ? new GeometryObject[beams] : objects;
@@ -54,6 +57,11 @@ public final class Echoes {
     /** How many beams have been heard. */
     public int size() {
         return size;
+    }
+
+    /** Where distances are measured: PLANAR in the plane. */
+    public Dimension dimension() {
+        return dimension;
     }
 
     public boolean hasObjects() {

@@ -2,6 +2,7 @@ package robosim.geometry.engine.sensing;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.PacketSearch;
 import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -15,6 +16,9 @@ import robosim.geometry.narrow.Scratch;
 /**
  * All beams of a pattern from one place, or from a sensor that moves meanwhile. They are answered tile by tile, and what the
  * beams of a tile share is found once: rays in a world with heights are one {@link PacketSearch}.
+ *
+ * <p>In a PLANAR world sonars and level lasers measure in the plane; a sensor that looks up or down sees the objects with
+ * their heights.
  */
 public final class PatternSensor {
     private static final int TILE = Tiling.MOST;
@@ -25,7 +29,7 @@ public final class PatternSensor {
     private static final double[] NO_NORMAL = new double[3];
     private static final double[] NONE = new double[0];
 
-    private final Dimension dimension;
+    private final ObjectRegistry registry;
     private final ObjectTable objects;
     private final BeamQuery ranging;
     private final Scratch scratch;
@@ -62,9 +66,9 @@ public final class PatternSensor {
     /** The object that does not echo; -1 for none. */
     private int ignored;
 
-    public PatternSensor(Dimension dimension, ObjectTable objects, BeamQuery ranging, Scratch scratch) {
-        this.dimension = dimension;
-        this.objects = objects;
+    public PatternSensor(ObjectRegistry registry, BeamQuery ranging, Scratch scratch) {
+        this.registry = registry;
+        objects = registry.objects;
         this.ranging = ranging;
         this.scratch = scratch;
         frame = new SensorFrame(objects);
@@ -88,11 +92,21 @@ public final class PatternSensor {
         }
         reserve();
         frame.start(pattern, options);
-        if (dimension == Dimension.PLANAR) {
+        Dimension seen = view(pattern, options).dimension;
+        if (seen == Dimension.PLANAR) {
             checkLevel(pattern);
         }
-        out.clear(pattern.size());
+        out.clear(pattern.size(), seen);
         frame.tell(out.place());
+    }
+
+    /** What the sensor sees of the world. */
+    private AccuracyView view(RayPattern pattern, SenseOptions options) {
+        if (registry.view.dimension == Dimension.SPATIAL) {
+            return registry.view;
+        }
+        boolean isFlat = !options.seesHeights() && (options.width() > 0 || (pattern.isLevel() && frame.isUpright()));
+        return isFlat ? registry.view : registry.withHeights();
     }
 
     private void checkLevel(RayPattern pattern) {
@@ -118,7 +132,8 @@ public final class PatternSensor {
     }
 
     /** Answers the tiles from one up to another, which is not among them. */
-    public void sense(AccuracyView view, RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
+    public void sense(RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
+        AccuracyView view = view(pattern, options);
         min = options.min();
         max = options.max();
         width = options.width();
@@ -157,19 +172,13 @@ public final class PatternSensor {
      * for.
      */
     public void scan(
-            AccuracyView view,
-            int id,
-            Point from,
-            double firstDegrees,
-            double stepDegrees,
-            double least,
-            double most,
-            double[] out) {
+            int id, Point from, double firstDegrees, double stepDegrees, double least, double most, double[] out) {
         Checks.angle("firstDegrees", firstDegrees);
         Checks.angle("stepDegrees", stepDegrees);
         Checks.range(least, most);
         Checks.present("out", out);
         frame.stand(id, from);
+        AccuracyView view = frame.isUpright(id) ? registry.view : registry.withHeights();
         min = least;
         max = most;
         width = 0;
@@ -182,7 +191,6 @@ public final class PatternSensor {
             for (int k = 0; k < count; k++) {
                 scans.aim(firstDegrees, stepDegrees, first + k);
                 objects.toWorld(id, scans.x(), 0, scans.z(), vector);
-                Beams.checkLevel(dimension, vector[0], vector[1], vector[2]);
                 System.arraycopy(vector, 0, directions, 3 * k, 3);
                 beams[k] = first + k;
             }
@@ -253,16 +261,16 @@ public final class PatternSensor {
             surroundings = around;
         }
         for (int k = from; k < to; k++) {
-            beam(k);
+            beam(view, k);
             ranging.share(around, k, k == from);
         }
         return around.isAround() && around.open(view, max) ? around : null;
     }
 
-    private void beam(int k) {
+    private void beam(AccuracyView view, int k) {
         int at = 3 * k;
         ranging.beam(
-                dimension,
+                view.dimension,
                 frame.x(),
                 frame.y(),
                 frame.z(),
@@ -275,7 +283,7 @@ public final class PatternSensor {
     private void answerOneByOne(AccuracyView view, int from, int to, @Nullable Surroundings around) {
         for (int k = from; k < to; k++) {
             int beam = beams[k];
-            beam(k);
+            beam(view, k);
             double nearest = around == null
                     ? ranging.nearest(view, max, ignored)
                     : ranging.nearest(view, max, ignored, around, k);

@@ -9,6 +9,9 @@ import robosim.geometry.model.Twist;
 
 /** Where a sensor is and which way it faces: on a moveable object or free, at rest or moving during its scan. */
 public final class SensorFrame {
+    /** A sensor tilted by less than this is upright: a pose given in radians of five digits is rounded by as much. */
+    private static final double TILT = 0x1p-16;
+
     private final ObjectTable objects;
     private final double[] vector = new double[3];
     private final double[] mount = new double[9];
@@ -80,6 +83,27 @@ public final class SensorFrame {
                 place[3 + 3 * row + axis] = vector[row] + 0.0;
             }
         }
+    }
+
+    /** Whether the sensor's own Y is vertical, so that a level pattern stays level; upside down too. */
+    boolean isUpright() {
+        vector[0] = mount[1];
+        vector[1] = mount[4];
+        vector[2] = mount[7];
+        if (carrier >= 0) {
+            objects.toWorld(carrier, vector[0], vector[1], vector[2], vector);
+        }
+        return isVertical();
+    }
+
+    /** Whether an object's own Y is vertical. */
+    boolean isUpright(int id) {
+        objects.toWorld(id, 0, 1, 0, vector);
+        return isVertical();
+    }
+
+    private boolean isVertical() {
+        return Math.abs(vector[0]) <= TILT && Math.abs(vector[2]) <= TILT;
     }
 
     private void checkMotion(Twist velocity, RayPattern pattern, SenseOptions options) {

@@ -115,7 +115,8 @@ public final class Batches {
             }
         }
         try {
-            world.sense(name, mount, part, options, out);
+            boolean isFlat = options.width() > 0 || pattern.isLevel(); // which a part of it may be alone
+            world.sense(name, mount, part, isFlat ? options : options.withHeights(), out);
         } catch (IllegalArgumentException e) {
             throw first == 0 ? e : new IllegalArgumentException("from beam " + first + " on, " + e.getMessage(), e);
         }

@@ -80,7 +80,8 @@ public final class Motion {
      *     out
      */
     public StepBundle.Answer step(StepBundle step, BiConsumer<Integer, String> refused) {
-        bodies.removeIf(name -> !world.hasObject(name));
+        bodies.removeIf(name -> !dynamics.has(name));
+        drives.keySet().retainAll(bodies);
         int index = 0;
         for (BodyRequest body : step.bodies()) {
             attempt(index++, body.objectName(), refused, () -> add(body));
@@ -137,7 +138,6 @@ public final class Motion {
         checkCount(asked.objectName());
         Velocity velocity = asked.velocity();
         if (velocity != null && velocity.y() != 0 && world.dimension() == Dimension.PLANAR) {
-            // Before anything is changed, so that what is refused leaves nothing behind.
             throw new IllegalArgumentException(
                     "velocity must have no part upwards in a PLANAR world; set y to 0 (got: " + velocity + ")");
         }
@@ -146,17 +146,21 @@ public final class Motion {
                 .withDamping(asked.damping(), asked.turnDamping())
                 .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()))
                 .withFloorFriction(asked.floorFriction());
-        dynamics.add(asked.objectName(), body);
-        bodies.add(asked.objectName());
-        DriveSettings drive = asked.drive();
-        if (drive != null) {
-            drives.put(asked.objectName(), drive);
-            command(new DriveCommand(asked.objectName(), 0, 0, 0));
+        // All that may be refused is made before anything is changed, so that what is refused leaves nothing behind.
+        String name = asked.objectName();
+        DriveSettings settings = asked.drive();
+        Drive drive = settings == null ? null : drive(object, settings, new DriveCommand(name, 0, 0, 0));
+        Twist going = velocity == null
+                ? null
+                : new Twist(velocity.x(), velocity.y(), velocity.z(), Degrees.toDegrees(velocity.ry()));
+        dynamics.add(name, body);
+        bodies.add(name);
+        if (settings != null && drive != null) {
+            drives.put(name, settings);
+            dynamics.drive(name, drive);
         }
-        if (velocity != null) {
-            dynamics.setVelocity(
-                    asked.objectName(),
-                    new Twist(velocity.x(), velocity.y(), velocity.z(), Degrees.toDegrees(velocity.ry())));
+        if (going != null) {
+            dynamics.setVelocity(name, going);
         }
     }
 
@@ -168,23 +172,25 @@ public final class Motion {
 
     private void command(DriveCommand command) {
         String name = command.objectName();
-        DriveSettings.Kind kind =
-                drives.getOrDefault(name, DriveSettings.DEFAULT).kind();
+        DriveSettings settings = drives.getOrDefault(name, DriveSettings.DEFAULT);
+        DriveSettings.Kind kind = settings.kind();
         if (command.right() != 0 && !kind.canGoSideways()) {
             throw new IllegalArgumentException("right must be 0 for a drive of kind " + kind
                     + "; give " + Text.quoted(name)
                     + " a body with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: "
                     + command.right() + ")");
         }
+        GeometryObject object = world.getObject(name);
+        if (!object.isMoveable()) {
+            throw new IllegalArgumentException(
+                    "objectName must be that of a moveable object (got: " + Text.quoted(name) + ")");
+        }
+        Drive drive = drive(object, settings, command);
         if (!bodies.contains(name)) {
-            if (!world.getObject(name).isMoveable()) {
-                throw new IllegalArgumentException(
-                        "objectName must be that of a moveable object (got: " + Text.quoted(name) + ")");
-            }
             add(BodyRequest.of(name));
         }
-        DriveSettings drive = drives.computeIfAbsent(name, unseen -> DriveSettings.DEFAULT);
-        dynamics.drive(name, drive(world.getObject(name), drive, command));
+        drives.put(name, settings);
+        dynamics.drive(name, drive);
     }
 
     private static Drive drive(GeometryObject object, DriveSettings drive, DriveCommand command) {
@@ -214,6 +220,11 @@ public final class Motion {
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
         };
+    }
+
+    /** Whether an object has a body. */
+    public boolean has(String name) {
+        return dynamics.has(name);
     }
 
     private static double degrees(double radians) {

@@ -3,6 +3,7 @@ package robosim.geometry.protocol.motion;
 import java.io.Serial;
 import java.io.Serializable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
 
 /**
  * What drives a body, without a command.
@@ -41,6 +42,11 @@ public record DriveSettings(
         /** Whether a command to the right means anything to it: wheels that do not swivel only roll. */
         public boolean canGoSideways() {
             return this == OMNIDIRECTIONAL || this == VELOCITY || this == FORCE;
+        }
+
+        /** The turn of a {@link DriveCommand}, of what people give: degrees, or newton metres for a force. */
+        public double turn(double given) {
+            return this == FORCE ? given : Degrees.toRadians(given);
         }
 
         /** The numbers that it has, in words. */

@@ -49,6 +49,15 @@ public final class Draws {
         return mix(key + number + GOLDEN);
     }
 
+    /** A number that stands for a name: another one for another name. */
+    public static long number(String name) {
+        long number = name.length();
+        for (int k = 0; k < name.length(); k++) {
+            number = key(number, name.charAt(k));
+        }
+        return number;
+    }
+
     /** The step of a key's Weyl sequence, an odd number. */
     public static long step(long key) {
         return mix(key + GOLDEN) | 1;

@@ -82,7 +82,7 @@ public sealed interface Effect {
         public void apply(long key, long step, Measured measured) {
             for (int k = 0; k < measured.count; k++) {
                 if (Draws.uniform(Draws.bits(key, step, k)) < probability) {
-                    measured.distances[k] = Double.POSITIVE_INFINITY;
+                    measured.distances[k] = measured.lost;
                 }
             }
         }

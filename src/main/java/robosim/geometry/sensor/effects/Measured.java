@@ -18,6 +18,9 @@ public final class Measured {
     public double min;
     public double max;
 
+    /** What a reading that got lost is: +Infinity, or NaN. */
+    public double lost = Double.POSITIVE_INFINITY;
+
     /** Puts distances into the sensor's range: below it they are its least, beyond it they are none. */
     public void clamp() {
         for (int k = 0; k < count; k++) {

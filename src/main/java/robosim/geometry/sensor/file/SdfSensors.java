@@ -11,6 +11,7 @@ import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.Noise;
 import robosim.geometry.sensor.NormalCamera;
+import robosim.geometry.sensor.OutOfRange;
 import robosim.geometry.sensor.RaySensor;
 import robosim.geometry.sensor.SegmentationCamera;
 import robosim.geometry.world.SdfReader;
@@ -20,7 +21,8 @@ import robosim.geometry.world.SdfReader;
  *
  * <p>What a file leaves out is what SDFormat says: a lidar of 640 rays straight ahead, a camera of 320 x 240 pixels and 1.047
  * radians that sees from 0.1 to 100 m. A lidar has {@code samples} times {@code resolution} rays in each direction; its rays
- * are sent all at once, as SDFormat's are. Near and far ends of a camera's view are taken along its rays. The {@code
+ * are sent all at once, as SDFormat's are. Near and far ends of a camera's view are taken along its rays. What is out of range
+ * is reported as Gazebo does: {@link OutOfRange#REP_117}. The {@code
  * resolution} of a range is not applied, as Gazebo does not; {@link Noise#quantized} does that.
  */
 public final class SdfSensors {
@@ -91,7 +93,7 @@ public final class SdfSensors {
                     : RayPattern.layers(elevations, first, aside, columns);
             double min = number(sensor, "range/min", 0);
             double max = number(sensor, "range/max", Double.POSITIVE_INFINITY);
-            return mounted(Lidar.of(pattern, SenseOptions.range(min, max)), sensor);
+            return mounted(Lidar.of(pattern, SenseOptions.range(min, max)).withOutOfRange(OutOfRange.REP_117), sensor);
         } catch (IllegalArgumentException e) {
             throw refused(sensor, e);
         }
@@ -156,7 +158,8 @@ public final class SdfSensors {
     private static <S extends RaySensor<S, ?>> S clipped(S camera, SdfReader.Sensor sensor) {
         try {
             double near = number(sensor, "clip/near", 0.1);
-            return mounted(camera.withRange(near, number(sensor, "clip/far", 100)), sensor);
+            S ranged = camera.withRange(near, number(sensor, "clip/far", 100));
+            return mounted(ranged.withOutOfRange(OutOfRange.REP_117), sensor);
         } catch (IllegalArgumentException e) {
             throw refused(sensor, e);
         }

@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +27,7 @@ import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
+import robosim.geometry.sensor.OutOfRange;
 import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.WorldException;
 
@@ -95,6 +97,7 @@ public class SdfSensorsTest {
         Lidar lidar = SdfSensors.lidar(laser);
         assertThat(lidar.pattern().size()).isEqualTo(640);
         assertThat(lidar.options()).isEqualTo(SenseOptions.range(0.08, 9));
+        assertThat(lidar.outOfRange()).isEqualTo(OutOfRange.REP_117);
         Geometry world = SdfReader.read(REAL, List.of()).world().toGeometry();
         LidarFrame frame = new LidarFrame();
         lidar.read(world, frame);
@@ -193,6 +196,42 @@ public class SdfSensorsTest {
                 .isThrownBy(() -> SdfSensors.lidar(laser))
                 .withMessageContaining("world.sdf:8: sensor rover::base::laser: ")
                 .withMessageContaining(reason);
+    }
+
+    /** What a camera's lens does in the file, but not here, is named with the sensor; numbers without effect are not. */
+    @Test
+    void lensesAreNotIgnoredSilently() throws IOException, WorldException {
+        String[][] cases = {
+            {"<lens><intrinsics><fx>277</fx><fy>277</fy><cx>80</cx></intrinsics></lens>", "<lens><intrinsics>"},
+            {"<distortion><k1>-0.3</k1></distortion>", "<distortion>"},
+            {"<distortion><k1>0.0</k1><k2>0</k2><p1>-0e3</p1><center>0.5 0.5</center></distortion>", ""},
+            {"<lens><type>stereographic</type><intrinsics/></lens>", ""},
+            {
+                "<lens><projection><p_fx>2</p_fx></projection></lens><distortion><p2>.01</p2></distortion>",
+                "<distortion>, <lens><projection>"
+            },
+            {"", ""}
+        };
+        for (String[] each : cases) {
+            String sdf = ROBOT.replace(
+                    "<sensor name=\"photo\" type=\"camera\"><camera/>",
+                    "<sensor name=\"photo\" type=\"camera\"><camera>" + each[0] + "</camera>");
+            List<String> ignored = new ArrayList<>();
+            found(sdf).forEach(sensor -> sensor.ignored().ifPresent(ignored::add));
+            List<String> remarks =
+                    SdfReader.read(folder.resolve("world.sdf"), List.of()).remarks();
+            if (each[1].isEmpty()) {
+                assertThat(ignored).isEmpty();
+            } else {
+                assertThat(ignored).hasSize(1);
+                assertThat(ignored.get(0))
+                        .startsWith(folder.resolve("world.sdf").toString())
+                        .contains(": sensor rover::head::photo: " + each[1] + " is ignored; ");
+                assertThat(remarks).containsAll(ignored);
+            }
+            assertThat(remarks.stream().filter(remark -> remark.contains("is ignored")))
+                    .hasSameSizeAs(ignored);
+        }
     }
 
     @Test
