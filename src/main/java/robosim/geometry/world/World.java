@@ -78,6 +78,11 @@ public record World(
         return new World(width, height, length, unit, Dimension.PLANAR, accuracy, standing);
     }
 
+    /** The same world where heights count. */
+    public World spatial() {
+        return new World(width, height, length, unit, Dimension.SPATIAL, accuracy, objects);
+    }
+
     /**
      * A geometry of this world with all its objects, added unchecked in their order: they may overlap, as the walls of
      * a plan do.
