@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.net.session.Falls;
 import robosim.geometry.net.session.Motion;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
@@ -31,8 +32,9 @@ final class Bodies {
      * Two that met.
      *
      * @param step of the clock
+     * @param fall the fall of the body that ended in that step; null if none did
      */
-    record Meeting(long step, ContactAnswer contact) {
+    record Meeting(long step, ContactAnswer contact, Falls.@Nullable Fall fall) {
         boolean isOf(String name) {
             return contact.objectName().equals(name) || name.equals(contact.other());
         }
@@ -102,7 +104,10 @@ final class Bodies {
     Reply run(StepBundle step, long clock) {
         Map<Integer, String> reasons = new TreeMap<>();
         last = motion.step(step, reasons::put);
-        last.contacts().forEach(contact -> meetings.add(new Meeting(clock, contact)));
+        Map<String, Falls.Fall> falls = motion.falls();
+        for (ContactAnswer contact : last.contacts()) {
+            meetings.add(new Meeting(clock, contact, falls.get(contact.objectName())));
+        }
         List<Problem> problems = new ArrayList<>();
         reasons.forEach((index, reason) -> problems.add(Problem.of(index, reason)));
         return new Reply(last, problems);

@@ -123,8 +123,9 @@ public sealed class Robot permits Range, Sonar {
     }
 
     /**
-     * Fails if it has met anything so far while bodies moved. The ground, which is the lower border of the world, does not
-     * count where it stands on it; a floor that is an object does.
+     * Fails if it has met anything so far while bodies moved. What carries it does not count: the ground, which is the lower
+     * border of the world, a floor or anything static on which it stands. But where it falls by more than its own height, it
+     * hits what it falls on.
      */
     public Robot hitsNothing() {
         if (!world.met(name).isEmpty()) {
@@ -351,15 +352,15 @@ public sealed class Robot permits Range, Sonar {
     /**
      * Fails if the robot touches any object now, or if it and an object or the world's border have run into each other so
      * far, and from now on whenever that happens in this test: {@link #neverTouches} of everything, whether it has a name
-     * or not. The ground, which is the lower border of the world, does not count where the robot stands on it; a floor that
-     * is an object does, in a world where heights count: see {@link #neverTouchesAnythingBut}.
+     * or not. What carries the robot does not count, as in {@link #hitsNothing}: the ground, which is the lower border of the
+     * world, or a floor.
      */
     public Robot neverTouchesAnything() {
         return neverTouchesAnythingBut();
     }
 
     /**
-     * As {@link #neverTouchesAnything}, but for some objects: the floor that it stands on, or what it is to push.
+     * As {@link #neverTouchesAnything}, but for some objects, such as what it is to push.
      *
      * @param others names
      */

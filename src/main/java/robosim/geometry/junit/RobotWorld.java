@@ -171,7 +171,7 @@ public final class RobotWorld {
         return all == null ? List.of() : all.meetings();
     }
 
-    /** What a body met so far, without the ground that it stands on. */
+    /** What a body met so far, without what it stands on. */
     List<Bodies.Meeting> met(String name) {
         return meetings().stream()
                 .filter(meeting -> meeting.isOf(name) && !watches.isGround(meeting))

@@ -12,12 +12,24 @@ import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.collision.Verdict;
 import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.net.session.Falls;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.drive.Nameless;
 
 /** What robots must never touch, the moves that were refused so far, and what bodies met. */
 final class Watches {
+    /** The least upward part of the normal of a contact with what carries a robot: it is not steeper than 45 degrees. */
+    private static final double CARRIES = Math.sqrt(0.5);
+
+    /** Of the size of a robot: what it stands on is not in it, so that it is free when it is raised by so much. */
+    private static final double RAISED = 0x1p-20;
+
+    /** Of a length in a message. */
+    private static final int DIGITS = 4;
+
     private final Geometry geometry;
     private final VirtualClock clock;
     private final List<Refusal> refusals = new ArrayList<>();
@@ -138,7 +150,7 @@ final class Watches {
         }
     }
 
-    /** Of everything but some objects and the ground, which is the lower border of the world. */
+    /** Of everything but some objects, and what carries the robot: the ground, or a floor. */
     private final class WatchOfAll extends Watch {
         private final Set<String> except;
 
@@ -184,6 +196,9 @@ final class Watches {
                     Contact contact = ContactQuery.contacts(present, other, geometry.dimension(), 1).stream()
                             .findFirst()
                             .orElse(null);
+                    if (carries(present, other, contact)) {
+                        continue;
+                    }
                     throw failure("it touches " + Words.object(other) + time(clock.steps())
                             + (contact == null
                                     ? ""
@@ -201,14 +216,37 @@ final class Watches {
     String other(Bodies.Meeting meeting, String name) {
         String other = meeting.other(name);
         if (other == null) {
-            return Words.object(Nameless.at(geometry, meeting.contact().point()));
+            Falls.Fall fall = meeting.fall();
+            return fall != null && fall.isBorder() && Nameless.isGround(geometry, meeting.contact())
+                    ? "the lower border of the world after a fall of " + NumberText.digits(fall.drop(), DIGITS)
+                            + " (if it should stand on a floor, add one to the world)"
+                    : Words.object(Nameless.at(geometry, meeting.contact().point()));
         }
         return geometry.hasObject(other) ? Text.kindAndName(geometry.getObject(other)) : Text.quoted(other);
     }
 
-    /** Whether a robot stood on the lower border of the world. */
+    /** Whether a robot stood on the lower border of the world or on something static, onto which it has not fallen. */
     boolean isGround(Bodies.Meeting meeting) {
-        return Nameless.isGround(geometry, meeting.contact());
+        String other = meeting.contact().other();
+        return meeting.fall() == null
+                && meeting.contact().normal().y() >= CARRIES
+                && (other == null || isStatic(other));
+    }
+
+    private boolean isStatic(String name) {
+        return !geometry.hasObject(name) || !geometry.getObject(name).isMoveable();
+    }
+
+    /** Whether an object carries a robot that touches it. */
+    private boolean carries(GeometryObject robot, GeometryObject other, @Nullable Contact contact) {
+        Point center = robot.center();
+        double up = RAISED * robot.bounds().size();
+        GeometryObject raised = robot.movedTo(new Point(center.x(), center.y() + up, center.z()));
+        return geometry.dimension() == Dimension.SPATIAL
+                && !other.isMoveable()
+                && contact != null
+                && contact.normal().y() >= CARRIES
+                && !touch(raised, other);
     }
 
     private boolean touch(GeometryObject robot, GeometryObject other) {

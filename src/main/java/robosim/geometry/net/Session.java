@@ -365,8 +365,15 @@ public final class Session {
         }
         breath.run();
         try {
-            motion = motion == null ? new Motion(geometry, () -> breath.run()) : motion;
-            return new Reply(motion.step(step, (index, reason) -> problems.add(leftOut(index, reason))), problems);
+            Motion moving = motion == null ? new Motion(geometry, () -> breath.run()) : motion;
+            motion = moving;
+            StepBundle.Answer answer = moving.step(step, (index, reason) -> problems.add(leftOut(index, reason)));
+            moving.falls().forEach((name, fall) -> {
+                if (fall.isBorder()) {
+                    complaints.warn(Reasons.ofFall(name, fall.drop()));
+                }
+            });
+            return new Reply(answer, problems);
         } catch (IllegalArgumentException e) {
             return new Reply(nothing, List.of(notStepped(Reasons.of(e))));
         }

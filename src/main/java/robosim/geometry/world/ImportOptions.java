@@ -2,7 +2,9 @@ package robosim.geometry.world;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.rosmap.MapWalls;
 
@@ -17,9 +19,18 @@ import robosim.geometry.world.rosmap.MapWalls;
  * @param unknown    what the cells of a ROS map are of which it knows nothing
  * @param isMapCentred whether the world of a ROS map is centred at the middle of its image, and so as large as the image,
  *     instead of at the origin of the map's frame
+ * @param dimension whether heights count; null for what the file says or, where it says nothing, for that of its format:
+ *     {@code PLANAR} for a ROS map, else {@code SPATIAL}. A world of which {@code PLANAR} is asked has no floors, as
+ *     {@link World#planar}
  */
 public record ImportOptions(
-        double wallHeight, double scale, Up up, List<Path> models, Unknown unknown, boolean isMapCentred) {
+        double wallHeight,
+        double scale,
+        Up up,
+        List<Path> models,
+        Unknown unknown,
+        boolean isMapCentred,
+        @Nullable Dimension dimension) {
     /** Walls as high as a door, meshes unscaled, no model folders. */
     public static final ImportOptions DEFAULT = new ImportOptions(MapWalls.HEIGHT, 1, Up.Y, List.of());
 
@@ -51,6 +62,12 @@ public record ImportOptions(
         models = Checks.list("models", models);
     }
 
+    /** Options for worlds of the dimension that is usual for their format. */
+    public ImportOptions(
+            double wallHeight, double scale, Up up, List<Path> models, Unknown unknown, boolean isMapCentred) {
+        this(wallHeight, scale, up, models, unknown, isMapCentred, null);
+    }
+
     /** Options with unknown cells free, and maps where their frame has them. */
     public ImportOptions(double wallHeight, double scale, Up up, List<Path> models) {
         this(wallHeight, scale, up, models, Unknown.FREE, false);
@@ -58,16 +75,21 @@ public record ImportOptions(
 
     /** These options with other model folders. */
     public ImportOptions withModels(List<Path> folders) {
-        return new ImportOptions(wallHeight, scale, up, folders, unknown, isMapCentred);
+        return new ImportOptions(wallHeight, scale, up, folders, unknown, isMapCentred, dimension);
     }
 
     /** These options with unknown cells of another kind. */
     public ImportOptions withUnknown(Unknown cells) {
-        return new ImportOptions(wallHeight, scale, up, models, cells, isMapCentred);
+        return new ImportOptions(wallHeight, scale, up, models, cells, isMapCentred, dimension);
     }
 
     /** These options with the middle of a map's image, or the origin of its frame, at the centre of the world. */
     public ImportOptions withMapCentred(boolean isCentred) {
-        return new ImportOptions(wallHeight, scale, up, models, unknown, isCentred);
+        return new ImportOptions(wallHeight, scale, up, models, unknown, isCentred, dimension);
+    }
+
+    /** These options with a dimension; null for that which is usual for the format of the file. */
+    public ImportOptions withDimension(@Nullable Dimension other) {
+        return new ImportOptions(wallHeight, scale, up, models, unknown, isMapCentred, other);
     }
 }

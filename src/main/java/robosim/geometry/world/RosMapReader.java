@@ -28,6 +28,9 @@ import robosim.geometry.world.shared.FileProblem;
  * the origin of the map's frame, is as high as its walls, and extends one cell beyond its contents on all sides. These
  * are the whole image, free cells included, and its edges. Yaw is a heading.
  *
+ * <p>The world is PLANAR, since a map has no heights: motion on it is much faster there. For one where heights count, use
+ * {@link World#spatial} or {@link ImportOptions#withDimension}.
+ *
  * <p>The map ends where its image does: four more walls stand along its edges outside the image, so that no robot that
  * starts in the map leaves it, and no ray. They fill the world, unless the image stands at an angle to it: then they are one
  * cell thick. They are named {@code left}, {@code right}, {@code upper}
@@ -92,7 +95,7 @@ public final class RosMapReader {
             all.addAll(edges);
             List<WorldObject> objects = all.stream().map(WorldObject::new).toList();
             addRemarks(yaml, settings, map, options, remarks);
-            World world = new World(width, height, length, Unit.METRE, Dimension.SPATIAL, Accuracy.EXACT, objects);
+            World world = new World(width, height, length, Unit.METRE, Dimension.PLANAR, Accuracy.EXACT, objects);
             return new WorldImport(
                     world,
                     "ROS map",

@@ -14,7 +14,9 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
+import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
@@ -23,6 +25,7 @@ import robosim.geometry.world.sdf.SdfShapes;
 import robosim.geometry.world.sdf.SdfState;
 import robosim.geometry.world.sdf.SdfTree;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Floor;
 
 /**
  * Reads the collisions of SDFormat, versions 1.0 to 1.12: worlds, models, nested, included and merged ones, links and
@@ -30,12 +33,16 @@ import robosim.geometry.world.shared.FileProblem;
  *
  * <p>A point (x, y, z) of the file is (x, z, -y) in the world, in metres, so that Y is up; the file's X is forward. The
  * world is centred at the file's origin and leaves at least a metre around all objects. A static model becomes one
- * static object for each of its collisions, any other model one moveable object.
+ * static object for each of its collisions, any other model one moveable object. A plane that faces straight up is the
+ * ground: a thin static box that fills the world, so that robots stand and drive on it.
  *
  * <p>A mistake costs the part that has it: it is left out and listed in the result, as are relevant elements that are not
  * supported. The rest is read.
  */
 public final class SdfReader {
+    /** The format's name in reports. */
+    static final String FORMAT = "SDFormat";
+
     private SdfReader() {}
 
     /**
@@ -147,10 +154,8 @@ public final class SdfReader {
             SdfFiles files = new SdfFiles(file, models);
             SdfTree tree = new SdfTree(files);
             SdfObjects found = found(tree, files, file);
-            List<WorldObject> objects =
-                    found.objects().stream().map(WorldObject::new).toList();
-            double[] reach =
-                    Bounds.reach(objects.stream().map(WorldObject::object).toList());
+            double[] reach = Bounds.reach(found.objects());
+            List<WorldObject> objects = objects(found, size(reach[0]), size(reach[2]));
             World world = new World(
                     size(reach[0]),
                     size(reach[1]),
@@ -167,13 +172,22 @@ public final class SdfReader {
             List<Skipped> skipped = Stream.concat(tree.skipped().stream(), files.leftOut().stream())
                     .map(Skipped::of)
                     .toList();
-            return new WorldImport(
-                    world, files.isUrdf() ? "URDF" : "SDFormat", read, tree.passedOver(), skipped, remarks);
+            return new WorldImport(world, files.isUrdf() ? "URDF" : FORMAT, read, tree.passedOver(), skipped, remarks);
         } catch (FileProblem e) {
             throw new WorldException(e);
         } catch (IllegalArgumentException e) {
             throw new WorldException(new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e));
         }
+    }
+
+    /** With floors that fill the world; none if there is nothing but floors, since nothing gives such a world its size. */
+    private static List<WorldObject> objects(SdfObjects found, double width, double length) {
+        List<WorldObject> objects = new ArrayList<>();
+        for (GeometryObject each : found.objects()) {
+            boolean isFloor = each instanceof BoxObject && found.floors().contains(String.valueOf(each.name()));
+            objects.add(new WorldObject(isFloor ? Floor.filling((BoxObject) each, width, length) : each));
+        }
+        return objects.size() == found.floors().size() ? List.of() : objects;
     }
 
     private static double size(double reach) {

@@ -10,6 +10,7 @@ import robosim.geometry.Geometry;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.world.shared.Floor;
 
 /**
  * The content of a world file: its settings and its objects, in their order. A value; {@link #toGeometry()} creates a
@@ -64,6 +65,22 @@ public record World(
     /** A world of the same size and settings with other objects. */
     public World withObjects(List<WorldObject> others) {
         return new World(width, height, length, unit, dimension, accuracy, others);
+    }
+
+    /**
+     * The same world where heights do not count, without its floors and roofs: a static box that fills the world would be in
+     * the way of everything there.
+     */
+    public World planar() {
+        List<WorldObject> standing = objects.stream()
+                .filter(each -> !Floor.isFloor(each.object(), width, length))
+                .toList();
+        return new World(width, height, length, unit, Dimension.PLANAR, accuracy, standing);
+    }
+
+    /** The same world where heights count. */
+    public World spatial() {
+        return new World(width, height, length, unit, Dimension.SPATIAL, accuracy, objects);
     }
 
     /**

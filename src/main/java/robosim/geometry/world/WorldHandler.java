@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -34,9 +35,10 @@ final class WorldHandler extends DefaultHandler {
         /**
          * The objects of a file that an element names, where the element puts them.
          *
-         * @param base the folder of the file with the element; null if it has none
+         * @param base  the folder of the file with the element; null if it has none
+         * @param outer the world of the element, without its objects
          */
-        List<WorldObject> include(Element element, @Nullable Path base, Placement place, @Nullable Unit unit)
+        List<WorldObject> include(Element element, @Nullable Path base, Placement place, World outer)
                 throws FileProblem;
     }
 
@@ -228,14 +230,7 @@ final class WorldHandler extends DefaultHandler {
             if (problems != null && !problems.isEmpty()) {
                 return; // some objects are missing
             }
-            world = new World(
-                    builder.length(element, "width", "0"),
-                    builder.length(element, "height", "0"),
-                    builder.length(element, "length", "0"),
-                    builder.unit(element),
-                    Dimension.valueOf(element.attribute("dimension", "SPATIAL")),
-                    Accuracy.valueOf(element.attribute("accuracy", "EXACT")),
-                    objects);
+            world = world(element, objects);
             return;
         }
         if (ObjectBuilder.isObject(element)) {
@@ -265,10 +260,21 @@ final class WorldHandler extends DefaultHandler {
         }
     }
 
+    private World world(Element root, List<WorldObject> all) {
+        return new World(
+                builder.length(root, "width", "0"),
+                builder.length(root, "height", "0"),
+                builder.length(root, "length", "0"),
+                builder.unit(root),
+                Dimension.valueOf(root.attribute("dimension", "SPATIAL")),
+                Accuracy.valueOf(root.attribute("accuracy", "EXACT")),
+                all);
+    }
+
     /** Adds the objects of another file. */
     private void include(Element element) throws FileProblem {
-        List<WorldObject> included =
-                reader.include(element, base, Placement.of(builder.pose(element, "at")), builder.unit(element));
+        World outer = world(Objects.requireNonNull(element.parent), List.of());
+        List<WorldObject> included = reader.include(element, base, Placement.of(builder.pose(element, "at")), outer);
         for (WorldObject each : included) {
             count += members(each.object());
             builder.countCells(each.object());

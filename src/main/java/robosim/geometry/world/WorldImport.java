@@ -68,7 +68,8 @@ public record WorldImport(
      * Reads a file in the format given by the ending of its name: a world of this module ({@code .xml}), a ROS map
      * ({@code .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a
      * model), a world of Stage ({@code .world}), URDF ({@code .urdf}), or a mesh ({@code .obj}, {@code .stl}, {@code .dae},
-     * {@code .ply}, {@code .glb}, {@code .gltf}). A file with any other name is read as a world of this module.
+     * {@code .ply}, {@code .glb}, {@code .gltf}). A file with any other name is read as a world of this module. A ROS map
+     * becomes a PLANAR world, others a SPATIAL one, unless the options or a file of this module say otherwise.
      *
      * @throws WorldException naming file, line and remedy, if the file cannot be read, is of no such format, or is
      *     SDFormat that yields no object
@@ -76,6 +77,17 @@ public record WorldImport(
     public static WorldImport read(Path file, ImportOptions options) throws WorldException {
         Checks.present("file", file);
         Checks.present("options", options);
+        WorldImport read = readAny(file, options);
+        Dimension dimension = options.dimension();
+        World world = read.world;
+        if (dimension == null || dimension == world.dimension()) {
+            return read;
+        }
+        World other = dimension == Dimension.PLANAR ? world.planar() : world.spatial();
+        return new WorldImport(other, read.format, read.read, read.passedOver, read.skipped, read.remarks);
+    }
+
+    private static WorldImport readAny(Path file, ImportOptions options) throws WorldException {
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString().toLowerCase(Locale.ROOT);
         if (Files.isDirectory(file)) {
@@ -190,7 +202,8 @@ public record WorldImport(
     /** How a world file reads those of other formats that it includes. */
     static XmlWorld.Others others(ImportOptions options) {
         return (file, folders) -> {
-            WorldImport read = read(file, options.withModels(folders));
+            // The world that includes it says whether heights count.
+            WorldImport read = read(file, options.withModels(folders).withDimension(null));
             return new XmlWorld.Found(
                     read.world,
                     read.format,

@@ -17,9 +17,12 @@ import java.util.Set;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.SAXException;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Floor;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
 import robosim.geometry.world.shared.RegularFile;
@@ -110,9 +113,10 @@ final class XmlWorld implements WorldHandler.Includes {
      * @throws IllegalArgumentException saying what is wrong with the element or with that file
      */
     @Override
-    public List<WorldObject> include(Element element, @Nullable Path base, Placement place, @Nullable Unit unit)
+    public List<WorldObject> include(Element element, @Nullable Path base, Placement place, World outer)
             throws FileProblem {
         Found included = included(locate(element.attribute("file", ""), base));
+        Unit unit = outer.unit();
         Unit other = included.world().unit();
         if (unit != null && other != null && unit != other) {
             throw new IllegalArgumentException("an included file must have the unit of the world, " + unit.symbol()
@@ -121,9 +125,29 @@ final class XmlWorld implements WorldHandler.Includes {
         String prefix = element.attribute("prefix");
         List<WorldObject> objects = new ArrayList<>(included.world().objects().size());
         for (WorldObject each : included.world().objects()) {
-            objects.add(placed(each, place, prefix == null ? "" : prefix));
+            WorldObject fitted = included.format().equals(SdfReader.FORMAT) && place.isUpright()
+                    ? fitted(each, included.world(), place, outer)
+                    : each;
+            if (fitted != null) {
+                objects.add(placed(fitted, fitted == each ? place : Placement.NONE, prefix == null ? "" : prefix));
+            }
         }
         return objects;
+    }
+
+    /**
+     * The object itself, but an infinite ground as the floor of the outer world; null if that needs none, since its lower
+     * border is above the ground or heights do not count.
+     */
+    private static @Nullable WorldObject fitted(WorldObject each, World own, Placement place, World outer) {
+        if (!Floor.isFloor(each.object(), own.width(), own.length())) {
+            return each;
+        }
+        BoxObject floor = outer.dimension() == Dimension.PLANAR
+                ? null
+                : Floor.within(
+                        (BoxObject) each.object(), place.origin().y(), outer.width(), outer.height(), outer.length());
+        return floor == null ? null : new WorldObject(floor, each.color(), each.sonars(), each.body());
     }
 
     private static WorldObject placed(WorldObject given, Placement place, String prefix) {

@@ -45,7 +45,7 @@ class ConvertCommandTest extends CommandRun {
         assertThat(out.toString().lines())
                 .hasSize(6)
                 .contains(
-                        "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7,"
+                        "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7, plane 1,"
                                 + " sphere 1")
                 .anySatisfy(line -> assertThat(line)
                         .startsWith("Wrote " + xml + ": 6 objects, 6 of them moveable; the world is 4 x 4 x "));
@@ -176,13 +176,14 @@ class ConvertCommandTest extends CommandRun {
         assertThat(out.toString())
                 .contains(
                         "note      " + sdf + ":2: left out <include> of model://sun: it is a light\n",
-                        "note      " + sdf + ":3: left out <include> of model://ground_plane: it is infinite ground,",
+                        "note      " + sdf
+                                + ":3: <plane> of ground_plane::link::collision is infinite ground, and a box here",
                         "verdict   fine")
                 .doesNotContain("skipped");
         assertThat(run("check", "--json", sdf)).isEqualTo(ExitCodes.FINE);
         assertThat(out.toString()).contains("\"fine\":true", "\"skipped\":[],\"notes\":[\"" + sdf + ":2: left out");
         assertThat(run("convert", "--strict", sdf, folder.resolve("w.xml"))).isEqualTo(ExitCodes.FINE);
-        assertThat(out.toString()).contains(sdf + ":3: left out <include> of model://ground_plane: ");
+        assertThat(out.toString()).contains(sdf + ":3: <plane> of ground_plane::link::collision is infinite ground");
 
         Path ground = Files.createDirectories(folder.resolve("models/ground_plane"));
         Files.writeString(ground.resolve("model.config"), "<model><sdf version='1.6'>model.sdf</sdf></model>");
@@ -192,7 +193,7 @@ class ConvertCommandTest extends CommandRun {
                 """);
         assertThat(run("check", sdf, "--models", folder.resolve("models"))).isEqualTo(ExitCodes.FINE);
         assertThat(out.toString())
-                .contains("model.sdf:2: left out <plane> of ground_plane::link::c: it is infinite ground, at height")
+                .contains("model.sdf:2: <plane> of ground_plane::link::c is infinite ground, ")
                 .doesNotContain("skipped");
         // Any other that is not there is left out, and that is told by the exit code.
         Files.writeString(sdf, Files.readString(sdf).replace("model://sun", "model://moon"));

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.world.WorldReader;
 
 /** Options of {@code convert} that not every format has a use for. */
 @Timeout(60)
@@ -40,5 +41,34 @@ class ConvertOptionsTest extends CommandRun {
                 .as(err.toString())
                 .isEqualTo(ExitCodes.FINE);
         assertThat(err.toString()).isEmpty();
+    }
+
+    /** A map has no heights, so that they do not count unless that is asked for, here or by a world that includes it. */
+    @Test
+    void theDimensionOfAMap() throws IOException {
+        Path map = Path.of("src/test/resources/robosim/geometry/world/maps/TenByTen.yaml");
+        for (String kind : new String[] {"", "planar", "spatial"}) {
+            Path xml = folder.resolve("map.xml");
+            assertThat(kind.isEmpty() ? run("convert", map, xml) : run("convert", map, xml, "--dimension", kind))
+                    .as(err.toString())
+                    .isZero();
+            assertThat(Files.readString(xml))
+                    .contains("dimension=\"" + (kind.equals("spatial") ? "SPATIAL" : "PLANAR") + "\"");
+        }
+        Path shapes = folder.resolve("shapes.xml");
+        assertThat(run("convert", SHAPES, shapes)).isZero();
+        assertThat(Files.readString(shapes)).contains("dimension=\"SPATIAL\"", "ground_plane");
+        assertThat(run("convert", SHAPES, shapes, "--dimension", "planar")).isZero();
+        assertThat(Files.readString(shapes)).contains("dimension=\"PLANAR\"").doesNotContain("ground_plane");
+        for (String name : new String[] {"TenByTen.yaml", "TenByTen.pgm"}) {
+            Files.copy(map.resolveSibling(name), folder.resolve(name));
+        }
+        for (String dimension : new String[] {"PLANAR", "SPATIAL"}) {
+            Path outer = Files.writeString(
+                    folder.resolve("outer.xml"),
+                    "<world xmlns=\"urn:robosim:world:1\" width=\"40\" height=\"4\" length=\"40\" dimension=\""
+                            + dimension + "\"><include file=\"TenByTen.yaml\"/></world>");
+            assertThat(WorldReader.read(outer).dimension()).hasToString(dimension);
+        }
     }
 }

@@ -74,13 +74,15 @@ class SpatialDriveCommandTest {
         assertThat(out.toString()).contains("; met the border of the world (");
     }
 
-    /** The ground plane is no object, so that a robot would drive under the walls. */
+    /** Without a ground plane a robot drives under the walls. */
     @Test
     void aFallToTheBottomOfTheWorldIsTold(@TempDir Path folder) throws IOException {
-        Path world = Files.writeString(folder.resolve("lab.sdf"), """
-                <sdf version='1.9'><world name='w'>
+        String ground = """
                 <model name='ground_plane'><static>1</static><link name='l'><collision name='c'><geometry><plane/></geometry>
                 </collision></link></model>
+                """;
+        Path world = Files.writeString(folder.resolve("lab.sdf"), """
+                <sdf version='1.9'><world name='w'>
                 <model name='bot'><pose>0 0 0.25 0 0 0</pose><link name='l'><collision name='c'><geometry><box>
                 <size>0.5 0.5 0.5</size></box></geometry></collision></link></model>
                 </world></sdf>
@@ -104,6 +106,21 @@ class SpatialDriveCommandTest {
         assertThat(out.toString())
                 .containsPattern("\"bot\" at \\((1|0.9\\d*), 0.25, 0\\).*; met \"floor\"")
                 .doesNotContain("fallen");
+        Files.writeString(world, Files.readString(world).replace("</world>", ground + "</world>"));
+        out.getBuffer().setLength(0);
+        assertThat(run("drive", world.toString(), "--seconds", "2"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern("\"bot\" at \\((1|0.9\\d*), 0.25, 0\\).*; met \"ground_plane\"")
+                .doesNotContain("fallen");
+        out.getBuffer().setLength(0);
+        assertThat(run("drive", world.toString(), "--seconds", "2", "--planar"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString() + err)
+                .containsPattern("\"bot\" at \\((1|0.9\\d*), 0.25, 0\\)")
+                .doesNotContain("fallen", "ground_plane");
     }
 
     /** For a moment only: what rolls along in front of a robot takes many slices of a step. */

@@ -1,6 +1,7 @@
 package robosim.geometry.junit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -73,5 +74,51 @@ class SpatialDrivingTest {
                                 && answer.contacts().stream()
                                         .anyMatch(contact -> contact.phase() == ContactAnswer.Phase.END)))
                 .isNotEmpty();
+    }
+
+    private static Geometry floor(boolean isThere) {
+        Geometry world = new Geometry(20, 4, 20, Dimension.SPATIAL, Accuracy.EXACT);
+        if (isThere) {
+            world.addObject(new BoxObject(new Point(0, -0.0625, 0), 20, 0.125, 20).named("ground_plane"));
+        }
+        world.addObject(new BoxObject(new Point(3, 0.5, 0), 0.1, 0.9, 8).named("wall"));
+        world.addObjectUnchecked(new CylinderObject(new Point(0, 0.1, 0), 0.2, 0.2).moveable("scout"));
+        return world;
+    }
+
+    /** On a floor a robot hits a wall, and without one it drives below: neither is nothing. */
+    @Test
+    void aFloorIsNothingAndAFallIsNot() {
+        RobotWorld there = RobotWorld.of(floor(true));
+        there.robot("scout").neverTouchesAnything().drives(0.5, 0).forSeconds(4);
+        there.robot("scout").hitsNothing();
+        assertThat(there.robot("scout").center().y()).isCloseTo(0.1, org.assertj.core.data.Offset.offset(1e-6));
+        RobotWorld missing = RobotWorld.of(floor(false));
+        missing.robot("scout").drives(0.5, 0).forSeconds(4);
+        assertThatThrownBy(() -> missing.robot("scout").hitsNothing())
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContainingAll("the lower border of the world after a fall of 2", "add one to the world");
+        assertThatThrownBy(() -> missing.robot("scout").neverTouchesAnything())
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("after a fall of 2");
+        there.robot("scout").drives(0.5, 0);
+        assertThatThrownBy(() -> there.clock().advance(60))
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("it met box \"wall\"");
+    }
+
+    /** From a table onto a floor it has fallen too, and hits it. */
+    @Test
+    void aFallOntoAFloorIsAHit() {
+        Geometry world = floor(true);
+        world.addObjectUnchecked(new BoxObject(new Point(-4, 0.25, 0), 2, 0.5, 2).named("table"));
+        world.addObjectUnchecked(new CylinderObject(new Point(-4, 0.6, 0), 0.2, 0.2).moveable("drum"));
+        RobotWorld fallen = RobotWorld.of(world);
+        fallen.robot("drum").drives(0.5, 0).forSeconds(1);
+        fallen.robot("drum").hitsNothing();
+        fallen.robot("drum").drives(0.5, 0);
+        fallen.clock().advance(40);
+        assertThat(fallen.robot("drum").center().y()).isLessThan(0.3);
+        assertThatThrownBy(() -> fallen.robot("drum").hitsNothing()).hasMessageContaining("\"ground_plane\"");
     }
 }

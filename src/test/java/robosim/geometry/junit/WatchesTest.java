@@ -143,7 +143,7 @@ class WatchesTest {
     }
 
     @Test
-    void aFloorIsLeftOutByItsName() {
+    void aFloorDoesNotCount() {
         Geometry hall = new Geometry(20, 4, 20, Dimension.SPATIAL, Accuracy.EXACT);
         hall.addObject(new BoxObject(new Point(0, -1, 0), 10, 1, 10).named("floor"));
         hall.addObject(new CylinderObject(new Point(0, 0.01, 0), 0.3, 1).moveable("drum"));
@@ -153,6 +153,24 @@ class WatchesTest {
                 .neverTouchesAnythingBut("floor");
         drum.drives(0.5, 0, 0).forSeconds(2).hits("floor");
         assertThat(drum.center().x()).isGreaterThan(0.5);
-        assertThatThrownBy(drum::neverTouchesAnything).hasMessageContaining("box \"floor\" in step ");
+        drum.neverTouchesAnything();
+        hall.addObjectUnchecked(new BoxObject(drum.center(), 0.1, 0.1, 0.1).named("thorn"));
+        assertThatThrownBy(drum::neverTouchesAnything).hasMessageContaining("it touches box \"thorn\"");
+    }
+
+    /** What carries a robot does not count; what it is sunk in, leans on or stands beside does. */
+    @Test
+    void whatItIsSunkInDoesCount() {
+        for (double y : new double[] {0, -0.01}) {
+            Geometry hall = new Geometry(20, 4, 20, Dimension.SPATIAL, Accuracy.EXACT);
+            hall.addObject(new BoxObject(new Point(0, -1, 0), 10, 1, 10).named("floor"));
+            hall.addObjectUnchecked(new CylinderObject(new Point(0, y, 0), 0.3, 1).moveable("drum"));
+            Robot drum = RobotWorld.of(hall).robot("drum");
+            if (y == 0) {
+                drum.neverTouchesAnything();
+            } else {
+                assertThatThrownBy(drum::neverTouchesAnything).hasMessageContaining("box \"floor\"");
+            }
+        }
     }
 }

@@ -358,4 +358,28 @@ class StepSessionTest {
         StepBundle hour = new StepBundle(3600, List.of(), List.of());
         assertThatThrownBy(() -> session.reply(hour)).isInstanceOf(CpuTurn.CutOff.class);
     }
+
+    /** It stood on nothing, and drives on below the walls: that is logged, once. */
+    @Test
+    void aFallIsLogged() {
+        try (LogCapture log = new LogCapture()) {
+            Session session = new Session();
+            List<GeometryObject> objects = List.of(
+                    new BoxObject(new Point(0, 0, 6), 20, 0.5, 2).named("table"),
+                    new CylinderObject(new Point(0, 0.5, 6), 0.5, 0.5).moveable("cart"),
+                    new CylinderObject(new Point(0, 0.5, 0), 0.5, 0.5).moveable("ball"));
+            session.reply(new InitBundle(objects, new WorldSettings(40, 5, 40, Dimension.SPATIAL, Accuracy.EXACT)));
+            List<BodyRequest> bodies = List.of(BodyRequest.of("cart"), BodyRequest.of("ball"));
+            step(session, new StepBundle(0.1, bodies, List.of()));
+            for (int k = 0; k < 20; k++) {
+                step(session, new StepBundle(0.1, List.of(), List.of()));
+            }
+            assertThat(log.lines().stream().filter(line -> line.contains("has fallen")))
+                    .singleElement()
+                    .asString()
+                    .containsPattern(
+                            "\"ball\" has fallen 2\\.7.* onto the lower border of the world; if it should stand on a"
+                                    + " floor, add one");
+        }
+    }
 }

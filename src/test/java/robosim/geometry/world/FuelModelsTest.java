@@ -137,6 +137,6 @@ class FuelModelsTest {
     void sunAndGroundWithAVersion() throws IOException {
         WorldImport read = read("https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane/4", true);
         assertThat(read.isWhole()).isTrue();
-        assertThat(read.remarks()).singleElement().asString().contains("it is infinite ground");
+        assertThat(read.remarks()).singleElement().asString().contains("is infinite ground");
     }
 }

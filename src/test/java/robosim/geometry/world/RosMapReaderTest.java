@@ -26,6 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
@@ -94,6 +95,7 @@ class RosMapReaderTest {
                                 new BoxObject(new Point(0, 0, -1.125), 3.5, 3, 3.25).named("upper edge of the map")),
                         new WorldObject(
                                 new BoxObject(new Point(0, 0, 2.375), 3.5, 3, 0.75).named("lower edge of the map")));
+        assertThat(world.dimension()).isEqualTo(Dimension.PLANAR);
         assertThat(world.unit()).isEqualTo(Unit.METRE);
         assertThat(new double[] {world.width(), world.height(), world.length()}).containsExactly(4, 3, 6);
         GridObject walls = (GridObject) world.objects().get(0).object();
@@ -266,8 +268,8 @@ class RosMapReaderTest {
                 // 89 is 0.651 occupied, 90 is 0.647; 204 is 0.2, 206 is 0.192
                 "0 | trinary | ##..... | 3",
                 "1 | trinary | ....### | 3",
-                // 90 would be 99.4 of 100: not certain
-                "0 | scale   | ##..... | 3",
+                // 90 would be 99.4 of 100: not certain, but known
+                "0 | scale   | ##..... | 0",
                 // a value itself, from 0 to 100, above 65
                 "0 | raw     | .##.... | 4",
             })
@@ -281,7 +283,9 @@ class RosMapReaderTest {
     @Test
     void takesTheThresholdForFreeEnough() throws IOException {
         byte[] image = "P2 4 1 255 64 65 66 101".getBytes(StandardCharsets.US_ASCII);
-        assertThat(picture(grid(map(image, 0, "raw")))).isEqualTo("..#.");
+        OccupancyGrid raw = grid(map(image, 0, "raw"));
+        assertThat(picture(raw)).isEqualTo("..#.");
+        assertThat(raw.unknown()).as("what is above 100").isEqualTo(1);
         Path yaml = map("P2 3 1 100 34 35 36"); // of which the second is 0.65 occupied, as the threshold is
         assertThat(picture(grid(yaml))).isEqualTo("#..");
     }
@@ -349,6 +353,73 @@ class RosMapReaderTest {
         assertThat(grid.occupied.cardinality()).isEqualTo(90); // 0 to 89
         assertThat(grid.unknown()).isEqualTo(116); // 90 to 205
         assertThat(picture(grid)).isEqualTo(picture(grid(map(pgm.toString()))));
+    }
+
+    /** What map servers read too: the same greys give the same cells, whatever the file is. */
+    @ParameterizedTest
+    @CsvSource({"bmp", "tiff", "jpeg", "png"})
+    void readsWhatTheJdkReads(String format) throws IOException {
+        String expected = picture(grid(map("P2 4 2 255 0 0 254 254 205 205 0 254")));
+        int[] greys = {0, 0, 254, 254, 205, 205, 0, 254};
+        int kinds = 0;
+        for (int type :
+                new int[] {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_3BYTE_BGR, BufferedImage.TYPE_BYTE_INDEXED
+                }) {
+            int large = 16; // of which a JPEG keeps the colours
+            BufferedImage image = new BufferedImage(4 * large, 2 * large, type);
+            for (int x = 0; x < image.getWidth(); x++) {
+                for (int y = 0; y < image.getHeight(); y++) {
+                    int grey = greys[y / large * 4 + x / large];
+                    if (type == BufferedImage.TYPE_BYTE_GRAY) {
+                        image.getRaster().setSample(x, y, 0, grey);
+                    } else {
+                        image.setRGB(x, y, grey * 0x010101);
+                    }
+                }
+            }
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            if (ImageIO.write(image, format, bytes)) {
+                kinds++;
+                OccupancyGrid grid = grid(map(bytes.toByteArray(), 0, "trinary"));
+                assertThat(grid.occupied.cardinality()).isEqualTo(3 * large * large);
+                StringBuilder rows = new StringBuilder();
+                for (int cell = 0; cell < 8; cell++) {
+                    int at = (cell / 4 * large + large / 2) * grid.width + cell % 4 * large + large / 2;
+                    rows.append(cell == 4 ? " " : "").append(grid.occupied.get(at) ? '#' : '.');
+                }
+                assertThat(rows.toString()).isEqualTo(expected);
+                if (type != BufferedImage.TYPE_BYTE_INDEXED) { // which rounds 205
+                    assertThat(grid.unknown()).isEqualTo(2 * large * large);
+                }
+            }
+        }
+        assertThat(kinds).isPositive();
+    }
+
+    @Test
+    void aBrokenImageOfTheJdkIsRefused() throws IOException {
+        BufferedImage image = new BufferedImage(40, 20, BufferedImage.TYPE_3BYTE_BGR);
+        SplittableRandom random = new SplittableRandom(1);
+        int refused = 0;
+        for (String format : new String[] {"bmp", "tiff", "jpeg"}) {
+            ByteArrayOutputStream whole = new ByteArrayOutputStream();
+            ImageIO.write(image, format, whole);
+            for (int k = 0; k < 100; k++) {
+                byte[] bytes = whole.toByteArray();
+                for (int change = 0; change < 5; change++) {
+                    bytes[4 + random.nextInt(Math.min(200, bytes.length - 4))] = (byte) random.nextInt();
+                }
+                byte[] part = Arrays.copyOf(bytes, 4 + random.nextInt(bytes.length - 3));
+                Path yaml = map(part, 0, "trinary");
+                try {
+                    RosMapReader.read(yaml);
+                } catch (WorldException e) {
+                    refused++;
+                    assertThat(e.getMessage()).contains("image");
+                }
+            }
+        }
+        assertThat(refused).isBetween(100, 300);
     }
 
     @Test

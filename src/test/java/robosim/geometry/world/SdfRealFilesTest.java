@@ -75,7 +75,7 @@ class SdfRealFilesTest {
             assertThat(read.read()).as("%s", kind).containsEntry(kind, count(document, "//" + kind));
         }
         int shapes = 0;
-        for (String shape : List.of("box", "cylinder", "sphere", "capsule", "mesh", "cone", "ellipsoid")) {
+        for (String shape : List.of("box", "cylinder", "sphere", "capsule", "mesh", "cone", "ellipsoid", "plane")) {
             int read1 = read.read().getOrDefault(shape, 0);
             long skipped = read.skipped().stream()
                     .filter(each -> each.what().startsWith("<" + shape + ">"))
@@ -84,10 +84,10 @@ class SdfRealFilesTest {
             shapes += read1;
         }
         List<String> ground = read.remarks().stream()
-                .filter(each -> each.contains("left out <plane>"))
+                .filter(each -> each.contains("is infinite ground"))
                 .toList();
         assertThat(ground).hasSize(count(document, "//collision/geometry/plane"));
-        assertThat(shapes + read.skipped().size() + ground.size())
+        assertThat(shapes + read.skipped().size())
                 .isEqualTo(count(document, "//collision"))
                 .isPositive();
         for (String other : List.of("visual", "inertial", "plugin", "light", "joint")) {
@@ -104,18 +104,18 @@ class SdfRealFilesTest {
     @Test
     void threeThousandShapes() throws Exception {
         List<WorldObject> objects = read(shapes3000()).world().objects();
-        assertThat(objects).hasSize(3003);
+        assertThat(objects).hasSize(3004);
         int boxes = 0;
         int cylinders = 0;
         int spheres = 0;
         for (WorldObject each : objects) {
             GeometryObject object = each.object();
-            assertThat(object.isMoveable()).isTrue();
+            assertThat(object.isMoveable()).isNotEqualTo("ground_plane".equals(object.name()));
             boxes += object instanceof BoxObject ? 1 : 0;
             cylinders += object instanceof CylinderObject ? 1 : 0;
             spheres += object instanceof SphereObject ? 1 : 0;
         }
-        assertThat(List.of(boxes, cylinders, spheres)).containsExactly(1001, 1001, 1001);
+        assertThat(List.of(boxes, cylinders, spheres)).containsExactly(1002, 1001, 1001);
     }
 
     @Test
@@ -124,10 +124,12 @@ class SdfRealFilesTest {
         assertThat(read.world().unit()).isEqualTo(Unit.METRE);
         assertThat(read.world().objects())
                 .extracting(WorldObject::color)
-                .containsExactly("#ff0000", "#00ff00", "#0000ff", "#ffff00", "#ff00ff", "#ff7800");
+                .containsExactly(null, "#ff0000", "#00ff00", "#0000ff", "#ffff00", "#ff00ff", "#ff7800");
         assertThat(read.world().objects())
                 .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .satisfiesExactly(
+                        ground -> assertThat(ground)
+                                .isEqualTo(new BoxObject(new Point(0, -0.0625, 0), 4, 0.125, 12).named("ground_plane")),
                         box -> assertThat(box).isEqualTo(new BoxObject(new Point(0, 0.5, 0), 1, 1, 1).moveable("box")),
                         cylinder -> assertThat(cylinder)
                                 .isEqualTo(new CylinderObject(new Point(0, 0.5, 1.5), 0.5, 1).moveable("cylinder")),
@@ -140,7 +142,7 @@ class SdfRealFilesTest {
         assertThat(read.skipped()).isEmpty();
         assertThat(read.remarks())
                 .satisfiesExactlyInAnyOrder(
-                        ground -> assertThat(ground).contains(":36: left out <plane>"),
+                        ground -> assertThat(ground).contains(":36: <plane> of ", "is infinite ground"),
                         ellipsoid -> assertThat(ellipsoid).contains(":225: "),
                         cone -> assertThat(cone).contains(":253: "));
     }
@@ -150,7 +152,7 @@ class SdfRealFilesTest {
     void raysThroughTheColumns() throws Exception {
         for (String name : List.of("turtlebot3_world/model.sdf", "turtlebot3_world/turtlebot3_world.world")) {
             WorldImport read = read(SDF.resolve(name));
-            assertThat(read.world().objects()).hasSize(15);
+            assertThat(read.world().objects()).hasSize(name.endsWith(".world") ? 16 : 15); // with the ground
             World all = read.world();
             List<WorldObject> columns = all.objects().stream()
                     .filter(each -> each.object() instanceof CylinderObject)
@@ -227,8 +229,9 @@ class SdfRealFilesTest {
     void theNestedBoxIsInTheMovingModel() throws Exception {
         List<WorldObject> objects =
                 read(SDF.resolve("nested_model.sdf")).world().objects();
-        assertThat(objects).hasSize(1);
-        ObjectGroup group = (ObjectGroup) objects.get(0).object();
+        assertThat(objects).hasSize(2);
+        assertThat(objects.get(0).object().name()).isEqualTo("ground_plane");
+        ObjectGroup group = (ObjectGroup) objects.get(1).object();
         assertThat(group.name()).isEqualTo("model_00");
         assertThat(group.center()).isEqualTo(new Point(0, 0.5, 0));
         GeometryObject box = group.members().get(1);
@@ -244,7 +247,8 @@ class SdfRealFilesTest {
                 .extracting(each -> each.object().withMaterial(Material.DEFAULT))
                 .containsExactly(
                         new BoxObject(new Point(-1, 0.5, 1), 0.1, 0.1, 0.1).named("model_with_lidar"),
-                        new BoxObject(new Point(1, 0.5, -1), 1, 1, 1).moveable("cube"));
+                        new BoxObject(new Point(1, 0.5, -1), 1, 1, 1).moveable("cube"),
+                        new BoxObject(new Point(0, -0.0625, 0), 6, 0.125, 6).named("ground_plane"));
     }
 
     /** An element is named gz::system_priority, and no prefix is declared. */
@@ -260,8 +264,8 @@ class SdfRealFilesTest {
         assertThat(read.isWhole()).isTrue();
         assertThat(read.remarks())
                 .satisfiesExactly(
-                        ground -> assertThat(ground).contains(":46: left out <include> of https://", "infinite ground"),
-                        sun -> assertThat(sun).contains(":50: left out <include> of https://", "it is a light"));
+                        sun -> assertThat(sun).contains(":50: left out <include> of https://", "it is a light"),
+                        ground -> assertThat(ground).contains(":46: <plane> of ground_plane", "infinite ground"));
     }
 
     @Test

@@ -221,13 +221,13 @@ class WorldImportTest {
                 .hasSize(5)
                 .startsWith(
                         "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7,"
-                                + " sphere 1",
+                                + " plane 1, sphere 1",
                         "Ignored, as irrelevant to solid geometry: inertial 6, light 1, scene 1, visual 7")
                 .last()
                 .isEqualTo("... and 1 more");
         assertThat(read.lines(2).get(2))
-                .startsWith(
-                        FILES.resolve("sdf/shapes.sdf") + ":36: left out <plane> of ground_plane::link::collision: ");
+                .startsWith(FILES.resolve("sdf/shapes.sdf")
+                        + ":36: <plane> of ground_plane::link::collision is infinite ground, ");
     }
 
     /** A package for Gazebo has its models beside its worlds. */

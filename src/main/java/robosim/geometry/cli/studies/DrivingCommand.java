@@ -141,14 +141,7 @@ public final class DrivingCommand implements Callable<Integer> {
         check();
         World read = files.world(Inputs.file(spec, "WORLD", world));
         if (planar) {
-            read = new World(
-                    read.width(),
-                    read.height(),
-                    read.length(),
-                    read.unit(),
-                    Dimension.PLANAR,
-                    read.accuracy(),
-                    read.objects());
+            read = read.planar();
         }
         List<DriveCommand> commands = commands(read);
         DriveRun run;

@@ -62,6 +62,9 @@ public final class CheckJson {
                 "outside", check.outside().stream().map(o -> object(o.object())).toList());
         json.put("overlaps", check.overlaps().stream().map(CheckJson::overlap).toList());
         json.put("staticOverlaps", check.staticOverlaps());
+        json.put(
+                "falls",
+                WorldCheck.falls(check.world()).stream().map(CheckJson::fall).toList());
         json.put("rooms", check.rooms().stream().map(CheckJson::room).toList());
         json.put("needs", needs(check.needs()));
         return json;
@@ -81,6 +84,10 @@ public final class CheckJson {
                 "line", skipped.line(),
                 "what", skipped.what(),
                 "reason", skipped.reason());
+    }
+
+    private static Map<String, @Nullable Object> fall(WorldCheck.Fall fall) {
+        return fields("robot", fall.robot().object().name(), "drop", fall.drop());
     }
 
     private static Map<String, @Nullable Object> world(World world) {

@@ -27,6 +27,9 @@ public final class CheckText {
     /** How many pairs of static objects are listed; the rest are counted. */
     private static final int STATIC_PAIRS = 10;
 
+    /** How many falls. */
+    private static final int FALLS = 3;
+
     /** Things left out that are told one by one. */
     private static final int SKIPPED = 20;
 
@@ -53,6 +56,7 @@ public final class CheckText {
         text.skipped();
         text.outside();
         text.overlaps();
+        text.falls();
         text.rooms();
         text.needs();
         text.add(
@@ -158,6 +162,23 @@ public final class CheckText {
                     check.staticOverlaps() - STATIC_PAIRS,
                     WorldCheck.MAX_STATIC_OVERLAPS);
         }
+    }
+
+    private void falls() {
+        List<WorldCheck.Fall> falls = WorldCheck.falls(world);
+        falls.stream().limit(FALLS).forEach(fall -> add("falls", "%s", fall(fall, world)));
+        if (falls.size() > FALLS) {
+            add("", "  and %,d more; --json tells all", falls.size() - FALLS);
+        }
+    }
+
+    /** What comes of a robot without a floor. */
+    static String fall(WorldCheck.Fall fall, World world) {
+        Unit unit = world.unit();
+        return Text.quoted(String.valueOf(fall.robot().object().name()))
+                + " stands on nothing: where bodies move it falls "
+                + number(fall.drop()) + (unit == null ? "" : " " + unit.symbol())
+                + " to the lower border of the world, below all walls; add a floor, or make the world PLANAR";
     }
 
     /** The first object's name, and how it touches or overlaps the second. */

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,6 +27,7 @@ import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.export.GlbWriter;
 import robosim.geometry.model.Bounds;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjWriter;
@@ -130,6 +132,13 @@ public final class ConvertCommand implements Callable<Integer> {
     private boolean centred;
 
     @Option(
+            names = "--dimension",
+            paramLabel = "KIND",
+            completionCandidates = Dimensions.class,
+            description = "planar, where heights do not count, or spatial (default: as in IN; a ROS map is planar)")
+    private @Nullable Dimension dimension;
+
+    @Option(
             names = "--robot",
             paramLabel = "ROBOT",
             description = "a robot on the floor: " + RobotSpec.FORM + "; may be repeated")
@@ -147,6 +156,16 @@ public final class ConvertCommand implements Callable<Integer> {
         public Iterator<String> iterator() {
             return Stream.of(ImportOptions.Up.values())
                     .map(axis -> axis.name().toLowerCase(Locale.ROOT))
+                    .iterator();
+        }
+    }
+
+    /** The values that a shell's completion offers for {@code --dimension}, as the help writes them. */
+    static final class Dimensions implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Stream.of(Dimension.values())
+                    .map(kind -> kind.name().toLowerCase(Locale.ROOT))
                     .iterator();
         }
     }
@@ -236,7 +255,7 @@ public final class ConvertCommand implements Callable<Integer> {
 
     private ImportOptions options() {
         try {
-            return new ImportOptions(wallHeight, scale, up, List.of(), unknown, centred);
+            return new ImportOptions(wallHeight, scale, up, List.of(), unknown, centred, dimension);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }

@@ -23,6 +23,7 @@ import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.check.StandIn;
+import robosim.geometry.world.check.WorldCheck;
 
 /**
  * A robot in words: {@code [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING][#RRGGBB]}, or {@code box:WIDTHxLENGTH[xHEIGHT]} in the
@@ -125,10 +126,15 @@ final class RobotSpec {
         }
     }
 
-    /** Warns of robots that are put inside something hollow. */
+    /** Warns of a robot, the last of the world, that is inside something hollow, or that will fall. */
     static void warn(World world, PrintWriter err) {
         String robot = String.valueOf(
                 world.objects().get(world.objects().size() - 1).object().name());
+        for (WorldCheck.Fall fall : WorldCheck.falls(world)) {
+            if (robot.equals(fall.robot().object().name())) {
+                err.println("warning: " + CheckText.fall(fall, world));
+            }
+        }
         for (String each : around(world)) {
             err.println("warning: " + Text.quoted(robot) + " is inside the closed surface " + Text.quoted(each)
                     + ", which it cannot leave; put it elsewhere unless that is a room");

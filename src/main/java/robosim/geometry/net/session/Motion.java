@@ -1,12 +1,14 @@
 package robosim.geometry.net.session;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.Body;
@@ -55,6 +57,9 @@ public final class Motion {
     private final Map<String, DriveSettings> drives = new HashMap<>();
     private final Runnable breath;
 
+    /** Null where nothing falls. */
+    private final @Nullable Falls falls;
+
     /** No bodies so far, and nothing that runs between two parts of a step. */
     public Motion(Geometry world) {
         this(world, () -> {});
@@ -71,6 +76,12 @@ public final class Motion {
         this.breath = breath;
         this.dynamics = new Dynamics(world, world.dimension() == Dimension.SPATIAL ? FLOOR : Surface.SMOOTH);
         dynamics.pausing(breath);
+        falls = world.dimension() == Dimension.SPATIAL ? new Falls(world) : null;
+    }
+
+    /** By body, the fall that ended in the last step, onto the lower border of the world or something static. */
+    public Map<String, Falls.Fall> falls() {
+        return falls == null ? Map.of() : Collections.unmodifiableMap(falls.last());
     }
 
     /**
@@ -82,6 +93,9 @@ public final class Motion {
     public StepBundle.Answer step(StepBundle step, BiConsumer<Integer, String> refused) {
         bodies.removeIf(name -> !dynamics.has(name));
         drives.keySet().retainAll(bodies);
+        if (falls != null) {
+            falls.begin();
+        }
         int index = 0;
         for (BodyRequest body : step.bodies()) {
             attempt(index++, body.objectName(), refused, () -> add(body));
@@ -93,6 +107,9 @@ public final class Motion {
             return new StepBundle.Answer(places(), List.of(), List.of());
         }
         StepResult result = dynamics.step(step.seconds());
+        if (falls != null) {
+            falls.end(result);
+        }
         List<ContactAnswer> contacts =
                 new ArrayList<>(result.contacts().size() + result.ended().size());
         result.contacts().forEach(contact -> contacts.add(answer(contact)));
@@ -155,6 +172,9 @@ public final class Motion {
                 : new Twist(velocity.x(), velocity.y(), velocity.z(), Degrees.toDegrees(velocity.ry()));
         dynamics.add(name, body);
         bodies.add(name);
+        if (falls != null) {
+            falls.watch(name);
+        }
         if (settings != null && drive != null) {
             drives.put(name, settings);
             dynamics.drive(name, drive);

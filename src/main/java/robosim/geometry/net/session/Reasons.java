@@ -6,8 +6,11 @@ import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 
-/** Describes in words why a request was refused. */
+/** Describes in words why a request was refused, or what a user should know of one that was carried out. */
 public final class Reasons {
+    /** Of a length in words. */
+    private static final int DIGITS = 4;
+
     private Reasons() {}
 
     /** As in {@code blocked by "wall 3" after 0.25 of the way}. */
@@ -18,6 +21,13 @@ public final class Reasons {
     /** What an exception says, in one line. */
     public static String of(IllegalArgumentException e) {
         return e.getMessage() == null ? e.getClass().getSimpleName() : Text.line(e.getMessage());
+    }
+
+    /** A body that fell onto the lower border of its world. */
+    public static String ofFall(String name, double drop) {
+        return Text.quoted(name) + " has fallen " + NumberText.digits(drop, DIGITS)
+                + " onto the lower border of the world; if it should stand on a floor, add one to the world, or make the"
+                + " world PLANAR";
     }
 
     private static String obstacle(@Nullable GeometryObject obstacle) {

@@ -34,7 +34,7 @@ import robosim.geometry.world.WorldObject;
  * robot reaches another if, from a place at which the bodies are within two steps of touching, its body moves straight
  * to the other and hits nothing else first. Two robots share a room if one of them reaches the other, directly or
  * through further ones. The narrowest robots search first, and a robot that has been reached does not search. Robots
- * that start in contact or outside the world are not tested. If the step had to be coarser than half of the smaller
+ * that start in contact or outside the world are not tested; one that stands on a floor is tested just above it. If the step had to be coarser than half of the smaller
  * extent, a search near the start uses steps of that half; if that does not finish either, it is unknown whether the
  * robots are shut in, and {@link Room#isTold} is false.
  *
@@ -120,18 +120,21 @@ public record WorldCheck(
         World inside = outside.isEmpty() ? world : without(world, left);
         // What was dropped may be what the answers depend on.
         boolean isComplete = isWhole && outside.isEmpty();
-        // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
-        CompletableFuture<List<SettingTally>> tallies =
-                CompletableFuture.supplyAsync(() -> isComplete ? SettingTally.all(inside) : List.of());
         Overlaps overlaps = new Overlaps(inside, watch);
+        World free = Standing.raised(inside, overlaps.found());
+        // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
+        CompletableFuture<List<SettingTally>> tallies = CompletableFuture.supplyAsync(() -> isComplete ? SettingTally.all(free) : List.of());
         Set<String> touching = new HashSet<>();
         for (Overlap overlap : overlaps.found()) {
+            if (Standing.isStanding(overlap)) {
+                continue;
+            }
             touching.add(
                     overlap.isStart() ? String.valueOf(overlap.first().object().name()) : "");
             boolean both = overlap.second().object().isMoveable();
             touching.add(both ? String.valueOf(overlap.second().object().name()) : "");
         }
-        RobotReachability reachability = new RobotReachability(inside, touching, watch);
+        RobotReachability reachability = new RobotReachability(free, touching, watch);
         List<Room> found = reachability.find();
         return new WorldCheck(
                 world,
@@ -145,7 +148,7 @@ public record WorldCheck(
                 overlaps.staticCount(),
                 found,
                 isComplete
-                        ? new Questions(inside, reachability, pieces.triangles, tallies.join(), watch).ask()
+                        ? new Questions(free, reachability, pieces.triangles, tallies.join(), watch).ask()
                         : Needs.undecided(world));
     }
 
@@ -180,10 +183,28 @@ public record WorldCheck(
                 .toList();
     }
 
-    /** Contacts in which a moveable object starts. */
+    /** Contacts in which a moveable object starts, other than with what it stands on. */
     public List<Overlap> startingContacts() {
-        return overlaps.stream().filter(Overlap::isStart).toList();
+        return overlaps.stream()
+                .filter(each -> each.isStart() && !Standing.isStanding(each))
+                .toList();
     }
+
+    /**
+     * The falls of robots below which there is nothing but the lower border of a world where heights count, by more than their
+     * own height, as soon as bodies move by themselves. They are no findings: moves and sonars know no gravity.
+     */
+    public static List<Fall> falls(World world) {
+        return Standing.falls(Checks.present("world", world));
+    }
+
+    /**
+     * A fall that is to be expected.
+     *
+     * @param robot what falls
+     * @param drop  how far, world units
+     */
+    public record Fall(WorldObject robot, double drop) {}
 
     /**
      * Whether nothing was found that hinders robots: nothing is outside, no robot starts in contact, is shut in or is

@@ -16,7 +16,7 @@ public final class OccupancyGrid {
     /** The walls: cell {@code x} of row {@code row} is bit {@code row * width + x}. */
     public final BitSet occupied;
 
-    /** The cells that are neither walls nor free. */
+    /** The cells of which nothing is known; one that is a wall with some probability is known, and free. */
     public final BitSet unknown;
 
     private final MapSettings settings;
@@ -38,7 +38,7 @@ public final class OccupancyGrid {
         }
     }
 
-    /** How many cells are neither walls nor free. */
+    /** Of how many cells nothing is known. */
     public int unknown() {
         return unknown.cardinality();
     }
@@ -69,7 +69,7 @@ public final class OccupancyGrid {
      */
     Cell cell(long sum, long whole, int alpha, int opaque) {
         int value = value(sum, whole, alpha, opaque);
-        return value == 0 ? Cell.FREE : value != UNKNOWN && isWall(value) ? Cell.WALL : Cell.UNKNOWN;
+        return value == UNKNOWN ? Cell.UNKNOWN : isWall(value) ? Cell.WALL : Cell.FREE;
     }
 
     private boolean isWall(int value) {

@@ -31,6 +31,7 @@ public final class SdfObjects {
     private final Map<String, Integer> counts = new TreeMap<>();
     private final List<String> remarks = new ArrayList<>();
     private final List<SdfSensor> sensors = new ArrayList<>();
+    private final Set<String> floors = new HashSet<>();
     private int collisions;
 
     /** A moveable model: the shapes found in it so far, in its own frame. */
@@ -55,6 +56,11 @@ public final class SdfObjects {
 
     public List<GeometryObject> objects() {
         return objects;
+    }
+
+    /** The names of the objects that are floors, which are to fill the world. */
+    public Set<String> floors() {
+        return floors;
     }
 
     /** The sensors of all links that are read. */
@@ -157,8 +163,11 @@ public final class SdfObjects {
                 leaveOutMistakes(collision, () -> {
                     String path = path(scope, link, collision);
                     Placement local = local(scope, link, collision);
-                    GeometryObject shape = shape(link, collision, path, inWorld.then(local));
-                    if (shape != null) {
+                    Placement there = inWorld.then(local);
+                    GeometryObject shape = shape(link, collision, path, there);
+                    if (shape != null && SdfShapes.isFloor(collision, there)) { // which stays where it is
+                        addFloor(shape, path, collision);
+                    } else if (shape != null) {
                         Placement place = inBody.then(local);
                         body.members.add(placed(collision, shape, place));
                         body.first = body.first == null ? place : body.first;
@@ -187,6 +196,7 @@ public final class SdfObjects {
     private void statics(SdfNode model, Placement inWorld) throws FileProblem {
         Map<SdfElement, GeometryObject> found = new LinkedHashMap<>();
         Map<SdfElement, String> paths = new HashMap<>();
+        Set<SdfElement> grounds = new HashSet<>();
         SdfScope scope = inner(model);
         countModel(scope);
         for (SdfNode link : scope.links) {
@@ -197,7 +207,8 @@ public final class SdfObjects {
                     Placement place = inWorld.then(local(scope, link, collision));
                     GeometryObject shape = shape(link, collision, path, place);
                     if (shape != null) {
-                        found.put(collision, placed(collision, shape, place));
+                        boolean isFloor = SdfShapes.isFloor(collision, place) && grounds.add(collision);
+                        found.put(collision, isFloor ? shape : placed(collision, shape, place));
                         paths.put(collision, path);
                     }
                 });
@@ -213,13 +224,24 @@ public final class SdfObjects {
         for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
             SdfElement collision = each.getKey();
             leaveOutMistakes(collision, () -> {
-                String name = unique(alone ? scope.path : paths.getOrDefault(collision, scope.path), collision);
-                objects.add(each.getValue().named(name));
+                String path = alone ? scope.path : paths.getOrDefault(collision, scope.path);
+                GeometryObject object = each.getValue();
+                if (grounds.contains(collision)) {
+                    addFloor(object, path, collision);
+                } else {
+                    objects.add(object.named(unique(path, collision)));
+                }
             });
         }
         for (SdfNode nested : scope.models) {
             statics(nested, inWorld.then(scope.placement(nested)));
         }
+    }
+
+    private void addFloor(GeometryObject floor, String path, SdfElement collision) throws FileProblem {
+        String name = unique(path, collision);
+        floors.add(name);
+        objects.add(floor.named(name));
     }
 
     private static SdfScope inner(SdfNode model) {

@@ -20,6 +20,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Floor;
 import robosim.geometry.world.shared.ImageFiles;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
@@ -143,23 +144,35 @@ public final class SdfShapes {
         return new CapsuleObject(new Point(), shape.number("radius"), shape.number("length"));
     }
 
-    /**
-     * The ground is left out: whatever stands on it would touch it, and what touches cannot move. Any other plane
-     * becomes a wide, thin box behind it.
-     */
-    private @Nullable GeometryObject plane(SdfElement shape, String owner, Placement place) throws FileProblem {
-        Point normal = shape.vector("normal", new Point(0, 0, 1));
-        Point given = SdfPose.place(normal.x(), normal.y(), normal.z());
-        Point up = place.direction(given.x(), given.y(), given.z());
-        if (!(up.x() == 0 && up.z() == 0 && up.y() > 0)) {
-            return wall(shape, owner, given);
+    /** The ground becomes the floor of the world, in the world's own axes. Any other plane becomes a wide, thin box behind it. */
+    private GeometryObject plane(SdfElement shape, String owner, Placement place) throws FileProblem {
+        if (!isGround(shape, place)) {
+            return wall(shape, owner, normal(shape));
         }
-        tree.ground(
+        double height = place.origin().y();
+        tree.remark(
                 shape,
-                named(shape, owner),
-                "it is infinite ground, at height " + place.origin().y()
-                        + ", which all that stands on it would touch, and what touches cannot move; use a box if something must collide with it");
-        return null;
+                named(shape, owner) + " is infinite ground, and a box here that fills the world, " + Floor.THICKNESS
+                        + " m thick, with its top at a height of " + height + " m");
+        return Floor.at(height);
+    }
+
+    private static Point normal(SdfElement plane) throws FileProblem {
+        Point normal = plane.vector("normal", new Point(0, 0, 1));
+        return SdfPose.place(normal.x(), normal.y(), normal.z());
+    }
+
+    private static boolean isGround(SdfElement plane, Placement place) throws FileProblem {
+        Point normal = normal(plane);
+        Point up = place.direction(normal.x(), normal.y(), normal.z());
+        return up.x() == 0 && up.z() == 0 && up.y() > 0;
+    }
+
+    /** Whether the shape of a collision is the floor of the world: a plane that faces straight up. */
+    static boolean isFloor(SdfElement collision, Placement place) throws FileProblem {
+        SdfElement geometry = collision.child("geometry");
+        SdfElement plane = geometry == null || geometry.children.size() != 1 ? null : geometry.child("plane");
+        return plane != null && isGround(plane, place);
     }
 
     /** A thin box, the middle of whose front is the origin, facing along a direction of the model. */

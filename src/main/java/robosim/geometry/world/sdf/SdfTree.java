@@ -17,11 +17,10 @@ import robosim.geometry.world.shared.Numbers;
 
 /** Builds the scopes of a world, with included models in place, and a report of what is not read. */
 public final class SdfTree {
-    /** Models that come with Gazebo and that most worlds include, and why nothing is missing without them. */
-    private static final Map<String, String> WELL_KNOWN = Map.of(
-            "model://sun", "it is a light",
-            "model://ground_plane",
-                    "it is infinite ground, which all that stands on it would touch, and what touches cannot move; use a box if something must collide with it");
+    /** Models that come with Gazebo and that most worlds include, so that their files may be missing. */
+    private static final String SUN = "model://sun";
+
+    private static final String GROUND = "model://ground_plane";
 
     private static final int MOST_NAMES = 5;
 
@@ -60,11 +59,6 @@ public final class SdfTree {
     /** Remarks, none of which means that something is missing. */
     public List<String> remarks() {
         return List.copyOf(remarks);
-    }
-
-    /** Leaves out a ground plane, which is not reported as missing: everything stands on it. */
-    void ground(SdfElement plane, String what, String reason) {
-        remarks.add(new LeftOut(plane.file.shown(), plane.line, what, reason).toString());
     }
 
     /** Something that a user should know of an element that is read. */
@@ -286,10 +280,14 @@ public final class SdfTree {
         String address = uri.value();
         SdfElement root = files.included(uri);
         if (root == null) {
-            String reason = WELL_KNOWN.get(SdfFiles.isRemote(address) ? localName(address) : address);
-            if (reason != null) {
-                remarks.add(
-                        new LeftOut(include.file.shown(), include.line, "<include> of " + address, reason).toString());
+            String model = SdfFiles.isRemote(address) ? localName(address) : address;
+            if (model.equals(GROUND)) {
+                included(scope, include, groundPlane(include), home);
+                return;
+            }
+            if (model.equals(SUN)) {
+                remarks.add(new LeftOut(include.file.shown(), include.line, "<include> of " + address, "it is a light")
+                        .toString());
                 return;
             }
             if (SdfFiles.isRemote(address)) {
@@ -310,6 +308,21 @@ public final class SdfTree {
         } finally {
             open.remove(root.file);
         }
+    }
+
+    /** Gazebo's model of an infinite ground, where it is included. */
+    private static SdfElement groundPlane(SdfElement include) {
+        SdfElement model = new SdfElement(include.file, "model", include.line, 0, Map.of("name", "ground_plane"));
+        SdfElement inner = model;
+        for (String name : List.of("link", "collision", "geometry", "plane")) {
+            SdfElement next = new SdfElement(include.file, name, include.line, 0, Map.of("name", name));
+            inner.children.add(next);
+            inner = next;
+        }
+        SdfElement isStatic = new SdfElement(include.file, "static", include.line, 0, Map.of());
+        isStatic.text.append("true");
+        model.children.add(isStatic);
+        return model;
     }
 
     /** The address of the same model in a folder: Fuel writes Ground Plane where a folder is called ground_plane. */

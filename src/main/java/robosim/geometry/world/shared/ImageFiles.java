@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import robosim.geometry.image.PixelSink;
 import robosim.geometry.image.PngReader;
 
-/** Reads the samples of images that stand for numbers: PNG and PGM, told apart by their first bytes. */
+/** Reads the samples of images that stand for numbers: PNG and PGM, and what the JDK reads, told apart by their first bytes. */
 public final class ImageFiles {
     private ImageFiles() {}
 
@@ -25,17 +25,27 @@ public final class ImageFiles {
      * @param source the name of the image in messages
      */
     public static void read(byte[] bytes, String source, PixelSink sink) throws FileProblem {
-        boolean isPng = isPng(bytes);
+        String other = JdkImageReader.format(bytes);
+        String kind = isPng(bytes) ? "PNG" : other == null ? "PGM" : other;
         try {
-            if (isPng) {
+            if (kind.equals("PNG")) {
                 PngReader.read(new ByteArrayInputStream(bytes), sink);
+            } else if (other != null) {
+                JdkImageReader.read(bytes, other, sink);
             } else {
                 PgmReader.read(bytes, source, sink);
             }
         } catch (FileProblem e) {
             throw e;
+        } catch (NoClassDefFoundError e) {
+            throw new FileProblem(
+                    source,
+                    0,
+                    0,
+                    "the " + kind + " image needs the module java.desktop, which this Java does not have; save it as"
+                            + " PNG or PGM (missing: " + e.getMessage() + ")",
+                    e);
         } catch (IOException | IllegalArgumentException e) {
-            String kind = isPng ? "PNG" : "PGM";
             throw new FileProblem(source, 0, 0, "the " + kind + " image could not be read: " + e.getMessage(), e);
         }
     }

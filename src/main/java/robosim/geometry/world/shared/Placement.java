@@ -100,6 +100,11 @@ public final class Placement {
         return upright && heading == 0 && lost == 0 && origin.x() == 0 && origin.z() == 0;
     }
 
+    /** Whether this turns about the vertical at most. */
+    public boolean isUpright() {
+        return upright;
+    }
+
     /** Whether this only moves. */
     public boolean isShift() {
         return upright && heading == 0 && lost == 0;

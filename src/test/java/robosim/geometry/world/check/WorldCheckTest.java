@@ -241,13 +241,13 @@ class WorldCheckTest {
 
     @Test
     void whereNobodyHasRoomNothingIsRecommended() {
-        // It stands on the floor, and touching is colliding.
+        // It is in the floor, deeper than what stands on it.
         WorldCheck check = large(
                 Dimension.SPATIAL,
                 20,
                 new BoxObject(new Point(0, -1.0625, 0), 20, 0.125, 20),
                 new BoxObject(new Point(3, -0.5, 0), 0.25, 1, 10).turned(0, 30),
-                new BoxObject(new Point(0, -0.75, 0), 0.5, 0.5, 0.5).moveable("robot"));
+                new BoxObject(new Point(0, -0.76, 0), 0.5, 0.5, 0.5).moveable("robot"));
         assertThat(check.needs().isTold()).isFalse();
         assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
         assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
