@@ -611,6 +611,7 @@ public final class Motion {
     private boolean isBlockedAnywhere(int sure) {
         for (int k = 0; k < candidates.count(); k++) {
             int other = candidates.id(k);
+            scratch.work.take();
             if (other == sure || !view.table(other).meets(other, around)) {
                 continue;
             }
@@ -630,6 +631,7 @@ public final class Motion {
         double leastTouching = Double.POSITIVE_INFINITY;
         for (int k = 0; k < candidates.count(); k++) {
             int other = candidates.id(k);
+            scratch.work.take();
             double met = met(other);
             if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
                 continue;
@@ -724,6 +726,7 @@ public final class Motion {
             leg.atStart.bounds(0, leg.atStart.size(), part);
             for (int k = 0; k < candidates.count(); k++) {
                 int other = candidates.id(k);
+                scratch.work.take();
                 LeafTable of = view.table(other);
                 if (of.meets(other, part)) {
                     int first = of.first(other);
@@ -764,6 +767,7 @@ public final class Motion {
 
     private boolean isFreeAfter(double share) {
         for (int k = 0; k < candidates.count(); k++) {
+            scratch.work.take();
             if (candidates.id(k) != obstacle && touchesAnew(candidates.id(k), share)) {
                 return false;
             }
