@@ -6,7 +6,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Twist;
 
 /** A body, what drives it, and its velocity between steps. */
-final class BodyState {
+final class BodyState implements Cloneable {
     private static final Twist STILL = new Twist(0, 0, 0, 0);
 
     /** A drive does not push for less than this share of its speed. */
@@ -43,14 +43,26 @@ final class BodyState {
     private double left;
     private boolean isHindered;
 
-    private final PushResponse response = new PushResponse();
+    private PushResponse response = new PushResponse();
 
     /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
-    final double[] spatial = new double[6];
+    double[] spatial = new double[6];
 
     BodyState(String name, Body body) {
         this.name = name;
         this.body = body;
+    }
+
+    /** The same state of the same body, which goes on by itself. */
+    BodyState copy() {
+        try {
+            BodyState copy = (BodyState) clone();
+            copy.spatial = spatial.clone();
+            copy.response = response.copy();
+            return copy;
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** The velocity along its own axes; the heading, in degrees, and its rounding error stand at an index of places. */

@@ -99,9 +99,23 @@ public final class ObjectRegistry {
         limit = of;
     }
 
+    public boolean isLimited() {
+        return limit != null;
+    }
+
     /** Begins a call, which has the whole budget unless it is a part of another one. */
     public void begin(String call) {
         work.begin(limit, call);
+    }
+
+    /** Begins a call that is made of others, up to {@link #close}. */
+    public void open(String call) {
+        work.open(limit, call);
+    }
+
+    /** Ends a call that was opened. */
+    public void close() {
+        work.close();
     }
 
     /**
