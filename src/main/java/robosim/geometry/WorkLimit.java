@@ -26,8 +26,6 @@ import robosim.geometry.exact.Work;
  * number of worlds; each call counts for itself, and cancelling ends all of them.
  */
 public final class WorkLimit {
-    private static final Runnable NOTHING = () -> {};
-
     private final long units;
     private final Runnable between;
     private final Work.Limit counted = new Counted();
@@ -47,12 +45,12 @@ public final class WorkLimit {
         if (units < 0) {
             throw new IllegalArgumentException("units must be at least 0 (got: " + units + ")");
         }
-        return new WorkLimit(units, NOTHING);
+        return new WorkLimit(units, () -> {});
     }
 
     /** No limit of units: calls are counted, and can be cancelled. */
     public static WorkLimit none() {
-        return new WorkLimit(Long.MAX_VALUE, NOTHING);
+        return new WorkLimit(Long.MAX_VALUE, () -> {});
     }
 
     /**

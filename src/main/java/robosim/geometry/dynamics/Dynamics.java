@@ -92,7 +92,10 @@ public final class Dynamics {
     /** Whether what runs then may end a step. */
     private boolean isPausing;
 
-    /** Whether the step at hand has begun, in a PLANAR world. */
+    /** Whether what a step changes has been kept, so that it can be taken back. */
+    private boolean isKept;
+
+    /** Whether the step at hand has begun. */
     private boolean hasBegun;
 
     /**
@@ -294,18 +297,46 @@ public final class Dynamics {
         });
     }
 
-    /** Makes a step, or leaves all as it was. */
-    private <T extends @Nullable Object> T asOne(Supplier<T> step) {
+    /**
+     * Makes changes of bodies and a step as one: if they end with an exception of any kind, the places of all objects, all bodies,
+     * velocities, drives and surfaces, and what {@link #last} tells are as before. Under a {@link robosim.geometry.WorkLimit} of the
+     * world they count as one call. No object may be added to the world or removed meanwhile.
+     *
+     * @param changes makes at most one step
+     * @return what {@code changes} returns
+     */
+    public <T extends @Nullable Object> T together(Supplier<T> changes) {
         carrier.begin("a step");
-        Kept kept = isPausing || carrier.isLimited() ? new Kept() : null;
+        @Nullable Kept kept = new Kept();
+        isKept = true;
         try {
-            T told = step.get();
+            T told = changes.get();
             kept = null;
             return told;
         } finally {
+            isKept = false;
             if (kept != null) {
                 kept.undo();
             }
+            carrier.end();
+        }
+    }
+
+    /** Makes a step, or leaves all as it was. */
+    private <T extends @Nullable Object> T asOne(Supplier<T> step) {
+        if (isKept) {
+            if (hasBegun) {
+                throw new IllegalStateException("changes must make at most one step (got: a second)");
+            }
+            return step.get();
+        }
+        if (isPausing || carrier.isLimited()) {
+            return together(step);
+        }
+        carrier.begin("a step");
+        try {
+            return step.get();
+        } finally {
             carrier.end();
         }
     }
@@ -315,6 +346,7 @@ public final class Dynamics {
         private final double[] places = carrier.places();
         private final List<BodyState> states = new ArrayList<>(bodies.size());
         private final List<BodyState> inOrder = List.copyOf(order);
+        private final Map<String, Surface> surfacesBefore = Map.copyOf(surfaces);
         private final boolean wasStale = isStale;
 
         Kept() {
@@ -331,6 +363,8 @@ public final class Dynamics {
             carrier.putBack(places);
             bodies.clear();
             states.forEach(each -> bodies.put(each.name, each));
+            surfaces.clear();
+            surfaces.putAll(surfacesBefore);
             isStale = wasStale;
             order.clear();
             inOrder.forEach(each -> order.add(bodies.getOrDefault(each.name, each)));
@@ -345,11 +379,13 @@ public final class Dynamics {
 
     private void go(double seconds) {
         Quantity.positive("seconds", seconds);
+        hasBegun = false;
         if (bodies.isEmpty() && !isStale) {
             pass();
             return;
         }
         if (falling != null) {
+            hasBegun = true;
             falling.advance(bodies, surfaces, isStale, seconds);
             isStale = false;
             return;

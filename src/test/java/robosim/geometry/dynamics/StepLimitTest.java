@@ -50,7 +50,9 @@ class StepLimitTest {
     private static String state(Dynamics dynamics, Geometry world) {
         StringBuilder all = new StringBuilder(dynamics.last().toString());
         for (String name : dynamics.names()) {
-            all.append(world.getObject(name)).append(world.getObject(name).pose()).append(dynamics.velocity(name));
+            all.append(world.getObject(name))
+                    .append(world.getObject(name).pose())
+                    .append(dynamics.velocity(name));
         }
         return all.toString();
     }
@@ -70,8 +72,7 @@ class StepLimitTest {
                 world.limitWork(WorkLimit.none());
                 String before = state(dynamics, world);
                 world.limitWork(WorkLimit.of(limit));
-                WorkLimitException refused =
-                        catchThrowableOfType(WorkLimitException.class, () -> dynamics.step(0.07));
+                WorkLimitException refused = catchThrowableOfType(WorkLimitException.class, () -> dynamics.step(0.07));
                 world.limitWork(WorkLimit.none());
                 isMade = refused == null;
                 if (!isMade) {

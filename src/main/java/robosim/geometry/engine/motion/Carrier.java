@@ -81,8 +81,7 @@ public final class Carrier {
         for (int k = 0; k < objects.moverCount(); k++) {
             int id = objects.mover(k);
             int at = objects.place(id);
-            if (!Arrays.equals(
-                    objects.places(), at, at + ObjectTable.PLACE, places, at, at + ObjectTable.PLACE)) {
+            if (!Arrays.equals(objects.places(), at, at + ObjectTable.PLACE, places, at, at + ObjectTable.PLACE)) {
                 System.arraycopy(places, at, place, 0, ObjectTable.PLACE);
                 registry.move(id, place);
             }

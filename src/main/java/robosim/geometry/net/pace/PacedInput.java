@@ -17,6 +17,9 @@ public final class PacedInput extends InputStream implements MessagePace {
     /** Messages smaller than this are not counted against the shared memory. */
     private static final int LARGE_BYTES = 1 << 18;
 
+    /** The first bytes of a message are read without the turn: hellos and pings have no more, and never wait for others. */
+    private static final int FREE_BYTES = 1 << 12;
+
     private final Socket socket;
     private final InputStream in;
     private final Watchdog.Guard guard;
@@ -90,7 +93,7 @@ public final class PacedInput extends InputStream implements MessagePace {
         inside = true;
         messageBytes = 0;
         deadline = System.nanoTime() + messageNanos;
-        turn.hold();
+        compute();
     }
 
     /** An answer was sent, and with it the acknowledgement of all that has come. */
@@ -143,6 +146,9 @@ public final class PacedInput extends InputStream implements MessagePace {
 
     /** Takes the turn. The wait for it is not counted as the peer's time. */
     private void compute() {
+        if (messageBytes < FREE_BYTES) {
+            return; // a hello and a ping never wait for others
+        }
         long start = System.nanoTime();
         turn.hold();
         deadline += System.nanoTime() - start;
