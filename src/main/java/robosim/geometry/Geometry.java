@@ -1,6 +1,7 @@
 package robosim.geometry;
 
 import java.util.List;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.motion.Carrier;
@@ -78,6 +79,7 @@ public final class Geometry extends GeometryQueries {
     private final Accuracy accuracy;
     private final GeometryMoves moves;
     private @Nullable ObjectSearch search;
+    private WorkLimit workLimit = WorkLimit.none();
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
     public Geometry() {
@@ -162,6 +164,7 @@ public final class Geometry extends GeometryQueries {
      * @throws IllegalArgumentException if its name is taken
      */
     public boolean addObject(GeometryObject object) {
+        registry.begin("addObject");
         return registry.add(object, true);
     }
 
@@ -172,6 +175,7 @@ public final class Geometry extends GeometryQueries {
      * @throws IllegalArgumentException if its name is taken
      */
     public boolean addObjectUnchecked(GeometryObject object) {
+        registry.begin("addObjectUnchecked");
         return registry.add(object, false);
     }
 
@@ -180,11 +184,13 @@ public final class Geometry extends GeometryQueries {
      * they are checked only when an object is added.
      */
     public boolean testObject(GeometryObject object) {
+        registry.begin("testObject");
         return registry.collides(view, object, -1);
     }
 
     /** Whether an object would touch or overlap another one, at a given accuracy. */
     public boolean testObject(GeometryObject object, Accuracy accuracy) {
+        registry.begin("testObject");
         return registry.collides(registry.at(accuracy), object, -1);
     }
 
@@ -201,6 +207,7 @@ public final class Geometry extends GeometryQueries {
      * @return false, and nothing changes, if it would touch or overlap another object or leave the world
      */
     public boolean placeObject(String name, Point center, double heading) {
+        registry.begin("placeObject");
         int id = registry.mover(name);
         return registry.place(id, center, heading) || places().stand(view, id, center, heading);
     }
@@ -253,6 +260,7 @@ public final class Geometry extends GeometryQueries {
      * @return false, and it stays where it is, if anything blocks the path or the end
      */
     public boolean simpleMove(String name, double x, double y, double z) {
+        registry.begin("simpleMove");
         return moves.straight(registry.mover(name), x, y, z);
     }
 
@@ -263,6 +271,7 @@ public final class Geometry extends GeometryQueries {
      * @return false, and it stays as it is, if anything blocks the turn
      */
     public boolean simpleTurn(String name, double degrees) {
+        registry.begin("simpleTurn");
         return moves.turn(registry.mover(name), degrees);
     }
 
@@ -275,6 +284,7 @@ public final class Geometry extends GeometryQueries {
      * tipped; what its projection touches on the way blocks. For turns about the vertical see {@link #moveGlobal}.
      */
     public MoveResult move(String name, Move move) {
+        registry.begin("move");
         return moves.own(registry.mover(name), Checks.present("move", move));
     }
 
@@ -285,6 +295,7 @@ public final class Geometry extends GeometryQueries {
      * in the plane, and a plane has no turn about it.
      */
     public MoveResult moveGlobal(String name, Move move) {
+        registry.begin("moveGlobal");
         return moves.global(registry.mover(name), Checks.present("move", move));
     }
 
@@ -299,6 +310,7 @@ public final class Geometry extends GeometryQueries {
      *     is left: it lies neither on the object nor on what blocks it
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
+        registry.begin("moveToContact");
         return moves.toContact(registry.mover(name), Checks.present("move", move), clearance);
     }
 
@@ -326,6 +338,7 @@ public final class Geometry extends GeometryQueries {
      * <p>After it the object overlaps nothing that it did not overlap before.
      */
     public SlideResult moveAndSlide(String name, Move move, SlideOptions options) {
+        registry.begin("moveAndSlide");
         return moves.sliding(registry.mover(name), Checks.present("move", move), Checks.present("options", options));
     }
 
@@ -339,7 +352,47 @@ public final class Geometry extends GeometryQueries {
      *     is, if none of at most {@code max} was found
      */
     public @Nullable Point separate(String name, double max) {
+        registry.begin("separate");
         return moves.separate(registry.mover(name), Checks.size("max", max));
+    }
+
+    /**
+     * Limits the work of each call from now on: one that would exceed it throws a {@link WorkLimitException}, and the world is
+     * as it was before. {@link WorkLimit#none} takes a limit away. Worlds of a snapshot begin without one.
+     */
+    public void limitWork(WorkLimit limit) {
+        registry.limit(Checks.present("limit", limit).counted());
+        workLimit = limit;
+    }
+
+    /** The limit of the work of each call. */
+    public WorkLimit workLimit() {
+        return workLimit;
+    }
+
+    /** How many units of work the last call took, also one that was ended; 0 if none was made since {@link #limitWork}. */
+    public long workDone() {
+        return registry.work.done();
+    }
+
+    /**
+     * Makes calls as one: under a limit of work they share the units of a single call, and if they end with an exception of any
+     * kind, the world is as it was before the first of them. What was moved, placed, added or removed is put back; objects and
+     * their order, places and headings are the same to the bit.
+     *
+     * <pre>{@code
+     * geometry.together("a round", () -> {
+     *     geometry.move("robot", new Move(1, 0, 0, 0, 0));
+     *     return geometry.move("robot", new Move(0, 0, 0, 0, 90)).allowed();
+     * });
+     * }</pre>
+     *
+     * @param call  what messages about the limit call it
+     * @param calls use this world on the calling thread
+     * @return what {@code calls} returns
+     */
+    public <T extends @Nullable Object> T together(String call, Supplier<T> calls) {
+        return registry.together(Checks.present("call", call), Checks.present("calls", calls));
     }
 
     /** As in {@code SPATIAL EXACT world of 20.0 x 5.0 x 20.0 with 113 objects, 8 of them moveable}. */

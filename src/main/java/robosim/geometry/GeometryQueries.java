@@ -74,16 +74,19 @@ abstract class GeometryQueries {
      * @throws IllegalArgumentException naming the argument that is NaN or out of range; in PLANAR also for a vertical ray
      */
     public double getRayDistance(Ray ray, double min, double max, double width) {
+        registry.begin("getRayDistance");
         return beams.distance(view, ray, min, max, width, -1);
     }
 
     /** Distance along a ray at a given accuracy. */
     public double getRayDistance(Ray ray, double min, double max, double width, Accuracy accuracy) {
+        registry.begin("getRayDistance");
         return beams.distance(registry.at(accuracy), ray, min, max, width, -1);
     }
 
     /** Distance along a ray to the nearest object, ignoring the one of a given name. */
     public double getRayDistance(Ray ray, double min, double max, double width, String ignored) {
+        registry.begin("getRayDistance");
         return beams.distance(view, ray, min, max, width, registry.known(ignored));
     }
 
@@ -94,6 +97,7 @@ abstract class GeometryQueries {
      * @param z component to the right
      */
     public double getSonarDistance(String name, double x, double z, double min, double max, double width) {
+        registry.begin("getSonarDistance");
         int id = registry.mover(name);
         Checks.coordinate("x", x);
         Checks.coordinate("z", z);
@@ -108,6 +112,7 @@ abstract class GeometryQueries {
      * echo.
      */
     public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
+        registry.begin("getSonarDistance");
         int id = registry.mover(name);
         Point from = Checks.present("mount", mount).start();
         Point to = mount.direction();
@@ -122,6 +127,7 @@ abstract class GeometryQueries {
      * @return 0 in contact, {@code +Infinity} if nothing is within {@code max}
      */
     public double getProximity(String name, double max) {
+        registry.begin("getProximity");
         int id = registry.known(name);
         Checks.range(0, max);
         return proximity.of(view, id, max);
@@ -132,6 +138,7 @@ abstract class GeometryQueries {
      * distance 0. In PLANAR the hit point keeps the height of the ray's start.
      */
     public @Nullable RayHit castRay(Ray ray, double max) {
+        registry.begin("castRay");
         double distance = beams.cast(view, ray, max, normal);
         return distance == Double.POSITIVE_INFINITY
                 ? null
@@ -168,6 +175,7 @@ abstract class GeometryQueries {
      */
     public void scan(
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
+        registry.begin("scan");
         Checks.present("mount", mount);
         sensor.scan(registry.mover(name), mount, firstDegrees, stepDegrees, min, max, out);
     }
@@ -188,6 +196,7 @@ abstract class GeometryQueries {
      * @param out     takes the answers
      */
     public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        registry.begin("sense");
         mountSensor(Checks.present("name", name), Checks.present("mount", mount));
         sense(pattern, options, out);
     }
@@ -200,6 +209,7 @@ abstract class GeometryQueries {
      * @param sensor where it is and which way it faces
      */
     public void sense(Pose sensor, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        registry.begin("sense");
         mountSensor(null, Checks.present("sensor", sensor));
         sense(pattern, options, out);
     }
@@ -248,6 +258,7 @@ abstract class GeometryQueries {
      * @param out   takes the answers
      */
     public void castRays(double[] rays, int count, SenseBuffer out) {
+        registry.begin("castRays");
         this.rays.check(rays, count);
         this.rays.cast(view, rays, count, Checks.present("out", out).echoes());
     }
@@ -276,6 +287,7 @@ abstract class GeometryQueries {
     }
 
     private int freeRays(double[] rays, int count, int ignored, long[] free) {
+        registry.begin("freeRays");
         this.rays.check(rays, count);
         FreePlaces.checkRoom(count, free);
         return this.rays.free(view, rays, count, ignored, free);
@@ -295,6 +307,7 @@ abstract class GeometryQueries {
      * @return how many poses are free
      */
     public int freePoses(String name, double[] poses, long[] free) {
+        registry.begin("freePoses");
         int id = registry.mover(name);
         return places().poses(view, id, poses, 0, FreePlaces.check("poses", poses, FreePlaces.POSE, free), free);
     }
@@ -311,6 +324,7 @@ abstract class GeometryQueries {
      * @return how many edges are free
      */
     public int freeEdges(String name, double[] edges, long[] free) {
+        registry.begin("freeEdges");
         int id = registry.mover(name);
         return places().edges(view, id, edges, 0, FreePlaces.check("edges", edges, FreePlaces.EDGE, free), free);
     }

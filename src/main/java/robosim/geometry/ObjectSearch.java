@@ -54,11 +54,13 @@ public final class ObjectSearch {
      * {@link Geometry#testObject(GeometryObject)} returns false.
      */
     public List<GeometryObject> touching(GeometryObject object) {
+        registry.begin("touching");
         return found(touching.ask(registry.view, object, -1));
     }
 
     /** Of those the one that was added first. */
     public Optional<GeometryObject> firstTouching(GeometryObject object) {
+        registry.begin("firstTouching");
         return first(touching.ask(registry.view, object, -1));
     }
 
@@ -70,12 +72,14 @@ public final class ObjectSearch {
      * @param heading degrees about the vertical
      */
     public List<GeometryObject> inTheWay(String name, Point center, double heading) {
+        registry.begin("inTheWay");
         int id = registry.mover(name);
         return found(touching.ask(registry.view, placed(id, center, heading), id));
     }
 
     /** Of those the one that was added first. */
     public Optional<GeometryObject> firstInTheWay(String name, Point center, double heading) {
+        registry.begin("firstInTheWay");
         int id = registry.mover(name);
         return first(touching.ask(registry.view, placed(id, center, heading), id));
     }
@@ -97,6 +101,7 @@ public final class ObjectSearch {
      * @param max   range, world units; may be infinite
      */
     public List<NearObject> nearest(Point point, int count, double max) {
+        registry.begin("nearest");
         Checks.range(0, max);
         return near(nearest.around(registry.view, Checks.present("point", point), Checks.count(count), max));
     }
@@ -108,6 +113,7 @@ public final class ObjectSearch {
      * @param max   range, world units; may be infinite
      */
     public List<NearObject> nearest(String name, int count, double max) {
+        registry.begin("nearest");
         int id = registry.known(name);
         Checks.range(0, max);
         return near(nearest.around(registry.view, id, Checks.count(count), max));

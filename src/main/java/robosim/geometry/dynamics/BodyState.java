@@ -7,7 +7,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Twist;
 
 /** A body, what drives it, and its velocity between steps. */
-final class BodyState {
+final class BodyState implements Cloneable {
     private static final Twist STILL = new Twist(0, 0, 0, 0);
 
     /** A drive does not push for less than this share of its speed. */
@@ -47,10 +47,10 @@ final class BodyState {
     private double left;
     private boolean isHindered;
 
-    private final PushResponse response = new PushResponse();
+    private PushResponse response = new PushResponse();
 
     /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
-    final double[] spatial = new double[6];
+    double[] spatial = new double[6];
 
     BodyState(String name, Body body, long arrival) {
         this.name = name;
@@ -62,6 +62,18 @@ final class BodyState {
     boolean isThere(ObjectTable objects) {
         int id = objects.find(name);
         return id >= 0 && objects.arrival(id) == arrival;
+    }
+
+    /** The same state of the same body, which goes on by itself. */
+    BodyState copy() {
+        try {
+            BodyState copy = (BodyState) clone();
+            copy.spatial = spatial.clone();
+            copy.response = response.copy();
+            return copy;
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** The velocity along its own axes; the heading, in degrees, and its rounding error stand at an index of places. */

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.step.PlanarStepper;
@@ -86,6 +87,15 @@ public final class Dynamics {
     /** Runs between two parts of the work. */
     private Runnable betweenParts = () -> {};
 
+    /** Whether what runs then may end a step. */
+    private boolean isPausing;
+
+    /** Whether what a step changes has been kept, so that it can be taken back. */
+    private boolean isKept;
+
+    /** Whether the step at hand has begun. */
+    private boolean hasBegun;
+
     /**
      * Bodies in a world, none so far.
      *
@@ -119,6 +129,7 @@ public final class Dynamics {
         stepper = new PlanarStepper(world, world.width(), world.length());
         table = new SurfaceTable(ground);
         falling = falls ? new Falling(world, carrier, table, gravity) : null;
+        pauseBy(() -> {});
     }
 
     /** Gives a moveable object of the world a body, at rest; or another body, which keeps its velocity. */
@@ -267,36 +278,138 @@ public final class Dynamics {
     /**
      * Runs something between two parts of each step, very often in a long one: to give way to other work, or to end the step.
      *
-     * @param between may throw, which ends the step where it is; nothing overlaps then either, but the bodies must not be moved
-     *     again
+     * @param between may throw, which ends the step; the world and all bodies are then as they were before it
      */
     public void pausing(Runnable between) {
-        betweenParts = Checks.present("between", between);
-        stepper.pausing(between);
+        Checks.present("between", between);
+        isPausing = true;
+        pauseBy(between);
+    }
+
+    private void pauseBy(Runnable between) {
+        betweenParts = () -> {
+            carrier.take();
+            between.run();
+        };
+        stepper.pausing(betweenParts);
         if (falling != null) {
-            falling.pausing(between);
+            falling.pausing(betweenParts);
         }
     }
 
-    /** Moves everything by a time in seconds. */
+    /**
+     * Moves everything by a time in seconds. Under a {@link robosim.geometry.WorkLimit} of the world it counts as one call; where it
+     * is ended, the world and all bodies are as they were before.
+     */
     public StepResult step(double seconds) {
-        advance(seconds);
-        return last();
+        return asOne(() -> {
+            go(seconds);
+            return tellLast();
+        });
     }
 
     /** Moves everything by a time in seconds, and tells nothing; {@link #last} tells it. */
     public void advance(double seconds) {
+        asOne(() -> {
+            go(seconds);
+            return null;
+        });
+    }
+
+    /**
+     * Makes changes of bodies and a step as one: if they end with an exception of any kind, the places of all objects, all bodies,
+     * velocities, drives and surfaces, and what {@link #last} tells are as before. Under a {@link robosim.geometry.WorkLimit} of the
+     * world they count as one call. No object may be added to the world or removed meanwhile.
+     *
+     * @param changes makes at most one step
+     * @return what {@code changes} returns
+     */
+    public <T extends @Nullable Object> T together(Supplier<T> changes) {
+        carrier.begin("a step");
+        @Nullable Kept kept = new Kept();
+        isKept = true;
+        try {
+            T told = changes.get();
+            kept = null;
+            return told;
+        } finally {
+            isKept = false;
+            if (kept != null) {
+                kept.undo();
+            }
+            carrier.end();
+        }
+    }
+
+    /** Makes a step, or leaves all as it was. */
+    private <T extends @Nullable Object> T asOne(Supplier<T> step) {
+        if (isKept) {
+            if (hasBegun) {
+                throw new IllegalStateException("changes must make at most one step (got: a second)");
+            }
+            return step.get();
+        }
+        if (isPausing || carrier.isLimited()) {
+            return together(step);
+        }
+        carrier.begin("a step");
+        try {
+            return step.get();
+        } finally {
+            carrier.end();
+        }
+    }
+
+    /** What was before a step that may be ended. */
+    private final class Kept {
+        private final double[] places = carrier.places();
+        private final List<BodyState> states = new ArrayList<>(bodies.size());
+        private final List<BodyState> inOrder = List.copyOf(order);
+        private final boolean wasStale = isStale;
+
+        Kept() {
+            hasBegun = false;
+            table.keep();
+            bodies.values().forEach(each -> states.add(each.copy()));
+            if (falling != null) {
+                falling.keep();
+            } else {
+                stepper.keep();
+            }
+        }
+
+        void undo() {
+            carrier.putBack(places);
+            bodies.clear();
+            states.forEach(each -> bodies.put(each.name, each));
+            table.undo();
+            isStale = wasStale;
+            order.clear();
+            inOrder.forEach(each -> order.add(bodies.getOrDefault(each.name, each)));
+            if (falling != null) {
+                falling.undo(bodies);
+            } else {
+                stepper.undo(hasBegun);
+                isStale |= order.size() != bodies.size();
+            }
+        }
+    }
+
+    private void go(double seconds) {
         Quantity.positive("seconds", seconds);
+        hasBegun = false;
         if (bodies.isEmpty() && !isStale) {
             pass();
             return;
         }
         if (falling != null) {
+            hasBegun = true;
             falling.advance(bodies, isStale, seconds);
             isStale = false;
             return;
         }
         prepare();
+        hasBegun = true;
         stepper.begin();
         int parts = parts(seconds);
         for (int part = 0; part < parts; part++) {
@@ -309,6 +422,7 @@ public final class Dynamics {
         if (falling != null) {
             falling.pass();
         } else {
+            hasBegun = true;
             stepper.begin();
         }
     }
@@ -389,6 +503,15 @@ public final class Dynamics {
 
     /** What happened in the last step. */
     public StepResult last() {
+        carrier.begin("last");
+        try {
+            return tellLast();
+        } finally {
+            carrier.end();
+        }
+    }
+
+    private StepResult tellLast() {
         if (falling != null) {
             return falling.last();
         }

@@ -24,6 +24,11 @@ final class Falling {
     private Runnable betweenParts = () -> {};
     private long changes = -1;
 
+    // What was before a step that may be taken back, and whether it has begun.
+    private long keptChanges;
+    private List<BodyState> keptOrder = List.of();
+    private boolean hasBegun;
+
     Falling(Geometry world, Carrier carrier, SurfaceTable table, Point gravity) {
         this.carrier = carrier;
         this.table = table;
@@ -50,8 +55,25 @@ final class Falling {
         space.pausing(between);
     }
 
+    /** Keeps what a step changes that is about to begin. */
+    void keep() {
+        space.keep();
+        keptChanges = changes;
+        keptOrder = List.copyOf(order);
+        hasBegun = false;
+    }
+
+    /** Takes a step back that was not made; the bodies are given as they were. */
+    void undo(Map<String, BodyState> bodies) {
+        space.undo(hasBegun);
+        changes = keptChanges;
+        order.clear();
+        keptOrder.forEach(each -> order.add(bodies.getOrDefault(each.name, each)));
+    }
+
     /** Makes a step in which there is nobody. */
     void pass() {
+        hasBegun = true;
         space.begin();
     }
 
@@ -62,6 +84,7 @@ final class Falling {
         for (int b = 0; b < order.size(); b++) {
             space.setVelocity(b, order.get(b).spatial);
         }
+        hasBegun = true;
         space.begin();
         space.run(seconds, table);
         for (int b = 0; b < order.size(); b++) {

@@ -8,7 +8,7 @@ import robosim.geometry.model.Twist;
  * the same share each time, so what is missing shrinks as a geometric series: a push that is divided by this share arrives at
  * once (Aitken's extrapolation, 1926).
  */
-final class PushResponse {
+final class PushResponse implements Cloneable {
     /** Shares that differ by less, as a part of them, are the same. */
     private static final double STEADY = 0x1p-10;
 
@@ -25,6 +25,14 @@ final class PushResponse {
     private double pushX;
     private double pushZ;
     private double pushTurn;
+
+    PushResponse copy() {
+        try {
+            return (PushResponse) clone();
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
 
     /** Whether the last push was in this round. */
     boolean isOf(long pushing) {

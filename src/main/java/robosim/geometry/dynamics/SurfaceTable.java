@@ -13,6 +13,9 @@ final class SurfaceTable implements Surfaces {
     /** By name, those that were given to objects without a body. */
     private final Map<String, Given> given = new HashMap<>();
 
+    /** What was given before a step that may be taken back. */
+    private Map<String, Given> kept = Map.of();
+
     private final Surface ground;
 
     /**
@@ -29,6 +32,17 @@ final class SurfaceTable implements Surfaces {
     /** Gives an object in the world a surface. */
     void give(ObjectTable objects, String name, Surface surface) {
         given.put(name, new Given(surface, objects.arrival(objects.find(name))));
+    }
+
+    /** Keeps what was given, so that it can be taken back to this. */
+    void keep() {
+        kept = Map.copyOf(given);
+    }
+
+    /** Takes back what was given since {@link #keep}. */
+    void undo() {
+        given.clear();
+        given.putAll(kept);
     }
 
     /** Begins anew with the surfaces of the objects that are still there. */

@@ -268,6 +268,7 @@ public final class Cast {
     }
 
     private double judge(int place) {
+        s.work.take();
         s.outer.corners(place, s.triangleA, 0);
         double distance = convex(LeafKind.TRIANGLE, s.triangleA, 0, nearest);
         if (distance < nearest || (distance == nearest && isLower(place))) {

@@ -53,6 +53,7 @@ public final class Distance {
      * @param limit a larger distance may be returned as +Infinity or as any number above the limit
      */
     public double between(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
+        s.work.take();
         triangleA = -1;
         triangleB = -1;
         LeafKind kindA = a.kind(i);
@@ -219,6 +220,7 @@ public final class Distance {
      * @param out six numbers: point, normal
      */
     public void contact(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double[] out) {
+        s.work.take();
         LeafKind kindA = a.kind(i);
         LeafKind kindB = b.kind(j);
         double[] rowA = a.rows(i);
@@ -261,6 +263,7 @@ public final class Distance {
 
     /** The largest of n.x over the points x of a convex leaf, to rounding; heights do not count in PLANAR. */
     public double extent(Dimension dimension, LeafColumn column, int leaf, double nx, double ny, double nz) {
+        s.work.take();
         LeafKind kind = column.kind(leaf);
         double[] row = column.rows(leaf);
         int at = column.at(leaf);

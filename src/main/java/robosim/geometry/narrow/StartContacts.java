@@ -29,7 +29,7 @@ public final class StartContacts {
 
     private final Scratch s;
     private final PiecePairs pairs;
-    private final MeshWalk elsewhere = new MeshWalk();
+    private final MeshWalk elsewhere;
     private final double[] there = new double[Leaf.STRIDE];
     private final PiecePairs.Visitor contact = this::gather;
     private final PiecePairs.Visitor anew = this::isAnew;
@@ -62,6 +62,7 @@ public final class StartContacts {
     @SuppressWarnings("NullAway.Init") // begin sets the motion
     public StartContacts(Scratch scratch) {
         s = scratch;
+        elsewhere = new MeshWalk(scratch.work);
         pairs = new PiecePairs(scratch);
     }
 
@@ -92,6 +93,7 @@ public final class StartContacts {
     /** Adds the pieces of a leaf that the mover touches at the start. */
     public void add(LeafColumn b, int j) {
         for (int i = 0; i < start.size(); i++) {
+            s.work.take();
             leaf = i;
             pairs.any(dimension, start, i, b, j, contact);
         }
@@ -206,6 +208,7 @@ public final class StartContacts {
             return false; // the motion goes into it, as for nearly everything that blocks
         }
         for (int k = 0; k < count; k++) {
+            s.work.take();
             int row = k * ROWS;
             hulls.clear(dimension == Dimension.PLANAR);
             hulls.above(kinds[3 * k], rows, row);
@@ -307,6 +310,7 @@ public final class StartContacts {
     }
 
     private boolean touches(LeafColumn at, int i, LeafColumn b, int j, boolean isAnew) {
+        s.work.take();
         if (!Overlap.test(dimension, at, i, b, j, s)) {
             return false;
         }

@@ -287,9 +287,11 @@ public final class Sweep {
     /** As {@link #free(LeafColumn, int, LeafColumn, int)}, but pieces behind a contact plane of the mover do not block. */
     public double free(LeafColumn a, int i, LeafColumn b, int j, StartContacts on) {
         standing = on;
-        double share = free(a, i, b, j);
-        standing = null;
-        return share;
+        try {
+            return free(a, i, b, j);
+        } finally {
+            standing = null; // also where the work is ended
+        }
     }
 
     /**
@@ -299,10 +301,12 @@ public final class Sweep {
     public double nearby(LeafColumn a, int i, LeafColumn b, int j, StartContacts on, double distance, Pairs decide) {
         pairs = decide;
         margin = distance;
-        double share = on.isEmpty() ? free(a, i, b, j) : free(a, i, b, j, on);
-        pairs = null;
-        margin = 0;
-        return share;
+        try {
+            return on.isEmpty() ? free(a, i, b, j) : free(a, i, b, j, on);
+        } finally {
+            pairs = null;
+            margin = 0;
+        }
     }
 
     /**
@@ -310,6 +314,7 @@ public final class Sweep {
      * from 0 to 1, rounded down. A contact at the start blocks only motion deeper into it.
      */
     public double free(LeafColumn a, int i, LeafColumn b, int j) {
+        s.work.take();
         leaf = i;
         own = -1;
         ownPiece = -1;

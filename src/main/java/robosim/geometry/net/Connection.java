@@ -2,6 +2,8 @@ package robosim.geometry.net;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.io.ObjectStreamConstants;
+import java.io.OutputStream;
 import java.net.Socket;
 import java.time.Duration;
 import java.time.Instant;
@@ -10,15 +12,20 @@ import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.pace.Admissions;
+import robosim.geometry.WorkLimit;
+import robosim.geometry.WorkLimitException;
 import robosim.geometry.net.pace.CpuTurn;
+import robosim.geometry.net.pace.Effort;
 import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.net.pace.PacedOutput;
+import robosim.geometry.net.pace.ReadAhead;
 import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.Opening;
 import robosim.geometry.net.session.WorldRequests;
+import robosim.geometry.net.session.Refused;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -58,6 +65,7 @@ final class Connection implements Runnable {
     private Admissions.Newcomer newcomer;
     private final Watchdog.Guard guard;
     private final CpuTurn turn;
+    private final Effort effort;
     private final MessageMemory.Share messageMemory;
     private final WorldMemory.Share worldMemory;
 
@@ -72,6 +80,14 @@ final class Connection implements Runnable {
     private final Instant opened = Instant.now();
     private long answers;
     private volatile boolean stopping;
+
+    /** What the peer sends; null before it may send requests. */
+    private @Nullable ReadAhead bytes;
+
+    /** Where it gets its answers, and in which encoding. */
+    private @Nullable OutputStream answering;
+
+    private boolean isJson;
 
     /** Whether the current request was cut off because the module is shutting down. */
     private volatile boolean ending;
@@ -96,6 +112,7 @@ final class Connection implements Runnable {
         this.newcomer = Admissions.Newcomer.chosen();
         this.guard = around.watchdog().guard(this::abort);
         this.turn = around.turns().turn();
+        this.effort = new Effort(turn, options.quotas().time().toNanos(), this::isPeerGone);
         this.messageMemory = around.messageMemory().share();
         this.worldMemory = around.worldMemory().share();
     }
@@ -121,7 +138,7 @@ final class Connection implements Runnable {
         try {
             converse();
         } catch (CpuTurn.CutOff e) {
-            closed("cut off", e);
+            closed(String.valueOf(e.getMessage()), e);
             partGently();
         } catch (ProtocolException e) {
             closed(String.valueOf(e.getMessage()), e);
@@ -197,9 +214,12 @@ final class Connection implements Runnable {
 
     private void converse(Socket talk) throws IOException {
         Timeouts times = options.timeouts();
+        ReadAhead ahead = new ReadAhead(talk, talk.getInputStream());
+        bytes = ahead;
+        answering = talk.getOutputStream();
         PacedInput in = new PacedInput(
                 socket,
-                talk.getInputStream(),
+                ahead,
                 guard,
                 times.idle(),
                 times.stall(),
@@ -216,7 +236,11 @@ final class Connection implements Runnable {
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
-            converse(channel, in, session.pausing(turn::breathe, around.log()).numbered(this::message));
+            WorkLimit limit = WorkLimit.of(options.quotas().work()).pausing(effort::breathe);
+            converse(
+                    channel,
+                    in,
+                    session.pausing(effort::breathe, around.log()).numbered(this::message).within(limit));
         } finally {
             listener.ended();
         }
@@ -245,7 +269,19 @@ final class Connection implements Runnable {
                 in.needs(batch.workBytes());
             }
             int before = session.objectCount();
-            Reply reply = reply(channel, session, request, channel.messageBytes());
+            Reply reply;
+            try {
+                reply = reply(channel, session, request, channel.messageBytes());
+            } catch (WorkLimitException | Effort.Overtime e) {
+                String reason = Text.line(String.valueOf(e.getMessage()));
+                warn("message " + message() + " was not carried out: " + reason);
+                around.figures().failed();
+                reply = Refused.of(request);
+                if (channel.encoding() == MessageChannel.Encoding.JSON) {
+                    channel.refuse(reason);
+                    reply = null;
+                }
+            }
             if (session.objectCount() < before && request instanceof BatchRequestBundle) {
                 worldMemory.shrink(session.objectCount(), before);
             }
@@ -290,16 +326,47 @@ final class Connection implements Runnable {
         }
     }
 
+    /** Whether the peer has ended the connection, and not only its own side of it, as one may that waits for answers. */
+    private boolean isPeerGone() {
+        ReadAhead ahead = bytes;
+        if (ahead == null || stopping || !ahead.isEnded()) { // stopping ends that side here
+            return false;
+        }
+        return ahead.hasFailed() || !isReachable();
+    }
+
+    /** Sends a byte that means nothing before an answer; whoever is gone does not take it, or at least not the next one. */
+    private boolean isReachable() {
+        OutputStream out = answering;
+        guard.begin(System.nanoTime() + options.timeouts().stall().toNanos());
+        try {
+            if (out != null) {
+                out.write(isJson ? ' ' : ObjectStreamConstants.TC_RESET);
+                out.flush();
+            }
+            return true;
+        } catch (IOException e) {
+            return false;
+        } finally {
+            guard.end();
+        }
+    }
+
     private @Nullable Reply reply(MessageChannel channel, Session session, Bundle request, int bytes) {
         try {
+            isJson = channel.encoding() == MessageChannel.Encoding.JSON;
+            effort.begin();
             Reply reply = session.reply(request);
             if (request instanceof InitBundle && bytes >= HEAVY_BYTES) {
                 turn.heavy(); // the first queries build its indexes
             }
             return reply;
         } catch (CpuTurn.CutOff e) {
-            channel.refuse("the module is shutting down: message " + message() + " was cut off, and has no answer");
+            String reason = ending ? "the module is shutting down" : String.valueOf(e.getMessage());
+            channel.refuse(reason + ": message " + message() + " was cut off, and has no answer");
             throw e;
+        } catch (WorkLimitException | Effort.Overtime e) {
+            throw e; // the conversation goes on
         } catch (OutOfMemoryError e) {
             channel.refuse(NO_MEMORY);
             throw e;

@@ -109,7 +109,7 @@ public record NetOptions(
 
     /** These options with another maximum number of connections. */
     public NetOptions withConnections(int most) {
-        return withQuotas(new Quotas(most, quotas.objects(), quotas.requests()));
+        return withQuotas(new Quotas(most, quotas.objects(), quotas.requests(), quotas.time(), quotas.work()));
     }
 
     /** These options with TLS, a secret or both. */

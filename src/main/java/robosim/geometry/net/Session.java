@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
@@ -79,7 +80,10 @@ public final class Session {
     private Runnable breath = () -> {};
 
     private final Batches batches = new Batches();
-    private final WorldRequests about = new WorldRequests();
+    private WorldRequests about = new WorldRequests();
+
+    /** What limits a request; null for nothing. */
+    private @Nullable WorkLimit limit;
 
     private @Nullable World world;
 
@@ -163,6 +167,29 @@ public final class Session {
     }
 
     /**
+     * Limits the work of each request: one that would exceed it throws a {@link robosim.geometry.WorkLimitException}, and so does
+     * one in which what the limit runs throws; the session, its world and its bodies are then as before.
+     */
+    Session within(WorkLimit most) {
+        limit = most;
+        limitWorld(world);
+        return this;
+    }
+
+    private void limitWorld(@Nullable World of) {
+        Geometry geometry = of == null ? null : of.geometry();
+        if (geometry != null && limit != null) {
+            geometry.limitWork(limit);
+        }
+    }
+
+    /** Carries out a part of a request as a whole, or leaves the world as it was. */
+    private <T> T together(Supplier<T> work) {
+        Geometry geometry = limit == null ? null : world();
+        return geometry == null ? work.get() : geometry.together("a request", work);
+    }
+
+    /**
      * Carries out a request; the short form of {@link #reply}.
      *
      * @return the answer; null after an {@link InitBundle}
@@ -218,12 +245,14 @@ public final class Session {
             return null;
         }
         if (request instanceof BatchRequestBundle batch) {
-            return answer(batch);
+            about.keep();
+            return limit == null ? answer(batch) : answerOrNot(batch);
         }
         if (request instanceof StepBundle step) {
             return step(step);
         }
-        return request instanceof MoveBundle moves ? move(moves) : measure((SonarRequestBundle) request);
+        return together(
+                () -> request instanceof MoveBundle moves ? move(moves) : measure((SonarRequestBundle) request));
     }
 
     private void replaceWorld(InitBundle init) {
@@ -236,32 +265,35 @@ public final class Session {
             about.failed(Reasons.of(e));
             return;
         }
-        about.begin(init.objects());
+        limitWorld(made);
+        WorldRequests aboutMade = new WorldRequests();
+        aboutMade.begin(init.objects());
         Set<String> names = new HashSet<>();
         Set<String> movers = new HashSet<>();
         int index = 0;
         for (GeometryObject object : init.objects()) {
             breath.run();
-            if (add(made, object, index++, names) && object.isMoveable() && object.name() != null) {
+            if (add(made, aboutMade, object, index++, names) && object.isMoveable() && object.name() != null) {
                 movers.add(object.name());
             }
         }
         world = made;
+        about = aboutMade;
         moveable = movers;
         batches.forget();
         motion = null;
     }
 
-    private boolean add(World made, GeometryObject object, int index, Set<String> names) {
+    private boolean add(World made, WorldRequests aboutMade, GeometryObject object, int index, Set<String> names) {
         String reason = made.refusal(object, names);
         String name = object.name();
         if (reason != null) {
             String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
             complaints.warn(label + " was not added: " + reason);
-            about.leftOut(index, name, reason);
+            aboutMade.leftOut(index, name, reason);
             return false;
         }
-        about.added(object);
+        aboutMade.added(object);
         if (name != null) {
             names.add(name);
         }
@@ -324,6 +356,21 @@ public final class Session {
         } catch (IllegalArgumentException e) {
             problems.add(logged(index, "a distance of object " + Text.quoted(name) + " is NaN", Reasons.of(e)));
             return Double.NaN;
+        }
+    }
+
+    /** Answers a batch, or leaves all as it was. */
+    private Reply answerOrNot(BatchRequestBundle batch) {
+        boolean isMade = false;
+        try {
+            Reply reply = together(() -> answer(batch));
+            isMade = true;
+            return reply;
+        } finally {
+            if (!isMade) {
+                about.undo(moveable);
+                batches.rest();
+            }
         }
     }
 

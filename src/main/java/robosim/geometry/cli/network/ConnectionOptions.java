@@ -62,6 +62,22 @@ public final class ConnectionOptions {
             description = "maximum number of moves or sonar requests in a bundle, or of beams, poses, edges and pixels")
     private int requests = Quotas.DEFAULT.requests();
 
+    @Option(
+            names = "--request-time",
+            paramLabel = "SECONDS",
+            defaultValue = "10",
+            description =
+                    "longest processor time of a request; one that takes more is answered with an error, and the world"
+                            + " is as before (default: ${DEFAULT-VALUE})")
+    private double requestTime;
+
+    @Option(
+            names = "--request-work",
+            paramLabel = "UNITS",
+            description = "the same for units of work, which do not depend on the machine: pairs, steps and rays"
+                    + " (default: no limit)")
+    private long requestWork = Long.MAX_VALUE;
+
     @ArgGroup(exclusive = false)
     private @Nullable Stores stores;
 
@@ -143,7 +159,8 @@ public final class ConnectionOptions {
                             Duration.ofSeconds(messageTime),
                             Duration.ofSeconds(idle),
                             Duration.ofSeconds(admission)))
-                    .withQuotas(new Quotas(connections, objects, requests))
+                    .withQuotas(new Quotas(connections, objects, requests)
+                            .withRequestLimit(Duration.ofNanos((long) (requestTime * 1e9)), requestWork))
                     .withAccess(access());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);

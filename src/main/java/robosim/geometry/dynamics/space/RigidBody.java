@@ -8,7 +8,7 @@ import robosim.geometry.engine.objects.ObjectTable;
  * A rigid body: where it is, how it moves, and its inertia. A velocity is six numbers: m/s along the world's axes, then
  * radians a second about them.
  */
-final class RigidBody {
+final class RigidBody implements Cloneable {
     final int id;
     final double mass;
 
@@ -44,32 +44,32 @@ final class RigidBody {
     double lastWork;
 
     /** Where it is, laid out as in the table of objects. */
-    final double[] place = new double[ObjectTable.PLACE];
+    double[] place = new double[ObjectTable.PLACE];
 
     /** The velocity now, and that at the end of a slice. */
-    final double[] v = new double[6];
+    double[] v = new double[6];
 
-    final double[] u = new double[6];
+    double[] u = new double[6];
 
     /** Of the change from one to the other, what moving bodies give it, and take the opposite of, in the rest of a slice. */
-    final double[] given = new double[6];
+    double[] given = new double[6];
 
     /** The moving body on which its drive acts, and of what that one is given, the opposite of this drive's impulses. */
     @Nullable
     RigidBody carrier;
 
-    final double[] reaction = new double[6];
+    double[] reaction = new double[6];
 
     /** The inverse of the inertia about the world's axes. */
-    final double[] inverse = new double[9];
+    double[] inverse = new double[9];
 
     /** Kinetic energy when the slice began, and the centre. */
     double energy;
 
-    final double[] start = new double[3];
+    double[] start = new double[3];
 
     /** The velocity before a collision that another body has. */
-    final double[] known = new double[6];
+    double[] known = new double[6];
 
     /** Which bodies share their energy in this slice: the index of one of them. */
     int group;
@@ -90,7 +90,7 @@ final class RigidBody {
     /** How long it has been slow, seconds. */
     double slow;
 
-    private final double[] own = new double[3];
+    private double[] own = new double[3];
 
     RigidBody(int id, double mass, double[] moments, boolean isBall, double reach) {
         this.id = id;
@@ -98,6 +98,25 @@ final class RigidBody {
         this.moments = moments.clone();
         this.isBall = isBall;
         this.reach = reach;
+    }
+
+    /** A body in the same state, which goes on by itself. */
+    RigidBody copy() {
+        try {
+            RigidBody copy = (RigidBody) clone();
+            copy.place = place.clone();
+            copy.v = v.clone();
+            copy.u = u.clone();
+            copy.given = given.clone();
+            copy.reaction = reaction.clone();
+            copy.inverse = inverse.clone();
+            copy.start = start.clone();
+            copy.known = known.clone();
+            copy.own = own.clone();
+            return copy;
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** Lets a time begin in which nothing has been given yet. */

@@ -51,6 +51,15 @@ final class SequentialImpulses {
         turn = 0;
     }
 
+    /** How often the order has changed. */
+    int turn() {
+        return turn;
+    }
+
+    void turn(int to) {
+        turn = to;
+    }
+
     private double[] velocity(int b, boolean atEnd) {
         RigidBody body = bodies.get(b);
         return atEnd ? body.u : body.v;

@@ -44,6 +44,15 @@ public final class SpatialStepper {
     private Runnable betweenParts = () -> {};
     private ContactLog now;
     private ContactLog last;
+
+    /** The log of the step before that, for a step that is taken back. */
+    private ContactLog older;
+
+    // What was before a step that may be taken back.
+    private final List<RigidBody> kept = new ArrayList<>();
+    private int keptTurn;
+    private long keptChanges;
+
     private long changes = -1;
 
     /**
@@ -55,6 +64,7 @@ public final class SpatialStepper {
         placer = carrier.placer();
         now = new ContactLog(placer.objects);
         last = new ContactLog(placer.objects);
+        older = new ContactLog(placer.objects);
         NearbyPieces near = new NearbyPieces(placer, new double[] {width / 2, height / 2, length / 2});
         way = new TurningSweep(placer, near);
         this.gravity = gravity.clone();
@@ -137,10 +147,34 @@ public final class SpatialStepper {
 
     /** Begins a step: its contacts are told apart from those of the step before. */
     public void begin() {
-        ContactLog older = last;
+        ContactLog spare = older;
+        older = last;
         last = now;
-        now = older;
+        now = spare;
         now.begin(last);
+    }
+
+    /** Keeps what a step changes that is about to begin. */
+    public void keep() {
+        kept.clear();
+        bodies.forEach(body -> kept.add(body.copy()));
+        keptTurn = impulses.turn();
+        keptChanges = changes;
+    }
+
+    /** Takes a step back that was not made; whether it had begun. */
+    public void undo(boolean hasBegun) {
+        bodies.clear();
+        bodies.addAll(kept);
+        impulses.turn(keptTurn);
+        changes = keptChanges;
+        if (hasBegun) {
+            ContactLog failed = now;
+            now = last;
+            last = older;
+            older = failed;
+            now.forgetNext();
+        }
     }
 
     /** Moves all bodies by a time, which is the whole of a step that has begun. */

@@ -89,6 +89,11 @@ public final class ContactLog {
         Arrays.fill(after.goesOn, 0, after.count, false);
     }
 
+    /** Takes back what a step after has noted. */
+    public void forgetNext() {
+        Arrays.fill(goesOn, 0, count, false);
+    }
+
     public int count() {
         return count;
     }

@@ -22,6 +22,8 @@ final class FloorFriction {
     private boolean[] wasPressed = new boolean[8];
     private boolean[] isPressed = new boolean[8];
 
+    private boolean[] keptPressed = new boolean[0];
+
     // What the floor gives in the solution at hand, and gave in the round before: changes of the velocity.
     private double[] given = new double[24];
     private double[] last = new double[24];
@@ -57,6 +59,16 @@ final class FloorFriction {
     void forget(int b) {
         wasPressed[b] = false;
         isPressed[b] = false;
+    }
+
+    /** Keeps who is pressed. */
+    void keep() {
+        keptPressed = isPressed.clone();
+    }
+
+    /** Takes that back. */
+    void undo() {
+        System.arraycopy(keptPressed, 0, isPressed, 0, keptPressed.length);
     }
 
     /** Remembers that another body presses this one. */

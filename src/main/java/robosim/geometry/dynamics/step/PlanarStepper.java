@@ -43,6 +43,11 @@ public final class PlanarStepper {
     private ContactLog touches;
     private ContactLog before;
 
+    /** The log of the step before that, for a step that is taken back. */
+    private ContactLog older;
+
+    private boolean[] wasStopped = new boolean[0];
+
     private double end;
     private int[] hits = new int[16];
     private int hitCount;
@@ -67,6 +72,7 @@ public final class PlanarStepper {
         carrying = new FrontToBack(carrier, scene, CollisionPrediction.GAP);
         touches = new ContactLog(carrier.objects);
         before = new ContactLog(carrier.objects);
+        older = new ContactLog(carrier.objects);
     }
 
     /** Runs something between two parts of each step. */
@@ -150,12 +156,32 @@ public final class PlanarStepper {
 
     /** Begins a step. */
     public void begin() {
-        ContactLog last = touches;
-        touches = before;
-        before = last;
+        ContactLog spare = older;
+        older = before;
+        before = touches;
+        touches = spare;
         touches.begin(before);
         collisions = 0;
         Arrays.fill(isStopped, 0, bodies.count, false);
+    }
+
+    /** Keeps what a step changes that is about to begin. */
+    public void keep() {
+        wasStopped = isStopped.clone();
+        floor.keep();
+    }
+
+    /** Takes a step back that was not made; whether it had begun. */
+    public void undo(boolean hasBegun) {
+        isStopped = wasStopped;
+        floor.undo();
+        if (hasBegun) {
+            ContactLog failed = touches;
+            touches = before;
+            before = older;
+            older = failed;
+            touches.forgetNext();
+        }
     }
 
     /** Whether all pieces have to be made anew before the next {@link #run}. */

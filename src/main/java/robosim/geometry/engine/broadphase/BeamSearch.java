@@ -182,8 +182,11 @@ public abstract class BeamSearch {
         }
         if (!(within <= around.complete())) {
             done = around.box();
-            search(view, reach, ignored);
-            done = NOTHING;
+            try {
+                search(view, reach, ignored);
+            } finally {
+                done = NOTHING;
+            }
         }
     }
 

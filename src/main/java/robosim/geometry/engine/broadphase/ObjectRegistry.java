@@ -3,6 +3,7 @@ package robosim.geometry.engine.broadphase;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.Form;
@@ -11,6 +12,7 @@ import robosim.geometry.engine.objects.SharedObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.NearNames;
+import robosim.geometry.exact.Work;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.tiles.NearTarget;
 import robosim.geometry.model.Accuracy;
@@ -40,6 +42,12 @@ public final class ObjectRegistry {
     private final double length;
     private final Scratch s;
 
+    /** Counts what is done. */
+    public final Work work;
+
+    /** What limits a call; null for nothing. */
+    private Work.@Nullable Limit limit;
+
     /** The views made so far, the world's own first. */
     private AccuracyView[] views;
 
@@ -63,6 +71,9 @@ public final class ObjectRegistry {
     /** The static objects that are shared with other worlds; null where there are none. */
     private @Nullable SharedIndex shared;
 
+    /** What was changed since the outermost call that is made of others began; null outside of one. */
+    private @Nullable Journal journal;
+
     public ObjectRegistry(
             double width,
             double height,
@@ -76,12 +87,64 @@ public final class ObjectRegistry {
         this.length = length;
         this.dimension = dimension;
         s = scratch;
+        work = scratch.work;
         worldBounds = new WorldBounds(width, height, length, dimension);
         objects = shared == null ? new ObjectTable() : new ObjectTable(shared);
         view = new AccuracyView(objects, accuracy, dimension, width, length, shared(accuracy, dimension));
         views = new AccuracyView[] {view};
         asked = view.own;
         overlaps = new BoxQuery(objects, this::touches);
+    }
+
+    /** Limits each call from now on; null for no limit. */
+    public void limit(Work.@Nullable Limit of) {
+        limit = of;
+    }
+
+    public boolean isLimited() {
+        return limit != null;
+    }
+
+    /** Begins a call, which has the whole budget unless it is a part of another one. */
+    public void begin(String call) {
+        work.begin(limit, call);
+    }
+
+    /** Begins a call that is made of others, up to {@link #close}. */
+    public void open(String call) {
+        work.open(limit, call);
+    }
+
+    /** Ends a call that was opened. */
+    public void close() {
+        work.close();
+    }
+
+    /**
+     * Makes calls as one, with one budget; if they throw, the world is put back as it was.
+     *
+     * @param call what it is called in messages
+     */
+    public <T extends @Nullable Object> T together(String call, Supplier<T> calls) {
+        work.open(limit, call);
+        Journal outer = journal;
+        Journal own = new Journal(this);
+        journal = own;
+        boolean isMade = false;
+        try {
+            T result = calls.get();
+            isMade = true;
+            return result;
+        } finally {
+            journal = null;
+            if (!isMade) {
+                own.undo();
+            } else if (outer != null) {
+                outer.add(own);
+            }
+            journal = outer;
+            work.close();
+        }
     }
 
     /** The static objects that are shared with other worlds; null where there are none. */
@@ -132,16 +195,20 @@ public final class ObjectRegistry {
         for (int k = 1; k < views.length; k++) {
             views[k].add(id, object);
         }
+        if (journal != null) {
+            journal.added(id);
+        }
         return true;
     }
 
     /** Adds an object that has been in such a world, at its place among the arrivals there. */
-    public void restore(GeometryObject object, long arrival) {
+    public int restore(GeometryObject object, long arrival) {
         objects.arriveAt(arrival);
-        int id = objects.add(object);
+        int id = objects.addAt(object, arrival);
         for (AccuracyView each : views) {
             each.add(id, object);
         }
+        return id;
     }
 
     /** Makes static objects that are shared with other worlds this world's own, so that they can be taken out. */
@@ -191,11 +258,18 @@ public final class ObjectRegistry {
             unshare(others);
             id = objects.find(name);
         }
+        if (journal != null) {
+            journal.removes(id);
+        }
+        remove(id);
+        return true;
+    }
+
+    void remove(int id) {
         for (AccuracyView each : views) {
             each.own.remove(id);
         }
         objects.remove(id);
-        return true;
     }
 
     /** Puts a moveable object upright at a place where it touches nothing. */
@@ -205,6 +279,7 @@ public final class ObjectRegistry {
         if (!fits(placed) || collides(view, placed, id)) {
             return false;
         }
+        noteMove(id);
         objects.put(id, placed.pose());
         moved(id);
         return true;
@@ -212,15 +287,23 @@ public final class ObjectRegistry {
 
     /** Puts a moveable object where a motion ends. */
     public void move(int id, double[] place) {
+        noteMove(id);
         objects.put(id, place);
         moved(id);
     }
 
     /** Moves the centre of an object, which keeps its attitude; six numbers, see {@link ObjectTable#shift}. */
     public void shift(int id, double[] centre) {
+        noteMove(id);
         objects.shift(id, centre);
         for (AccuracyView each : views) {
             each.own.shift(id, objects.places(), objects.place(id));
+        }
+    }
+
+    private void noteMove(int id) {
+        if (journal != null) {
+            journal.moves(id);
         }
     }
 
@@ -345,6 +428,7 @@ public final class ObjectRegistry {
         }
         for (int j = at.first(other); j < at.first(other) + at.count(other); j++) {
             for (int i = 0; i < candidate.size(); i++) {
+                s.work.take();
                 if (Overlap.test(dimension, candidate, i, at.leaves(), j, s)) {
                     return true;
                 }

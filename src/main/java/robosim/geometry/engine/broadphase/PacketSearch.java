@@ -2,6 +2,7 @@ package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.StageCounters;
+import robosim.geometry.exact.Work;
 import robosim.geometry.index.hierarchy.FrustumCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.model.Dimension;
@@ -27,6 +28,7 @@ public final class PacketSearch {
 
     private final ObjectTable objects;
     private final Cast cast;
+    private final Work work;
     private final RayPacket packet = new RayPacket();
     private final FrustumCursor cursor = new FrustumCursor();
 
@@ -58,6 +60,7 @@ public final class PacketSearch {
     public PacketSearch(ObjectTable objects, Scratch scratch) {
         this.objects = objects;
         cast = new Cast(scratch);
+        work = scratch.work;
     }
 
     /** Whether a world is searched by this: it has hierarchies. */
@@ -153,6 +156,7 @@ public final class PacketSearch {
         }
         boolean isNearer = false;
         for (; rays != 0 && leaf < end; leaf++) {
+            work.take();
             isNearer |= meetLeaf(view, leaves, id, leaf, rays & packet.sift(leaves, leaf));
         }
         if (isNearer && open == 0) {

@@ -52,6 +52,7 @@ public final class TouchQuery {
     private boolean meet(LeafTable table, int id) {
         for (int j = table.first(id); j < table.first(id) + table.count(id); j++) {
             for (int i = 0; i < candidate.size(); i++) {
+                s.work.take();
                 if (Overlap.test(view.dimension, candidate, i, table.leaves(), j, s)) {
                     add(id);
                     return false; // and on to the others

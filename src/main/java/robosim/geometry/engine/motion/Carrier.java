@@ -1,5 +1,6 @@
 package robosim.geometry.engine.motion;
 
+import java.util.Arrays;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
@@ -48,6 +49,43 @@ public final class Carrier {
             throw new IllegalStateException("world must be a Geometry (got: " + world.getClass() + ")");
         }
         return way.apply(world);
+    }
+
+    /** Begins a call that is made of others, as a step is, with one budget of work for all of them, up to {@link #end}. */
+    public void begin(String call) {
+        registry.open(call);
+    }
+
+    /** Ends such a call. */
+    public void end() {
+        registry.close();
+    }
+
+    /** Counts a unit of its work, which may end it. */
+    public void take() {
+        registry.work.take();
+    }
+
+    /** Whether calls may be ended by a limit of work. */
+    public boolean isLimited() {
+        return registry.isLimited();
+    }
+
+    /** The places of all moveable objects, to put them back there. */
+    public double[] places() {
+        return Arrays.copyOf(objects.places(), objects.moverCount() * ObjectTable.PLACE);
+    }
+
+    /** Puts all moveable objects back to where they were; none has come or gone since. */
+    public void putBack(double[] places) {
+        for (int k = 0; k < objects.moverCount(); k++) {
+            int id = objects.mover(k);
+            int at = objects.place(id);
+            if (!Arrays.equals(objects.places(), at, at + ObjectTable.PLACE, places, at, at + ObjectTable.PLACE)) {
+                System.arraycopy(places, at, place, 0, ObjectTable.PLACE);
+                registry.move(id, place);
+            }
+        }
     }
 
     /** The id of a moveable object that must be there. */

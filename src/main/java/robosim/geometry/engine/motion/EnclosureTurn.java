@@ -71,7 +71,7 @@ final class EnclosureTurn {
         double least = Double.POSITIVE_INFINITY;
         GridWalk walk = this.walk;
         if (walk == null) {
-            walk = new GridWalk();
+            walk = new GridWalk(leg.work);
             this.walk = walk;
         }
         walk.startBox(leaves, leaf, swept);

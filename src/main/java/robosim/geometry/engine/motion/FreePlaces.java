@@ -139,6 +139,7 @@ public final class FreePlaces {
         for (int first = from; first < to; first += Long.SIZE) {
             long bits = 0;
             for (int k = first; k < Math.min(first + Long.SIZE, to); k++) {
+                scratch.work.take();
                 take(poses, POSE * k);
                 boolean isShifted = isSingle && heading == before;
                 before = heading;
@@ -164,6 +165,7 @@ public final class FreePlaces {
         for (int first = from; first < to; first += Long.SIZE) {
             long bits = 0;
             for (int k = first; k < Math.min(first + Long.SIZE, to); k++) {
+                scratch.work.take();
                 bits |= isFree(quick, view, id, edges, EDGE * k) ? 1L << k : 0;
             }
             free[first / Long.SIZE] = bits;

@@ -8,6 +8,7 @@ import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.exact.Work;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
@@ -55,6 +56,9 @@ public final class Leg {
 
     final Sweep sweep;
 
+    /** Counts what is done about the leg. */
+    final Work work;
+
     private final double[] between = new double[PLACE];
 
     /** What stands for the object at the end of the leg; see {@link #placeEnd}. */
@@ -90,6 +94,7 @@ public final class Leg {
     @SuppressWarnings("NullAway.Init") // a motion begins with its view and form
     Leg(Scratch scratch) {
         sweep = new Sweep(scratch);
+        work = scratch.work;
     }
 
     /** Starts a motion of an object from its place. */

@@ -629,6 +629,7 @@ public final class Motion {
     private boolean isBlockedAnywhere(int sure) {
         for (int k = 0; k < candidates.count(); k++) {
             int other = candidates.id(k);
+            scratch.work.take();
             if (other == sure || !view.table(other).meets(other, around)) {
                 continue;
             }
@@ -687,6 +688,7 @@ public final class Motion {
         }
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < candidates.count(); k++) {
+            scratch.work.take();
             mets[k] = metOrEnd(candidates.id(k));
             least = Math.min(least, mets[k]);
         }
@@ -763,6 +765,7 @@ public final class Motion {
             leg.atStart.bounds(0, leg.atStart.size(), part);
             for (int k = 0; k < candidates.count(); k++) {
                 int other = candidates.id(k);
+                scratch.work.take();
                 LeafTable of = view.table(other);
                 if (of.meets(other, part)) {
                     int first = of.first(other);
@@ -803,6 +806,7 @@ public final class Motion {
 
     private boolean isFreeAfter(double share) {
         for (int k = 0; k < candidates.count(); k++) {
+            scratch.work.take();
             if (candidates.id(k) != obstacle && touchesAnew(candidates.id(k), share)) {
                 return false;
             }

@@ -71,6 +71,14 @@ final class NearPairs {
         view = in;
         count = 0;
         reach = (within + leg.longestPath()) * (1 + ROUNDING) + ROUNDING * leg.size();
+        try {
+            findEach(in, candidates, standing, within);
+        } finally {
+            isOnly = false;
+        }
+    }
+
+    private void findEach(AccuracyView in, Candidates candidates, StartContacts standing, double within) {
         for (int k = 0; k < candidates.count(); k++) {
             object = candidates.id(k);
             LeafTable table = in.table(object);
@@ -81,7 +89,6 @@ final class NearPairs {
                 }
             }
         }
-        isOnly = false;
     }
 
     private double collect(int ownPiece, int piece, double least) {

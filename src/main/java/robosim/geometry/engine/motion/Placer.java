@@ -30,12 +30,14 @@ public final class Placer {
     private final ObjectRegistry registry;
     private final Motion motion;
     private final Candidates candidates;
-    private final MeshWalk meshes = new MeshWalk();
-    private final GridWalk grids = new GridWalk();
+    private final MeshWalk meshes;
+    private final GridWalk grids;
     private final double[] triangle = new double[9];
     private final double[] bounds = new double[6];
 
     Placer(ObjectRegistry registry, Motion motion) {
+        meshes = new MeshWalk(registry.work);
+        grids = new GridWalk(registry.work);
         this.registry = registry;
         this.motion = motion;
         objects = registry.objects;
@@ -86,6 +88,7 @@ public final class Placer {
             LeafColumn leaves = table.leaves();
             int first = table.first(other);
             for (int leaf = first; leaf < first + table.count(other); leaf++) {
+                registry.work.take();
                 pieces(other, leaves, leaf, box, out);
             }
         }

@@ -53,6 +53,19 @@ public final class Separation {
         view = inView;
         id = mover;
         System.arraycopy(registry.objects.places(), registry.objects.place(id), start, 0, ObjectTable.PLACE);
+        boolean isDone = false;
+        try {
+            boolean found = find(max, out);
+            isDone = true;
+            return found;
+        } finally {
+            if (!isDone) {
+                registry.move(id, start); // what threw may have left it anywhere
+            }
+        }
+    }
+
+    private boolean find(double max, double[] out) {
         Arrays.fill(out, 0, 3, 0);
         if (!registry.collidesAt(view, id, start)) {
             return true;

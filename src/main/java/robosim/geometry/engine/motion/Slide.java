@@ -102,10 +102,26 @@ public final class Slide {
         snap = snapDown;
     }
 
-    /** Moves an object by a displacement in the world's axes and then turns it about its own, as far as that is free. */
+    /**
+     * Moves an object by a displacement in the world's axes and then turns it about its own, as far as that is free. If it throws,
+     * the object is where it was.
+     */
     public void make(AccuracyView inView, int mover, double[] way, double turnX, double turnY) {
         view = inView;
         id = mover;
+        savePlace(start);
+        boolean isMade = false;
+        try {
+            go(way, turnX, turnY);
+            isMade = true;
+        } finally {
+            if (!isMade) {
+                registry.move(id, start);
+            }
+        }
+    }
+
+    private void go(double[] way, double turnX, double turnY) {
         System.arraycopy(way, 0, asked, 0, 3);
         System.arraycopy(asked, 0, left, 0, 3);
         isLevel = asked[1] == 0 || isFlat();
@@ -114,7 +130,6 @@ public final class Slide {
         count = 0;
         length = 0;
         turnFraction = 1;
-        savePlace(start);
         whole = size(left);
         if (whole > 0 && bends == 0) {
             toContact();

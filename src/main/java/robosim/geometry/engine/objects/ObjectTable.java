@@ -156,6 +156,18 @@ public final class ObjectTable {
         return id;
     }
 
+    /** Adds an object at its place among the arrivals, and returns its id. */
+    public int addAt(GeometryObject object, long arrival) {
+        int id = add(object);
+        if (!isOrdered && arrival(id) != arrival) {
+            putInOrder();
+        }
+        if (isOrdered) {
+            order[id] = arrival;
+        }
+        return id;
+    }
+
     /** Sets how many objects count as added before the next one; used where insertion order is recorded. */
     public void arriveAt(long time) {
         arrivals = time;
@@ -177,14 +189,18 @@ public final class ObjectTable {
     /** Reuses an id; from the first time on, the order of insertion is stored for all objects. */
     private int reuse() {
         if (!isOrdered) {
-            isOrdered = true;
-            order = new long[values.length];
-            for (int id = 0; id < capacityUsed; id++) {
-                order[id] = id;
-            }
-            arrivals = capacityUsed;
+            putInOrder();
         }
         return free[--freeCount];
+    }
+
+    private void putInOrder() {
+        isOrdered = true;
+        order = new long[values.length];
+        for (int id = 0; id < capacityUsed; id++) {
+            order[id] = id;
+        }
+        arrivals = capacityUsed;
     }
 
     private void growSlots() {

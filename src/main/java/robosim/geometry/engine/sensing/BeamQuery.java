@@ -6,6 +6,7 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.Work;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.ObjectGroup;
@@ -17,6 +18,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 public final class BeamQuery extends BeamSearch {
     private final ObjectTable objects;
     private final Cast cast;
+    private final Work work;
 
     private double ox;
     private double oy;
@@ -34,13 +36,14 @@ public final class BeamQuery extends BeamSearch {
     private double halfSin;
 
     public BeamQuery(ObjectTable objects, Scratch scratch) {
-        this(objects, new Cast(scratch));
+        this(objects, new Cast(scratch), scratch.work);
     }
 
-    private BeamQuery(ObjectTable objects, Cast cast) {
+    private BeamQuery(ObjectTable objects, Cast cast, Work work) {
         super(objects, cast);
         this.objects = objects;
         this.cast = cast;
+        this.work = work;
     }
 
     /** The object that gave the last answer, or -1. */
@@ -54,6 +57,7 @@ public final class BeamQuery extends BeamSearch {
      * @param width opening angle in degrees; 0 for a line
      */
     void beam(Dimension dimension, double x, double y, double z, double dx, double dy, double dz, double width) {
+        work.take();
         cast.line(dimension, x, y, z, dx, dy, dz);
         ox = x;
         oy = y;
@@ -130,6 +134,7 @@ public final class BeamQuery extends BeamSearch {
             int first = table.first(id);
             int last = first + table.count(id);
             for (int leaf = first; leaf < last && !isEnough(); leaf++) {
+                work.take();
                 meetLeaf(leaves, id, leaf, reach);
             }
         }

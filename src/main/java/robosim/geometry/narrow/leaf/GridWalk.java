@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
+import robosim.geometry.exact.Work;
 import robosim.geometry.index.cells.CellRings;
 import robosim.geometry.index.cells.CellScan;
 import robosim.geometry.index.cells.CellWalk;
@@ -16,6 +17,7 @@ public final class GridWalk {
     /** How much of a distance, or of a height, is allowed for rounding. */
     private static final double WIDEN = 0x1p-44;
 
+    private final Work work;
     private final CellWalk line = new CellWalk();
     private final CellScan scan = new CellScan();
     private final CellRings rings = new CellRings();
@@ -44,7 +46,8 @@ public final class GridWalk {
     private int nextBlind;
 
     @SuppressWarnings("NullAway.Init") // a query opens a grid
-    public GridWalk() {
+    public GridWalk(Work work) {
+        this.work = work;
         box.append(1);
         prism.append(1);
     }
@@ -104,6 +107,7 @@ public final class GridWalk {
 
     /** The number of the next cell that may touch the box; -1 if there is none. */
     public int nextInBox() {
+        work.take();
         return isApart ? -1 : scan.next();
     }
 
@@ -161,6 +165,7 @@ public final class GridWalk {
 
     /** The number of the next cell that may be within a distance; -1 if there is none. The limit may only shrink. */
     public int nextAround(double limit) {
+        work.take();
         return rings.next(limit * perUnit + slack);
     }
 
@@ -217,6 +222,7 @@ public final class GridWalk {
 
     /** The number of the next cell along the line that may begin within a distance; -1 if there is none. */
     public int nextOnLine(double limit) {
+        work.take();
         if (isApart) {
             return -1;
         }

@@ -1,15 +1,19 @@
 package robosim.geometry.narrow.leaf;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Work;
 
 /**
  * Working memory of kernels, so that a query allocates nothing; each package extends the scratch of the packages below.
  * One instance for each owner of queries, never shared between threads.
  */
 public class LeafScratch {
-    public final MeshWalk outer = new MeshWalk();
-    public final MeshWalk inner = new MeshWalk();
-    public final MeshWalk around = new MeshWalk();
+    /** Counts what the kernels do. */
+    public final Work work = new Work();
+
+    public final MeshWalk outer = new MeshWalk(work);
+    public final MeshWalk inner = new MeshWalk(work);
+    public final MeshWalk around = new MeshWalk(work);
 
     // Most worlds have no grid, and no two that are compared.
     private @Nullable GridWalk cells;
@@ -21,7 +25,7 @@ public class LeafScratch {
         if (walk != null) {
             return walk;
         }
-        GridWalk made = new GridWalk();
+        GridWalk made = new GridWalk(work);
         if (kind.isGrid()) {
             cellsOfGrid = made;
         } else {

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
+import robosim.geometry.exact.Work;
 import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
@@ -24,6 +25,7 @@ public final class MeshWalk {
     private final double[] high = new double[3];
     private final double[] box = new double[6];
 
+    private final Work work;
     private TriangleMesh mesh;
     private BoxTree tree;
     private double[] place;
@@ -44,7 +46,9 @@ public final class MeshWalk {
     private double itemKey;
 
     @SuppressWarnings("NullAway.Init") // start sets the query
-    public MeshWalk() {}
+    public MeshWalk(Work work) {
+        this.work = work;
+    }
 
     /** Opens a mesh, for its corners alone or for a query. */
     public void open(LeafColumn column, int leaf) {
@@ -170,6 +174,7 @@ public final class MeshWalk {
      */
     public int next(double limit) {
         while (true) {
+            work.take();
             while (item < end) {
                 if (itemKey > limit) {
                     item = end;

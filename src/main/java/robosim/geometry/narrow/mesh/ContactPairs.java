@@ -75,6 +75,7 @@ public final class ContactPairs {
             push(first.root(), second.root());
         }
         while (depth > 0 && count < limit) {
+            s.work.take();
             depth--;
             long p = stackA[depth];
             long q = stackB[depth];
@@ -180,6 +181,7 @@ public final class ContactPairs {
         int base = depth;
         push(a, b);
         while (depth > base && count < limit) {
+            s.work.take();
             depth--;
             long p = stackA[depth];
             long q = stackB[depth];

@@ -115,6 +115,7 @@ public final class MeshPairs {
         loadB(nodesB, b.root(), 0);
         pushAll(0, 1, 0, 1);
         while (depth > 0) {
+            s.work.take();
             depth--;
             int p = stackA[depth];
             int q = stackB[depth];

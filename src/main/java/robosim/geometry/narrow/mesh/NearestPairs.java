@@ -107,6 +107,7 @@ public final class NearestPairs {
     /** Opens the nearest pair, measures it if both are leaves, or tests whether a point lies inside a solid mesh. */
     public void step() {
         steps++;
+        s.work.take();
         queue.take();
         long a = queue.first;
         long b = queue.second;

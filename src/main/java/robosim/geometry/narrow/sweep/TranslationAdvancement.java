@@ -156,6 +156,7 @@ final class TranslationAdvancement {
         error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + AxisBody.TINY;
         double t = 0;
         for (int step = 0; step < MOST_STEPS; step++) {
+            s.work.take();
             if (t > 1) {
                 return Double.POSITIVE_INFINITY;
             }

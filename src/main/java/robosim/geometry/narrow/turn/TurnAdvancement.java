@@ -155,6 +155,7 @@ final class TurnAdvancement {
         double t = from;
         double widest = 0;
         for (steps = 0; steps < MOST_STEPS; steps++) {
+            s.work.take();
             if (TurningPolygon.covers(t, angle)) {
                 return Double.POSITIVE_INFINITY;
             }

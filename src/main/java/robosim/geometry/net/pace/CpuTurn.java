@@ -56,7 +56,11 @@ public final class CpuTurn {
         private static final long serialVersionUID = 1;
 
         public CutOff() {
-            super("cut off", null, false, false);
+            this("cut off");
+        }
+
+        CutOff(String reason) {
+            super(reason, null, false, false);
         }
     }
 

@@ -18,6 +18,9 @@ public final class PacedInput extends InputStream implements MessagePace {
     /** Messages smaller than this are not counted against the shared memory. */
     private static final int LARGE_BYTES = 1 << 18;
 
+    /** The first bytes of a message are read without the turn: hellos and pings have no more, and never wait for others. */
+    private static final int FREE_BYTES = 1 << 12;
+
     private final Socket socket;
     private final InputStream in;
     private final Watchdog.Guard guard;
@@ -150,6 +153,9 @@ public final class PacedInput extends InputStream implements MessagePace {
 
     /** Takes the turn. The wait for it is not counted as the peer's time. */
     private void compute() {
+        if (messageBytes < FREE_BYTES) {
+            return; // a hello and a ping never wait for others
+        }
         long start = System.nanoTime();
         turn.hold();
         allow(System.nanoTime() - start);

@@ -89,8 +89,28 @@ public final class Motion {
      *
      * @param refused takes the number of a body or command, bodies counted first, and why it was refused; the rest is carried
      *     out
+     * @throws RuntimeException of whatever ends it, as a limit does; the world and its bodies are then as before
      */
     public StepBundle.Answer step(StepBundle step, BiConsumer<Integer, String> refused) {
+        boolean isChange = step.size() > 0;
+        List<String> bodiesBefore = isChange ? List.copyOf(bodies) : List.of();
+        Map<String, DriveSettings> drivesBefore = isChange ? Map.copyOf(drives) : Map.of();
+        boolean isMade = false;
+        try {
+            StepBundle.Answer answer = dynamics.together(() -> carryOut(step, refused));
+            isMade = true;
+            return answer;
+        } finally {
+            if (isChange && !isMade) {
+                bodies.clear();
+                bodies.addAll(bodiesBefore);
+                drives.clear();
+                drives.putAll(drivesBefore);
+            }
+        }
+    }
+
+    private StepBundle.Answer carryOut(StepBundle step, BiConsumer<Integer, String> refused) {
         bodies.removeIf(name -> !dynamics.has(name));
         drives.keySet().retainAll(bodies);
         if (falls != null) {

@@ -6,20 +6,17 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 
 /**
  * The numbers by which a peer is told which object is meant: an object of the init has its index there, and those that are
- * added later are counted on from the end of that list. The tables are built when first needed: most sessions never ask.
+ * added later are counted on from the end of that list. The tables are built when first needed: most sessions never ask, and add nothing.
  */
 final class ObjectNumbers {
-    /** Additions before the tables are built anyhow: a peer may add and remove objects for days. */
-    private static final int MANY = 1024;
-
     private List<GeometryObject> given = List.of();
-
-    /** What was added since, removed or not: a name that is given again means the last. */
-    private final List<GeometryObject> later = new ArrayList<>();
 
     private final BitSet leftOut = new BitSet();
     private boolean isBuilt;
@@ -33,13 +30,25 @@ final class ObjectNumbers {
     /** The numbers of the second of such values and of those after it. */
     private final IdentityHashMap<GeometryObject, List<Long>> again = new IdentityHashMap<>();
 
+    /** What was added and removed since the last {@link #keep}. */
+    private final List<Change> changes = new ArrayList<>();
+
+    /**
+     * An object that came or went.
+     *
+     * @param number of one that went
+     * @param added  null for one that went
+     */
+    private record Change(
+            String name, @Nullable Long number, @Nullable GeometryObject added, boolean isMoveable) {}
+
     /** An object of the world and its number. */
     record Numbered(long number, GeometryObject object) {}
 
     /** A world of these objects begins. */
     void begin(List<GeometryObject> objects) {
         given = objects;
-        later.clear();
+        changes.clear();
         leftOut.clear();
         isBuilt = false;
         named.clear();
@@ -55,19 +64,56 @@ final class ObjectNumbers {
 
     /** An object was added to the world. */
     void added(GeometryObject object) {
-        if (isBuilt) {
-            put(object, next++);
-            return;
-        }
-        later.add(object);
-        if (later.size() > MANY) {
-            build();
-        }
+        build();
+        put(object, next++);
+        String name = object.name();
+        changes.add(new Change(name == null ? "" : name, null, object, object.isMoveable() && name != null));
     }
 
-    /** An object was removed. */
-    void removed(String name) {
-        named.remove(name);
+    /** An object was removed; whether it could move. */
+    void removed(String name, boolean isMoveable) {
+        build();
+        Long number = named.remove(name);
+        changes.add(new Change(name, number, null, isMoveable));
+    }
+
+    /** Begins what may be taken back. */
+    void keep() {
+        changes.clear();
+    }
+
+    /** Takes back what was added and removed since, the last first. */
+    void undo(Set<String> moveable) {
+        for (int k = changes.size() - 1; k >= 0; k--) {
+            Change change = changes.get(k);
+            GeometryObject added = change.added;
+            if (added == null) {
+                named.put(change.name, Objects.requireNonNull(change.number)); // all that are in the world have one
+            } else {
+                next--;
+                forget(added);
+            }
+            if (change.isMoveable && added == null) {
+                moveable.add(change.name);
+            } else if (change.isMoveable) {
+                moveable.remove(change.name);
+            }
+        }
+        changes.clear();
+    }
+
+    private void forget(GeometryObject added) {
+        String name = added.name();
+        List<Long> later = name == null ? again.get(added) : null;
+        if (name != null) {
+            named.remove(name);
+        } else if (later == null) {
+            nameless.remove(added);
+        } else if (later.size() == 1) {
+            again.remove(added);
+        } else {
+            later.remove(later.size() - 1);
+        }
     }
 
     /** The number of an object of the world. */
@@ -126,11 +172,7 @@ final class ObjectNumbers {
                 put(given.get(k), k);
             }
         }
-        for (GeometryObject object : later) {
-            put(object, next++);
-        }
         given = List.of();
-        later.clear();
         isBuilt = true;
     }
 

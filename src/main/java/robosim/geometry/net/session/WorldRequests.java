@@ -37,6 +37,8 @@ public final class WorldRequests {
     /** How many objects there are now, of groups their members. */
     private int present;
 
+    private int presentBefore;
+
     /** Is told of a move that was tried. */
     @FunctionalInterface
     public interface Watcher {
@@ -87,6 +89,22 @@ public final class WorldRequests {
         boolean isShort = characters <= WorldAnswer.MOST_CHARACTERS;
         numbers.leftOut(index);
         leftOut.add(new WorldAnswer.LeftOut(index, isShort ? told : "", isShort ? reason : ""));
+    }
+
+    /** Begins what may be taken back. */
+    public void keep() {
+        numbers.keep();
+        presentBefore = present;
+    }
+
+    /**
+     * Takes back what was added and removed since; the world itself does so too.
+     *
+     * @param moveable the names of all moveable objects, brought up to date
+     */
+    public void undo(Set<String> moveable) {
+        present = presentBefore;
+        numbers.undo(moveable);
     }
 
     /** How many objects the world has, of groups their members. */
@@ -182,8 +200,7 @@ public final class WorldRequests {
         int members = world.hasObject(name) ? count(List.of(world.getObject(name))) : 0;
         boolean isRemoved = world.removeObject(name);
         if (isRemoved) {
-            moveable.remove(name);
-            numbers.removed(name);
+            numbers.removed(name, moveable.remove(name));
             present -= members;
         }
         return new WorldAnswer.Changed(isRemoved, null);
