@@ -177,6 +177,31 @@ class NoTrapTest {
         assertThat(stopped).isLessThan(turns / 10 + 1);
     }
 
+    /** From a stop at a flat wall, ways along it are free across the seams of its triangles. */
+    @ParameterizedTest
+    @EnumSource(
+            value = Shape.class,
+            names = {"CYLINDER", "CAPSULE", "TIPPED_CYLINDER", "TIPPED_CAPSULE", "TIPPED_BOX", "GROUP"})
+    void waysAlongTheSeamsOfAWallAreFree(Shape moving) {
+        SplittableRandom random = new SplittableRandom(41);
+        for (int k = 0; k < Effort.cases(800, 200); k++) {
+            Geometry world = new Geometry(100, 100, 100);
+            world.addObject(new MeshObject(
+                    List.of(new Point(0, -2, -10), new Point(0, -2, 10), new Point(0, 2, 10), new Point(0, 2, -10)),
+                    new int[][] {{0, 1, 2, 3}}));
+            Point start = new Point(1.5, random.nextDouble(-1, 1), random.nextDouble(-3, 3));
+            world.addObject(shape(moving, 1, random).movedTo(start).moveable("m"));
+            double share = world.moveGlobal("m", new Move(-2, 0, 0, 0, 0)).fraction();
+            assertThat(world.moveGlobal("m", new Move(-2 * share, 0, 0, 0, 0)).allowed())
+                    .isTrue();
+            double up = random.nextInt(4) > 0 ? 0 : random.nextDouble(-0.5, 0.5);
+            Move along = new Move(0, up, random.nextDouble(-2, 2), 0, 0);
+            assertThat(world.moveGlobal("m", along).allowed())
+                    .as("%s along the wall by %s", world.getObject("m"), along)
+                    .isTrue();
+        }
+    }
+
     /** Where a turn is blocked from a stop, every longer turn the same way is too: the whole arc counts, not only its end. */
     @ParameterizedTest
     @EnumSource(Dimension.class)
