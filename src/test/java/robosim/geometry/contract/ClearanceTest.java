@@ -80,6 +80,50 @@ class ClearanceTest {
         assertThat(stopped).isGreaterThan(DRIVES / 4);
     }
 
+    /** One drive after another around one obstacle: what one part slides along says nothing about the others. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void everyPartKeepsTheClearanceFromDriveToDrive(Dimension dimension) {
+        SplittableRandom random = new SplittableRandom(31 + dimension.ordinal());
+        int kept = 0;
+        int close = 0;
+        for (int world = 0; world < Effort.cases(160, 40); world++) {
+            GeometryObject robot = world % 4 == 0
+                    ? robot(random, world)
+                    : new ObjectGroup(List.of(
+                                    new CylinderObject(new Point(0.21, 0, 0), 0.15, 0.5),
+                                    new CylinderObject(new Point(-0.21, 0, 0), 0.15, 0.5)))
+                            .turned(0, random.nextDouble(360))
+                            .moveable("robot");
+            GeometryObject post = world % 3 == 0
+                    ? new CylinderObject(new Point(), 0.4, 2)
+                    : new BoxObject(new Point(), 0.6, 2, 0.8).turned(0, random.nextDouble(360));
+            Geometry around = world(dimension, robot.movedTo(new Point(3, 0, 0)), post);
+            double clearance = 0.02;
+            for (int drive = 0; drive < 30; drive++) {
+                double before = around.getProximity("robot", 99);
+                Point from = around.getObject("robot").center();
+                double x = random.nextDouble(-0.5, 0.5) - random.nextDouble() * from.x();
+                double z = random.nextDouble(-0.5, 0.5) - random.nextDouble() * from.z();
+                double[] axes = robot.rotation();
+                Move move = new Move(axes[0] * x + axes[6] * z, 0, axes[2] * x + axes[8] * z, 0, 0);
+                if (drive % 3 == 0) {
+                    around.moveToContact("robot", move, clearance);
+                } else {
+                    around.moveAndSlide("robot", move, clearance, 4);
+                }
+                double after = around.getProximity("robot", 99);
+                kept += before >= clearance ? 1 : 0;
+                close += after < 1.001 * clearance ? 1 : 0;
+                assertThat(after)
+                        .as("%s beside %s, drive %s from %s by %s, %s before", robot, post, drive, from, move, before)
+                        .isGreaterThanOrEqualTo(Math.min(before, clearance * (1 - 1e-12)));
+            }
+        }
+        assertThat(kept).isGreaterThan(Effort.cases(3000, 750));
+        assertThat(close).isGreaterThan(kept / 10);
+    }
+
     private static Geometry world(Dimension dimension, GeometryObject robot, GeometryObject post) {
         Geometry world = new Geometry(20, 20, 20, dimension, Accuracy.EXACT);
         assertThat(world.addObjectUnchecked(robot)).isTrue();

@@ -177,6 +177,81 @@ class NoTrapTest {
         assertThat(stopped).isLessThan(turns / 10 + 1);
     }
 
+    /** From a stop at a flat wall, ways along it are free across the seams of its triangles. */
+    @ParameterizedTest
+    @EnumSource(
+            value = Shape.class,
+            names = {"CYLINDER", "CAPSULE", "TIPPED_CYLINDER", "TIPPED_CAPSULE", "TIPPED_BOX", "GROUP"})
+    void waysAlongTheSeamsOfAWallAreFree(Shape moving) {
+        SplittableRandom random = new SplittableRandom(41);
+        for (int k = 0; k < Effort.cases(800, 200); k++) {
+            Geometry world = new Geometry(100, 100, 100);
+            world.addObject(new MeshObject(
+                    List.of(new Point(0, -2, -10), new Point(0, -2, 10), new Point(0, 2, 10), new Point(0, 2, -10)),
+                    new int[][] {{0, 1, 2, 3}}));
+            Point start = new Point(1.5, random.nextDouble(-1, 1), random.nextDouble(-3, 3));
+            world.addObject(shape(moving, 1, random).movedTo(start).moveable("m"));
+            double share = world.moveGlobal("m", new Move(-2, 0, 0, 0, 0)).fraction();
+            assertThat(world.moveGlobal("m", new Move(-2 * share, 0, 0, 0, 0)).allowed())
+                    .isTrue();
+            double up = random.nextInt(4) > 0 ? 0 : random.nextDouble(-0.5, 0.5);
+            Move along = new Move(0, up, random.nextDouble(-2, 2), 0, 0);
+            assertThat(world.moveGlobal("m", along).allowed())
+                    .as("%s along the wall by %s", world.getObject("m"), along)
+                    .isTrue();
+        }
+    }
+
+    /** Where a turn is blocked from a stop, every longer turn the same way is too: the whole arc counts, not only its end. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void longerTurnsAreBlockedToo(Dimension dimension) {
+        SplittableRandom random = new SplittableRandom(79 + dimension.ordinal());
+        int blocked = 0;
+        int near = 0;
+        for (Shape moving : Shape.values()) {
+            for (Shape still : Shape.values()) {
+                for (int k = 0; k < (moving == Shape.GRID ? 0 : Effort.cases(12, 3)); k++) {
+                    Geometry world = new Geometry(1e6, 1e6, 1e6, dimension, Accuracy.EXACT);
+                    double larger = random.nextInt(3) == 0 ? 1 : 20;
+                    GeometryObject wall = new BoxObject(new Point(), 6 * larger, larger, larger);
+                    boolean isWall = random.nextBoolean();
+                    Point from = direction(random, dimension);
+                    GeometryObject mover = shape(moving, 1, random)
+                            .movedTo(new Point(30 * from.x(), 30 * from.y(), 30 * from.z()))
+                            .moveable("m");
+                    if (!world.addObject(isWall ? wall : shape(still, larger, random)) || !world.addObject(mover)) {
+                        continue;
+                    }
+                    Move way = new Move(-30 * from.x(), -30 * from.y(), -30 * from.z(), 0, 0);
+                    MoveResult made = world.moveGlobal("m", way);
+                    double share = made.fraction();
+                    if (made.allowed()
+                            || !world.moveGlobal("m", new Move(share * way.x(), share * way.y(), share * way.z(), 0, 0))
+                                    .allowed()) {
+                        continue;
+                    }
+                    near += world.getProximity("m", 1e-9) < 1e-9 ? 1 : 0;
+                    boolean isBlocked = false;
+                    boolean isTipped = random.nextInt(3) == 0;
+                    int sign = random.nextBoolean() ? 1 : -1;
+                    for (double degrees : new double[] {0.5, 3, 10, 25, 45, 90, 120, 140, 170, 180, 270, 355}) {
+                        double by = sign * degrees;
+                        Move turn = isTipped ? new Move(0, 0, 0, by, 0) : new Move(0, 0, 0, 0, by);
+                        boolean allowed = copy(world).move("m", turn).allowed();
+                        assertThat(allowed && isBlocked)
+                                .as("%s turned by %s, tipped %s, in %s", world.getObject("m"), by, isTipped, world.objects())
+                                .isFalse();
+                        isBlocked = !allowed;
+                    }
+                    blocked += isBlocked ? 1 : 0;
+                }
+            }
+        }
+        assertThat(near).isGreaterThan(Effort.cases(600, 150));
+        assertThat(blocked).isGreaterThan(near / 4);
+    }
+
     /**
      * Turns as far as possible, and back but for a tenth. A turn that passed something by less than can be resolved may stop
      * there on its way back, but not at once. A lying object that turns about its own axis stays as far from a wall as it was;

@@ -138,7 +138,8 @@ final class ClearanceSearch {
     }
 
     /**
-     * Whether the pair's pieces are on two sides of a plane that the motion does not cross.
+     * Whether the pair's pieces are on two sides of a plane that the motion does not cross, and as far apart along its normal as
+     * those are to which it belongs.
      *
      * @param isNearer whether only planes of pieces nearer than the clearance count
      */
@@ -152,7 +153,8 @@ final class ClearanceSearch {
             double above = pairs.ownLevel(k, planes, at);
             double below = pairs.level(k, planes, at);
             double slack = FLUSH * (Math.abs(level) + Math.abs(above) + Math.abs(below) + leg.size());
-            if (below <= level + slack && above >= level - slack) {
+            double apart = clearance - planes[at + 4];
+            if (below <= level + slack && above >= level + apart - slack) {
                 return true;
             }
         }

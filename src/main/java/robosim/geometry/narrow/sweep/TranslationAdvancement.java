@@ -46,6 +46,9 @@ final class TranslationAdvancement {
     /** A gap of so many roundings is worth another look. */
     private static final double WORTH = 48;
 
+    /** A motion runs along what it closes on by no more than this share. */
+    private static final double LEVEL = 0x1p-20;
+
     /** An edge is square to a direction if this much of it is, the direction being off. */
     private static final double SQUARE = 0.99;
 
@@ -63,6 +66,9 @@ final class TranslationAdvancement {
 
     /** Whether the two start nearer to each other than a sweep can resolve, and no sign says otherwise. */
     private boolean isNear;
+
+    /** Whether the last motion was stopped by what it runs along, not into. */
+    private boolean isAlong;
 
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
     double time(
@@ -82,8 +88,8 @@ final class TranslationAdvancement {
     }
 
     /**
-     * The time of a motion that {@link #roughly} could not prove free: infinite where it starts nearer than can be resolved
-     * and is proven free without rounding. Where not even the verdict is exact, such a start counts as a contact.
+     * The time of a motion that {@link #roughly} could not prove free: infinite where it starts nearer than can be resolved, or
+     * comes so near on its way along something, and is proven free without rounding. Where not even the verdict is exact, such a start counts as a contact.
      */
     double fromNear(
             boolean planar,
@@ -98,7 +104,7 @@ final class TranslationAdvancement {
             int j,
             SweepScratch s,
             double time) {
-        if (!isNear || (contact && isTouching(planar, kindA, a, i, kindB, b, j, s))) {
+        if (!(isNear || isAlong) || (contact && isTouching(planar, kindA, a, i, kindB, b, j, s))) {
             return time;
         }
         if (!kindA.isEnclosure() && !kindB.isEnclosure()) {
@@ -149,6 +155,7 @@ final class TranslationAdvancement {
         double vy = planar ? 0 : dy;
         contact = false;
         isNear = false;
+        isAlong = false;
         if (dx == 0 && vy == 0 && dz == 0) {
             return Double.POSITIVE_INFINITY;
         }
@@ -177,6 +184,9 @@ final class TranslationAdvancement {
                 next = near(planar, kindA, a, i, dx, vy, dz, kindB, b, j, t, gjk);
             }
             if (!(next > t)) {
+                if (step > 0 && !isNear) {
+                    goesAlong(gjk, dx, vy, dz);
+                }
                 return step > 0 || gjk.lower() > 0 ? t : fromContact(planar, kindA, a, i, dx, vy, dz, kindB, b, j, s);
             }
             t = next;
@@ -185,14 +195,21 @@ final class TranslationAdvancement {
     }
 
     private void begin(Gjk gjk, double span) {
-        isNear = !gjk.isDeep() && gjk.lower() <= EARLY * (mover.extent + rest.extent + span);
-        if (isNear) {
-            double length = Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz());
-            isNear = length > 0.5;
-            towards[0] = gjk.nx();
-            towards[1] = gjk.ny();
-            towards[2] = gjk.nz();
-        }
+        isNear = !gjk.isDeep() && gjk.lower() <= EARLY * (mover.extent + rest.extent + span) && isDirection(gjk);
+    }
+
+    /** Finds out if the motion runs along what stops it, and notes the direction. */
+    private void goesAlong(Gjk gjk, double dx, double dy, double dz) {
+        double closing = gjk.nx() * dx + gjk.ny() * dy + gjk.nz() * dz;
+        isAlong = Math.abs(closing) <= LEVEL * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz)) && isDirection(gjk);
+    }
+
+    /** Whether a direction was found, which is noted. */
+    private boolean isDirection(Gjk gjk) {
+        towards[0] = gjk.nx();
+        towards[1] = gjk.ny();
+        towards[2] = gjk.nz();
+        return Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz()) > 0.5;
     }
 
     /** Whether there is more of a gap than rounding leaves, or a depth where none can be yet. */

@@ -46,6 +46,9 @@ final class TurnAdvancement {
 
     private static final double NEAR_COORDINATES = 0x1p-42;
 
+    /** Edges whose directions have a larger cosine are nearly parallel. */
+    private static final double MOST_ALONG = 1 - 0x1p-6;
+
     /** An edge this close to a direction is not considered perpendicular to it. */
     private static final double SQUARE = 0.5;
 
@@ -210,8 +213,8 @@ final class TurnAdvancement {
      * the two at the start, is not approached.
      */
     private double fromNear(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        rising = planar ? 0 : alongEdges(kindA, a, i, kindB, b, j);
         startGap.between(planar, kindA, a, i, kindB, b, j);
+        rising = planar ? 0 : alongEdges(kindA, a, i, kindB, b, j);
         axis[0] = wx;
         axis[1] = wy;
         axis[2] = wz;
@@ -219,36 +222,47 @@ final class TurnAdvancement {
         return rising;
     }
 
-    /** The same in space for the directions across an edge of each, which turn. */
+    /**
+     * The same in space for the directions across an edge of each, which turn with both: as long as the edges are far from
+     * parallel, as the direction across parallel ones is none.
+     */
     private double alongEdges(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         ofMover.spatial(kindA, a, i);
         ofRest.spatial(kindB, b, j);
         haveFacets = true;
         double best = 0;
         for (int k = 0; k < ofRest.edges; k++) {
-            double ex = ofRest.edgeX[k];
-            double ey = ofRest.edgeY[k];
-            double ez = ofRest.edgeZ[k];
             for (int m = 0; m < ofMover.edges; m++) {
-                for (int way = -1; way <= 1; way += 2) {
-                    across.aim(
-                            rest,
-                            ex,
-                            ey,
-                            ez,
-                            mover,
-                            ofMover.edgeX[m],
-                            ofMover.edgeY[m],
-                            ofMover.edgeZ[m],
-                            wx,
-                            wy,
-                            wz,
-                            way);
-                    best = Math.max(best, across.notNearer());
-                }
+                best = Math.max(best, alongEdges(k, m, best));
             }
         }
         return best;
+    }
+
+    /** The same for one edge of each; a lesser angle than the given one need not be found. */
+    private double alongEdges(int k, int m, double least) {
+        double ex = ofRest.edgeX[k];
+        double ey = ofRest.edgeY[k];
+        double ez = ofRest.edgeZ[k];
+        double fx = ofMover.edgeX[m];
+        double fy = ofMover.edgeY[m];
+        double fz = ofMover.edgeZ[m];
+        // The cosine between two directions, of which one turns, changes by no more than the angle.
+        double most = MOST_ALONG - Math.abs(ex * fx + ey * fy + ez * fz);
+        double best = 0;
+        for (int way = -1; way <= 1; way += 2) {
+            across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
+            double end = Math.min(most, across.notNearer());
+            if (end > Math.max(least, best) && isApartAcross(ex, ey, ez, way * fx, way * fy, way * fz)) {
+                best = end;
+            }
+        }
+        return best;
+    }
+
+    /** Whether the two are certainly apart at the start along the cross product of two directions. */
+    private boolean isApartAcross(double ex, double ey, double ez, double fx, double fy, double fz) {
+        return startGap.isApart(ExactVector.of(ex, ey, ez).cross(ExactVector.of(fx, fy, fz)));
     }
 
     /** Notes for how long a plane that separates the two at the start is not approached; never settles the question. */
