@@ -33,7 +33,7 @@ public final class Films {
         StateHistory film = new StateHistory();
         Replayer stage = new Replayer(scenario.header().options(), colours);
         for (Step step : scenario.steps()) {
-            film.append(stage.play(step));
+            film.add(stage.play(step));
         }
         return film;
     }
@@ -49,7 +49,7 @@ public final class Films {
         ScenarioHeader header = conversation.header();
         Replayer stage = new Replayer(header.options(), colours);
         for (Step step = conversation.next(); step != null; step = conversation.next()) {
-            film.append(stage.play(step));
+            film.add(stage.play(step));
             progress.accept(film.size());
         }
         return film;

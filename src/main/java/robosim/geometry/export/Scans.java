@@ -5,13 +5,34 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.viewer.scene.Scene;
 
 /** What the moveable objects measured. Directions are told once for each arrangement of sensors, distances each time. */
 final class Scans {
-    /** A sensor on its object: its direction from forward and its opening angle, in steps of a turn, and its range. */
-    private record Sensor(int bearing, int width, double range) {}
+    /** A place on an object is told to about a millionth of a world unit, so that rounding makes no other sensor of one. */
+    private static final double STEPS = 1 << 20;
+
+    /**
+     * A sensor on its object: its direction from forward and its opening angle, in steps of a turn, its range, and its
+     * place in the object's own frame.
+     */
+    private record Sensor(int bearing, int width, double range, Point place) {
+        /** Where a measurement started, in the frame of the object that made it. */
+        static Point place(Point start, Pose pose) {
+            Point c = pose.center();
+            double x = start.x() - c.x();
+            double y = start.y() - c.y();
+            double z = start.z() - c.z();
+            return new Point(along(pose, 0, x, y, z), along(pose, 1, x, y, z), along(pose, 2, x, y, z));
+        }
+
+        private static double along(Pose pose, int axis, double x, double y, double z) {
+            double along = pose.rotation(axis) * x + pose.rotation(3 + axis) * y + pose.rotation(6 + axis) * z;
+            return Math.rint(along * STEPS) / STEPS + 0.0;
+        }
+    }
 
     private final Quanta quanta;
     private final PageStreams out;
@@ -25,13 +46,9 @@ final class Scans {
     /**
      * One measurement.
      *
-     * @param heading of the object that measured, degrees
+     * @param pose of the object that measured
      */
-    record Scan(int frame, double heading, List<Scene.Ping> pings) {
-        Scan(int frame, Pose pose, List<Scene.Ping> pings) {
-            this(frame, pose.heading(), pings);
-        }
-    }
+    record Scan(int frame, Pose pose, List<Scene.Ping> pings) {}
 
     /** Writes what one object measured in a chapter that begins at a frame. */
     void write(int begin, List<Scan> scans) {
@@ -63,7 +80,11 @@ final class Scans {
         List<Sensor> sensors = new ArrayList<>();
         for (Scene.Ping ping : scan.pings) {
             int width = (int) Quanta.round(ping.width() * (Quanta.TURN / 360.0));
-            sensors.add(new Sensor(Quanta.turn(ping.heading() - scan.heading), width, ping.range()));
+            sensors.add(new Sensor(
+                    Quanta.turn(ping.heading() - scan.pose.heading()),
+                    width,
+                    ping.range(),
+                    Sensor.place(ping.start(), scan.pose)));
         }
         Integer number = arrangements.get(sensors);
         if (number == null) {
@@ -85,6 +106,9 @@ final class Scans {
                 if (Double.isFinite(sensor.range)) {
                     out.sensors.real(quanta.length(sensor.range));
                 }
+                out.sensors.real(quanta.length(sensor.place.x()));
+                out.sensors.real(quanta.length(sensor.place.y()));
+                out.sensors.real(quanta.length(sensor.place.z()));
             }
         }
     }

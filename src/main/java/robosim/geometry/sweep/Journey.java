@@ -1,5 +1,6 @@
 package robosim.geometry.sweep;
 
+import java.io.Serial;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
@@ -38,6 +39,7 @@ final class Journey {
      * @param robot its name
      */
     record Goal(String robot, double x, double z, double radius) implements Serializable {
+        @Serial
         private static final long serialVersionUID = 1;
 
         private boolean isReachedIn(Geometry world) {
@@ -69,7 +71,7 @@ final class Journey {
         // Kahan's sum: after 48 steps of 0.05 s it is 2.4 s.
         double more = (isTimed ? request instanceof StepBundle step ? step.seconds() : 0 : 1) - lost;
         double sum = time + more;
-        lost = (sum - time) - more;
+        lost = sum - time - more;
         time = sum;
         look();
     }

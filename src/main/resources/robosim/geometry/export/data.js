@@ -151,7 +151,7 @@ function decode(bytes) {
   while (from.objects.at < from.objects.b.length) data.objects.push(readObject(from, data));
   data.sensors = Array.from({ length: from.sensors.count() }, () => Array.from({ length: from.sensors.count() }, () => {
     const s = from.sensors;
-    return { bearing: s.count() / TURN * 2 * Math.PI, width: s.count() / TURN * 2 * Math.PI, range: s.octet() ? s.real() : Infinity };
+    return { bearing: s.count() / TURN * 2 * Math.PI, width: s.count() / TURN * 2 * Math.PI, range: s.octet() ? s.real() : Infinity, at: s.reals(3) };
   }));
   data.chapters = Array.from({ length: from.chapters.count() }, () => readChapter(from, data));
   return data;

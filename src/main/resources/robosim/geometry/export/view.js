@@ -191,7 +191,7 @@ class View {
   }
 
   beam(pose, sensor, length, color, echo) {
-    const from = pose.slice(0, 3), half = sensor.width / 2, alpha = echo ? 0.2 : 0.07;
+    const from = add(pose.slice(0, 3), turned(pose, 3, sensor.at)), half = sensor.width / 2, alpha = echo ? 0.2 : 0.07;
     // a aside, b upwards from the direction of the sensor, on a ball around it
     const rim = (a, b) => {
       const v = [Math.cos(b) * Math.cos(sensor.bearing + a), Math.sin(b), -Math.cos(b) * Math.sin(sensor.bearing + a)];
@@ -208,7 +208,7 @@ class View {
       points.push(this.chapter.spatial ? rim(half * Math.cos(a), half * Math.sin(a)) : rim(a, 0));
     }
     for (let j = 0; j < steps; j++) {
-      for (const [p, share] of [[from, 1], [points[j], 1], [points[j + 1], 1]]) this.beams.values.push(p[0], p[1], p[2], color[0], color[1], color[2], alpha * share);
+      for (const p of [from, points[j], points[j + 1]]) this.beams.values.push(...p, ...color, alpha);
       if (echo) this.line(points[j], points[j + 1], color, 0.9, 2);
     }
   }

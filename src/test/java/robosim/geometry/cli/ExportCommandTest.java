@@ -24,7 +24,7 @@ class ExportCommandTest extends CommandRun {
         assertThat(page).content().contains("<title>rooms</title>");
         assertThat(run("export", TALK, "--world", Path.of("worlds/rooms.xml"), "--title", "a < b", page))
                 .isZero();
-        assertThat(out.toString()).contains("Wrote " + page + ": 17 steps, ");
+        assertThat(out.toString()).contains("Wrote " + page + ": 9 steps, ");
         assertThat(page).content().contains("<title>a &lt; b</title>");
         assertThat(Files.list(folder)).containsExactly(page);
     }
@@ -47,9 +47,9 @@ class ExportCommandTest extends CommandRun {
                 "worlds/rooms.xml | page.htm | | PAGE must end in .html",
                 "worlds/rooms.xml | page.html | 1-2 | --steps is for a recording",
                 "worlds/scenarios/wandering.scenario.jsonl | page.html | 4 | --steps must be FIRST-LAST",
-                "worlds/scenarios/wandering.scenario.jsonl | page.html | 0-4 | --steps must be within 1-17",
-                "worlds/scenarios/wandering.scenario.jsonl | page.html | 5-4 | --steps must be within 1-17",
-                "worlds/scenarios/wandering.scenario.jsonl | page.html | 5-18 | --steps must be within 1-17",
+                "worlds/scenarios/wandering.scenario.jsonl | page.html | 0-4 | --steps must be within 1-9",
+                "worlds/scenarios/wandering.scenario.jsonl | page.html | 5-4 | --steps must be within 1-9",
+                "worlds/scenarios/wandering.scenario.jsonl | page.html | 5-10 | --steps must be within 1-9",
             })
     void whatCannotBeIsRefused(String file, String page, String steps, String said) throws IOException {
         Path there = Files.writeString(folder.resolve(page), "old");

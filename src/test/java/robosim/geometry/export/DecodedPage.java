@@ -19,7 +19,14 @@ import java.util.zip.InflaterInputStream;
  */
 final class DecodedPage {
     /** A measurement by frame: all distances. */
-    record Scan(int frame, int sensors, double[] distances, double[] bearings, double[] widths, double[] ranges) {}
+    record Scan(
+            int frame,
+            int sensors,
+            double[] distances,
+            double[] bearings,
+            double[] widths,
+            double[] ranges,
+            double[][] places) {}
 
     record Bump(int frame, int mover, double heading, int obstacle) {}
 
@@ -239,11 +246,14 @@ final class DecodedPage {
     }
 
     private double[][] arrangement(ByteBuffer in) {
-        double[][] sensors = new double[(int) count(in)][3];
+        double[][] sensors = new double[(int) count(in)][6];
         for (double[] sensor : sensors) {
             sensor[0] = count(in) * 360.0 / 65536;
             sensor[1] = count(in) * 360.0 / 65536;
             sensor[2] = in.get() == 0 ? Double.POSITIVE_INFINITY : in.getFloat() * unit;
+            for (int axis = 3; axis < 6; axis++) {
+                sensor[axis] = in.getFloat() * unit;
+            }
         }
         return sensors;
     }
@@ -375,7 +385,8 @@ final class DecodedPage {
                     new double[sensors.length],
                     new double[sensors.length],
                     new double[sensors.length],
-                    new double[sensors.length]);
+                    new double[sensors.length],
+                    new double[sensors.length][3]);
             for (int k = 0; k < sensors.length; k++) {
                 long code = count(streams[12]);
                 last[kind][k] += code == 0 ? 0 : code % 2 == 1 ? code / 2 : -code / 2;
@@ -383,6 +394,7 @@ final class DecodedPage {
                 scan.bearings[k] = sensors[k][0];
                 scan.widths[k] = sensors[k][1];
                 scan.ranges[k] = sensors[k][2];
+                System.arraycopy(sensors[k], 3, scan.places[k], 0, 3);
             }
             scans.add(scan);
         }

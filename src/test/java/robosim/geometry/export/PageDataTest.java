@@ -29,8 +29,12 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.Talk;
@@ -128,6 +132,14 @@ class PageDataTest {
                         double heading = chapter.movers.isEmpty() ? 0 : heading(film, scan.frame(), k);
                         double off = Math.IEEEremainder(scan.bearings()[s] + heading - ping.heading(), 360);
                         assertThat(off).isCloseTo(0, within(ANGLE));
+                        Pose pose = film.movers(scan.frame()).get(k).object().pose();
+                        double[] place = scan.places()[s];
+                        Point start = Pose.of(new Point(place[0], place[1], place[2]), 0)
+                                .within(pose)
+                                .center();
+                        assertThat(start.x()).isCloseTo(ping.start().x(), within(1e-5));
+                        assertThat(start.y()).isCloseTo(ping.start().y(), within(1e-5));
+                        assertThat(start.z()).isCloseTo(ping.start().z(), within(1e-5));
                     }
                 }
             }
@@ -173,6 +185,33 @@ class PageDataTest {
         assertThat(compared(film, 0, page)).isBetween(0.45, 0.5 + 1e-6);
         comparedEvents(film, page);
         assertThat(page.chapters.get(0).bumps).hasSizeGreaterThan(50);
+    }
+
+    /** A laser that a batch asks, mounted ahead of the centre, while its robot turns and drives. */
+    @Test
+    void aMountedLaserMeasuresFromItsPlace() {
+        SenseRequest laser = new SenseRequest(
+                "drum",
+                new Mount(new Point(0.4, 0.2, -0.1)),
+                new BeamPattern.Fan(-1, 0.01, 201),
+                0,
+                6,
+                0,
+                false,
+                false);
+        Talk talk = Talk.begun();
+        for (int k = 0; k < 5; k++) {
+            talk.step(new BatchRequestBundle(List.of(laser)), null)
+                    .turns(37, null)
+                    .drives(0.3, null);
+        }
+        StateHistory film = talk.film();
+        DecodedPage page = DecodedPage.of(data(film));
+        comparedEvents(film, page);
+        assertThat(page.chapters.get(0).scans.get(0)).hasSize(5).allSatisfy(scan -> {
+            assertThat(scan.sensors()).isBetween(60, 120);
+            assertThat(scan.places()[0]).containsExactly(new double[] {0.4, 0.2, -0.1}, within(1e-6));
+        });
     }
 
     @Test

@@ -1,6 +1,7 @@
 package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
@@ -446,7 +447,7 @@ public final class ObjectRegistry {
     public int known(String name) {
         int id = objects.find(Checks.present("name", name));
         if (id < 0) {
-            List<String> near = NearNames.of(name, names());
+            List<String> near = NearNames.of(name, this::names);
             throw new IllegalArgumentException("name must be that of an object in the world"
                     + (near.isEmpty() ? "" : ", perhaps \"" + String.join("\", \"", near) + "\"") + " (got: \""
                     + name + "\")");
@@ -454,8 +455,8 @@ public final class ObjectRegistry {
         return id;
     }
 
-    private Iterable<String> names() {
-        return () -> objects.ids()
+    private Iterator<String> names() {
+        return objects.ids()
                 .mapToObj(id -> objects.present(id).name())
                 .filter(Objects::nonNull)
                 .map(String::valueOf)

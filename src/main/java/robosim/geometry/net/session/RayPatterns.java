@@ -9,7 +9,7 @@ import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.Numbers;
 
 /** Makes patterns of their descriptions, radians to degrees, and keeps those used last: a robot asks for the same again. */
-final class RayPatterns {
+public final class RayPatterns {
     /** The most beams of the patterns kept between two bundles, 800 kB. A lidar's turn of 16 x 1800 has 28,800. */
     private static final int MOST_BEAMS = 1 << 15;
 
@@ -37,7 +37,8 @@ final class RayPatterns {
         }
     }
 
-    private static RayPattern make(BeamPattern pattern) {
+    /** A pattern as its description has it. */
+    public static RayPattern make(BeamPattern pattern) {
         if (pattern instanceof BeamPattern.Fan fan) {
             return RayPattern.fan(Degrees.toDegrees(fan.first()), Degrees.toDegrees(fan.step()), fan.count());
         }

@@ -73,15 +73,15 @@ public final class Feed implements AutoCloseable {
     }
 
     /**
-     * Moves the frames read so far to a history, at most the given number.
+     * Moves what was read so far to a history, at most the given number of messages; several may be one frame of it.
      *
-     * @return the number of frames moved
+     * @return the number of messages moved
      */
     public int drain(StateHistory film, int most) {
         int drained = 0;
         for (Frame frame = queue.poll(); frame != null; frame = queue.poll()) {
             room.release(room(frame));
-            film.append(frame);
+            film.add(frame);
             drained++;
             if (drained == most) {
                 break;

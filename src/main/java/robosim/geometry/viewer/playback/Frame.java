@@ -2,7 +2,9 @@ package robosim.geometry.viewer.playback;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -42,6 +44,32 @@ public record Frame(
     /** A frame that only begins a world. */
     public static Frame of(Setting opening, String words) {
         return new Frame(opening, Map.of(), List.of(), Map.of(), words, List.of(), null);
+    }
+
+    /** Whether robots only measured. */
+    private boolean isSensing() {
+        return opening == null && placed.isEmpty() && bumps.isEmpty() && !heard.isEmpty();
+    }
+
+    /**
+     * This frame and the next one as one control step: robots measure, others measure too, and then they move. Null if they
+     * are two: one that measures again has begun another step.
+     */
+    @Nullable
+    Frame with(Frame next) {
+        boolean isAct = next.heard.isEmpty() && !(next.placed.isEmpty() && next.bumps.isEmpty());
+        boolean isMore = next.isSensing() && Collections.disjoint(heard.keySet(), next.heard.keySet());
+        if (!isSensing() || next.opening != null || !(isAct || isMore)) {
+            return null;
+        }
+        Map<String, List<Scene.Ping>> all = new LinkedHashMap<>(heard);
+        all.putAll(next.heard);
+        List<String> both = new ArrayList<>(notes);
+        both.addAll(next.notes);
+        Timing whole = timing == null || next.timing == null
+                ? null
+                : new Timing(timing.at(), timing.took() + next.timing.took());
+        return new Frame(null, next.placed, next.bumps, all, words + "; " + next.words, both, whole);
     }
 
     /**

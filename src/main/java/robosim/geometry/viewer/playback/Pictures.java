@@ -96,7 +96,7 @@ public final class Pictures {
         StateHistory film = new StateHistory();
         Replayer stage = new Replayer(conversation.header().options());
         for (Step step = conversation.next(); step != null; step = conversation.next()) {
-            film.append(stage.play(step));
+            film.add(stage.play(step));
         }
         return film.over(world, film.size() - 1);
     }
@@ -113,7 +113,7 @@ public final class Pictures {
         StateHistory film = new StateHistory();
         Replayer stage = new Replayer(scenario.header().options(), colours);
         for (Step step : scenario.steps()) {
-            film.append(stage.play(step));
+            film.add(stage.play(step));
         }
         return film.at(film.size() - 1, new StateHistory.Look(MOMENTS, MOMENTS))
                 .titled(scenario.header().title());

@@ -16,6 +16,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
@@ -28,7 +29,10 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -108,26 +112,47 @@ public final class Replayer {
         return frame(step, setting, Map.of(), List.of(), Map.of(), words);
     }
 
-    /** Carries out what a batch changes; what it only asks is not shown. */
+    /** Carries out what a batch changes, one item after the other, and shows what carried sensors measured. */
     private Frame batch(Step step, BatchRequestBundle batch) {
+        Reply expected = step.expected();
+        List<BatchAnswer> told = expected != null && expected.bundle() instanceof BatchAnswerBundle answers
+                ? answers.answers()
+                : List.of();
         Frame.Setting setting = null;
         Map<String, Pose> placed = new LinkedHashMap<>();
-        if (batch.requests().stream().anyMatch(WorldRequest.class::isInstance)) {
-            session.reply(batch);
-            Geometry world = session.world();
-            for (BatchRequest request : batch.requests()) {
-                boolean isOther = request instanceof WorldRequest.Remove
-                        || (request instanceof WorldRequest about && about.addition() != null);
+        Map<String, List<Scene.Ping>> heard = new LinkedHashMap<>();
+        for (int k = 0; k < batch.requests().size(); k++) {
+            BatchRequest request = batch.requests().get(k);
+            if (request instanceof SenseRequest sense && sense.isCarried()) {
+                sense(sense, k < told.size() ? told.get(k) : answer(sense), heard);
+            } else if (request instanceof WorldRequest about) {
+                answer(about);
+                Geometry world = session.world();
+                boolean isOther = about instanceof WorldRequest.Remove || about.addition() != null;
                 setting = isOther && world != null ? Frame.Setting.of(world, colours) : setting;
-                boolean isElsewhere = request instanceof WorldRequest && request.isAboutMover();
-                GeometryObject mover = isElsewhere ? mover(request.objectName()) : null;
+                GeometryObject mover = about.isAboutMover() ? mover(about.objectName()) : null;
                 if (mover != null) {
-                    placed.put(request.objectName(), mover.pose());
+                    placed.put(about.objectName(), mover.pose());
                 }
             }
         }
         String words = "a batch of " + NumberText.count(batch.size(), "item");
-        return frame(step, setting, placed, List.of(), Map.of(), words);
+        return frame(step, setting, placed, List.of(), heard, words);
+    }
+
+    private @Nullable BatchAnswer answer(BatchRequest request) {
+        Reply reply = session.reply(new BatchRequestBundle(List.of(request)));
+        return reply != null && reply.bundle() instanceof BatchAnswerBundle answers
+                ? answers.answers().get(0)
+                : null;
+    }
+
+    private void sense(SenseRequest request, @Nullable BatchAnswer answer, Map<String, List<Scene.Ping>> heard) {
+        GeometryObject carrier = mover(request.objectName());
+        if (carrier != null && answer instanceof SenseAnswer sensed) {
+            heard.computeIfAbsent(request.objectName(), unseen -> new ArrayList<>())
+                    .addAll(Lasers.of(carrier, request, sensed.distances()));
+        }
     }
 
     private Frame move(Step step, List<MoveRequest> asked) {

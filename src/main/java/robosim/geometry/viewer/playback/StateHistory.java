@@ -62,6 +62,28 @@ public final class StateHistory {
         }
     }
 
+    /**
+     * Appends what the next message changed: as a part of the last frame if both are of one control step, in which robots
+     * measure and then move, and otherwise as a frame of its own.
+     */
+    public void add(Frame message) {
+        Frame last = frames.isEmpty() ? null : frames.get(frames.size() - 1);
+        Frame whole = last == null ? null : last.with(message);
+        if (last == null || whole == null) {
+            append(message);
+            return;
+        }
+        int number = size() - 1;
+        frames.set(frames.size() - 1, whole);
+        weight += whole.weight() - last.weight();
+        if (!message.bumps().isEmpty()) {
+            refused.add(number);
+        }
+        if (!chapters.isEmpty()) {
+            chapters.get(chapters.size() - 1).append(number, message);
+        }
+    }
+
     /** Appends a frame. */
     public void append(Frame frame) {
         int number = size();

@@ -116,10 +116,7 @@ final class ViewerModel {
      */
     boolean tick(long nanos) {
         int before = player.position();
-        int size = film.size();
-        if (feed != null) {
-            feed.drain(film, AT_ONCE);
-        }
+        int drained = feed == null ? 0 : feed.drain(film, AT_ONCE);
         if (sandbox == null || feed == null) {
             player.tick(nanos);
         }
@@ -133,7 +130,7 @@ final class ViewerModel {
         }
         follow();
         String end = end();
-        boolean changed = before != player.position() || size != film.size() || !end.equals(told);
+        boolean changed = before != player.position() || drained > 0 || !end.equals(told);
         told = end;
         if (before != player.position()) {
             saved = "";

@@ -66,7 +66,7 @@ final class RobotReachability {
                 break;
             }
         }
-        refine(geometry, statics);
+        refine(statics);
         if (!isDone()) {
             lookNear(geometry, statics);
         }
@@ -77,7 +77,7 @@ final class RobotReachability {
      * Searches each room again at finer steps until the step is the desired one or the places become too many: a step
      * wider than a corridor ends at its first bend, and what it reached is then a small part of what can be reached.
      */
-    private void refine(Geometry geometry, Geometry statics) {
+    private void refine(Geometry statics) {
         for (List<Integer> group : groups()) {
             GridSearch last = largest(group);
             int k = last == null ? -1 : Arrays.asList(searches).indexOf(last);

@@ -42,7 +42,7 @@ class PicturesTest {
         DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
                 .parse(new ByteArrayInputStream(svg.getBytes(StandardCharsets.UTF_8)));
-        assertThat(svg).contains("a talk", "step 4 of 4: 1 move, 1 refused: drum by wall");
+        assertThat(svg).contains("a talk", "step 3 of 3: 1 distance; 1 move, 1 refused: drum by wall");
         assertThat(svg).containsOnlyOnce("class=\"block\"").containsOnlyOnce("class=\"trail\"");
         assertThat(svg).containsOnlyOnce("class=\"ping\"");
         assertThat(svg).isEqualTo(Painter.svg(Pictures.lastMoments(scenario)));

@@ -1,15 +1,24 @@
 package robosim.geometry.viewer.playback;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -67,6 +76,50 @@ class ReplayerTest {
         StateHistory on =
                 Talk.begun().drives(7, true).drives(3, true).drives(1, null).film();
         assertThat(drum(on, 3)).isEqualTo(new Point(6, 0, 0));
+    }
+
+    /** A fan of 91 beams from -45 to 45 degrees in the place of the drum, 0.5 ahead of its centre. */
+    @Test
+    void lasersOfABatchAreShown() {
+        Mount ahead = new Mount(new Point(0.5, 0, 0));
+        BeamPattern fan = new BeamPattern.Fan(-Math.PI / 4, Math.PI / 180, 91);
+        SenseRequest laser = new SenseRequest("drum", ahead, fan, 0, 30, 0, false, false);
+        Numbers told = new Numbers(IntStream.range(0, 91).mapToDouble(k -> k).toArray());
+        StateHistory film = Talk.begun()
+                .step(new BatchRequestBundle(List.of(laser)), null)
+                .turns(90, null)
+                .step(
+                        new BatchRequestBundle(List.of(laser)),
+                        new Reply(new BatchAnswerBundle(List.of(new SenseAnswer(told, Numbers.NONE)))))
+                .film();
+        List<Scene.Ping> measured = film.frame(1).heard().get("drum");
+        assertThat(measured).hasSize(91).allSatisfy(ping -> {
+            assertThat(ping.start()).isEqualTo(new Point(-4.5, 0, 0));
+            assertThat(ping.width()).isZero();
+            assertThat(ping.range()).isEqualTo(30);
+        });
+        assertThat(measured.get(0).heading()).isCloseTo(-45, within(1e-9));
+        assertThat(measured.get(90).heading()).isCloseTo(45, within(1e-9));
+        // The wall's face is at x = 1.5, from z = -2 to 2.
+        assertThat(measured.get(45).distance()).isEqualTo(6);
+        assertThat(measured.get(45 + 10).distance()).isCloseTo(6 / Math.cos(Math.toRadians(10)), within(1e-9));
+        List<Scene.Ping> recorded = film.frame(3).heard().get("drum");
+        assertThat(recorded).extracting(Scene.Ping::distance).startsWith(0.0, 1.0, 2.0);
+        assertThat(recorded.get(45).start().z()).isCloseTo(-0.5, within(1e-12));
+        assertThat(recorded.get(45).heading()).isCloseTo(90, within(1e-9));
+    }
+
+    @Test
+    void ofManyBeamsSomeLevelOnesAreShown() {
+        BeamPattern lidar = new BeamPattern.Layers(Numbers.of(-0.3, 0.01, 0.3), 0, Math.PI / 900, 1800);
+        StateHistory film = Talk.begun()
+                .step(new BatchRequestBundle(List.of(new SenseRequest("drum", lidar))), null)
+                .step(new BatchRequestBundle(List.of(new SenseRequest("nobody", lidar))), null)
+                .film();
+        List<Scene.Ping> level = film.frame(1).heard().get("drum");
+        assertThat(level).hasSize(120);
+        assertThat(level.get(1).heading() - level.get(0).heading()).isCloseTo(3, within(1e-9));
+        assertThat(film.frame(2).heard()).isEmpty();
     }
 
     @Test

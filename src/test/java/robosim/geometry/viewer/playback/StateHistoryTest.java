@@ -177,4 +177,35 @@ class StateHistoryTest {
         assertThat(film.world(film.first())).isEqualTo(film.first());
         assertThat(film.setting(film.first() - 1)).isNull();
     }
+
+    /** Robots that measure, one after the other and in a batch, and then move, make one step. */
+    @Test
+    void whatIsMeasuredAndThenDoneIsOneStep() {
+        GeometryObject cart = new CylinderObject(new Point(-5, 0, 3), 0.5, 1).moveable("cart");
+        Talk talk = new Talk().world(Talk.WALL, Talk.DRUM, cart);
+        for (int k = 0; k < 3; k++) {
+            talk.looks(null).looks("cart", null).drives(k == 1 ? 30 : 0.5, null);
+        }
+        talk.looks(null).looks(null).drives(0.5, null).drives(0.5, null);
+        StateHistory film = new StateHistory();
+        Replayer stage = new Replayer(SessionOptions.ROBOSIM);
+        talk.steps().forEach(step -> film.add(stage.play(step)));
+        // The world, three steps, a look, another look with a move, and a move.
+        assertThat(film.size()).isEqualTo(7);
+        for (int k = 1; k <= 3; k++) {
+            assertThat(film.frame(k).heard()).containsOnlyKeys("drum", "cart");
+            assertThat(film.frame(k).words()).startsWith("1 distance; 1 distance; 1 move");
+        }
+        assertThat(film.frame(2).bumps()).hasSize(1);
+        assertThat(film.nextRefused(0)).isEqualTo(2);
+        assertThat(film.nextRefused(3)).isEqualTo(film.size());
+        assertThat(film.frame(4).placed()).isEmpty();
+        assertThat(film.frame(5).placed()).containsOnlyKeys("drum");
+        assertThat(film.frame(6).heard()).isEmpty();
+        // At the end of a step is what message by message there is too.
+        StateHistory each = talk.film();
+        assertThat(film.movers(1)).isEqualTo(each.movers(3));
+        assertThat(film.movers(6)).isEqualTo(each.movers(each.size() - 1));
+        assertThat(film.scene(3).pings()).isEqualTo(each.scene(9).pings());
+    }
 }
