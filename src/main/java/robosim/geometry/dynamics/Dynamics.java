@@ -166,6 +166,15 @@ public final class Dynamics {
     }
 
     /**
+     * Sets how the surfaces of two objects make that of their contact; both are {@link Surface.Mixing#GEOMETRIC_MEAN} unless told
+     * otherwise.
+     */
+    public void mix(Surface.Mixing restitution, Surface.Mixing friction) {
+        table.mix(Checks.present("restitution", restitution), Checks.present("friction", friction));
+        isStale = true;
+    }
+
+    /**
      * Drives a body from now on. In a SPATIAL world a drive acts while the body stands on something, within what friction can
      * give there: the body's own friction is that of its surface, or {@link Body#floorFriction} if that is more.
      */

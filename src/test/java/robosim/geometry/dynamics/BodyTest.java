@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.dynamics.Surface.Mixing;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -141,6 +142,52 @@ class BodyTest {
             assertThat(struck).isCloseTo(driven, within(1e-9 * driven));
         }
         return driven;
+    }
+
+    @Test
+    void surfacesMixBySelectedRules() {
+        double[][] expected = {{0.4, 0.4}, {0.5, 0.5}, {0.8, 0.8}, {0.2, 0.2}, {0.16, 0.16}};
+        Surface one = new Surface(0.8, 0.8, 0.8);
+        Surface other = new Surface(0.2, 0.2, 0.2);
+        for (Mixing rule : Mixing.values()) {
+            double truth = expected[rule.ordinal()][0];
+            assertThat(rule.of(0.8, 0.2)).isEqualTo(rule.of(0.2, 0.8)).isCloseTo(truth, within(1e-15));
+            assertThat(one.against(other, rule, Mixing.LARGER).restitution()).isCloseTo(truth, within(1e-15));
+            assertThat(one.against(other, Mixing.LARGER, rule).slidingFriction())
+                    .isCloseTo(truth, within(1e-15));
+            for (Dimension dimension : Dimension.values()) {
+                // A ball bounces off a wall by the restitution of the pair, and a box is slowed by its friction.
+                assertThat(bounced(dimension, rule, one, other)).isCloseTo(truth, within(1e-6));
+            }
+            assertThat(slowed(rule, one, other)).isCloseTo(truth * Body.GRAVITY, within(1e-3));
+        }
+        assertThat(one.against(other)).isEqualTo(one.against(other, Mixing.GEOMETRIC_MEAN, Mixing.GEOMETRIC_MEAN));
+    }
+
+    private static double bounced(Dimension dimension, Mixing rule, Surface one, Surface other) {
+        Geometry world = new Geometry(20, 20, 20, dimension, Accuracy.EXACT);
+        world.addObject(new SphereObject(new Point(), 0.5).moveable("ball"));
+        world.addObject(new BoxObject(new Point(3, 0, 0), 1, 5, 5));
+        Dynamics dynamics =
+                dimension == Dimension.PLANAR ? new Dynamics(world, other) : new Dynamics(world, other, new Point());
+        dynamics.mix(rule, Mixing.GEOMETRIC_MEAN);
+        dynamics.add("ball", Body.of(1, 0.1).withSurface(one));
+        dynamics.setVelocity("ball", new Twist(1, 0, 0, 0));
+        dynamics.step(3);
+        return -dynamics.velocity("ball").x();
+    }
+
+    private static double slowed(Mixing rule, Surface one, Surface other) {
+        Geometry world = new Geometry(20, 20, 20, Dimension.SPATIAL, Accuracy.EXACT);
+        world.addObject(new BoxObject(new Point(0, -1, 0), 20, 2, 20));
+        world.addObject(new BoxObject(new Point(0, 0.1001, 0), 1, 0.2, 1).moveable("box"));
+        Dynamics dynamics = new Dynamics(world, other);
+        dynamics.mix(Mixing.GEOMETRIC_MEAN, rule);
+        dynamics.add("box", Body.ofMass(world.getObject("box"), 1).withSurface(one));
+        dynamics.step(0.5);
+        dynamics.setVelocity("box", new Twist(5, 0, 0, 0));
+        dynamics.step(0.5);
+        return 2 * (5 - dynamics.velocity("box").x());
     }
 
     /** Of masses at random points about any axes, and of plates and rods, where one moment is the sum of the others. */
