@@ -393,8 +393,9 @@ def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[
 
 
 def drive_settings(kind: str, **limits: float) -> Json:
-    """A drive: "differential", "omnidirectional", "ackermann", "velocity" or "force"; with base, max_speed,
-    max_acceleration, max_turn and max_turn_acceleration, as far as its kind has them."""
+    """A drive: "differential", "omnidirectional", "ackermann" (a car, which turns about its rear axle, at the centre of
+    the object), "velocity" or "force"; with base, max_speed, max_acceleration, max_turn and max_turn_acceleration, as far
+    as its kind has them."""
     word = kind.upper()
     if word not in _DRIVES:
         raise TypeError(f"a drive must be one of {', '.join(_DRIVES)}, in small letters too (got: {kind})")

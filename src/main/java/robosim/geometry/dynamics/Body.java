@@ -20,7 +20,8 @@ import robosim.geometry.model.Twist;
  * }</pre>
  *
  * @param mass        kg; above 0
- * @param inertia     moment of inertia about the vertical through the centre, kg m<sup>2</sup>; above 0
+ * @param inertia     moment of inertia about the vertical through the centre, kg m<sup>2</sup>; above 0. About the own Y where
+ *                    the other two moments are given
  * @param surface     how it bounces and rubs
  * @param damping     the rate at which the speed falls, as a share of what it is, each second: 0 for not at all, and above 1 is allowed
  * @param turnDamping the same of the speed of turning
@@ -30,7 +31,7 @@ import robosim.geometry.model.Twist;
  *                    {@code floorFriction * g} until it rests, and turns more slowly as a disc of its mass and inertia does;
  *                    0 for none. In a SPATIAL world its own friction, static and sliding, with what is below it, unless that of
  *                    its surface is more
- * @param inertiaX    moment of inertia about the own X, for a SPATIAL world, where {@code inertia} is about the own Y; 0 for
+ * @param inertiaX    moment of inertia about the own X, where {@code inertia} is about the own Y, as in any SPATIAL world; 0 for
  *                    that of a solid of the object's shape which has {@code inertia} about the own Y
  * @param inertiaZ    the same about the own Z
  */
@@ -96,22 +97,28 @@ public record Body(
     }
 
     /**
-     * A solid body of a shape, of the same density everywhere.
+     * A solid body of a shape, of the same density everywhere. That of a shape that is not upright has its three moments of
+     * inertia, so that it turns rightly about the vertical of a PLANAR world too.
      *
-     * @param shape a sphere, or an upright box, cylinder or capsule; its sizes are metres
+     * @param shape a sphere, box, cylinder or capsule; its sizes are metres
      * @param mass  kg
-     * @throws IllegalArgumentException for another shape, whose inertia has to be given, or a shape that is a point or a
-     *     vertical line
+     * @throws IllegalArgumentException for another shape, whose inertia has to be given, or a shape that is a point or a line
+     *     along its own Y
      */
     public static Body ofMass(GeometryObject shape, double mass) {
         Quantity.positive("mass", mass);
         double square = gyrationSquare(shape);
         if (square == 0) {
             throw new IllegalArgumentException(
-                    "shape must not be a point or a vertical line, which resists no turn; give it a"
+                    "shape must not be a point or a line along its own Y, which resists no turn; give it a"
                             + " volume, or use Body.of(mass, inertia) (got: " + shape + ")");
         }
-        return of(mass, mass * square);
+        Body body = of(mass, mass * square);
+        if (shape.kind() == GeometryObject.Kind.SPHERE || shape.pose().isUpright()) {
+            return body;
+        }
+        double[] moments = Inertia.moments(shape, body);
+        return body.withInertia(moments[0], moments[1], moments[2]);
     }
 
     /**
@@ -131,7 +138,7 @@ public record Body(
     }
 
     private static double volume(GeometryObject shape) {
-        return switch (shape(shape).kind()) {
+        return switch (Checks.present("shape", shape).kind()) {
             case BOX -> {
                 BoxObject box = (BoxObject) shape;
                 yield box.width() * box.height() * box.length();
@@ -149,9 +156,9 @@ public record Body(
         };
     }
 
-    /** The square of the radius of gyration about the vertical: the inertia of a unit of mass. */
+    /** The square of the radius of gyration about the own Y: the inertia of a unit of mass. */
     private static double gyrationSquare(GeometryObject shape) {
-        return switch (shape(shape).kind()) {
+        return switch (Checks.present("shape", shape).kind()) {
             case BOX -> {
                 BoxObject box = (BoxObject) shape;
                 yield (box.width() * box.width() + box.length() * box.length()) / 12;
@@ -181,19 +188,10 @@ public record Body(
         return Math.PI * 4 / 3 * radius * radius * radius;
     }
 
-    /** A shape whose own Y is the vertical, or that is round all over. */
-    private static GeometryObject shape(GeometryObject shape) {
-        Checks.present("shape", shape);
-        if (shape.kind() != GeometryObject.Kind.SPHERE && !shape.pose().isUpright()) {
-            throw unknown(shape);
-        }
-        return shape;
-    }
-
     private static IllegalArgumentException unknown(GeometryObject shape) {
         return new IllegalArgumentException(
-                "shape must be a sphere, or an upright box, cylinder or capsule; of others give"
-                        + " mass and inertia (got: " + shape + ")");
+                "shape must be a sphere, box, cylinder or capsule; for other shapes, give mass and inertia by"
+                        + " Body.of(mass, inertia) (got: " + shape + ")");
     }
 
     /** This body with another surface. */
@@ -219,7 +217,8 @@ public record Body(
 
     /**
      * This body with other moments of inertia, kg m<sup>2</sup>: about the own axes of the object, which have to be its
-     * principal axes. A PLANAR world uses {@code aboutY} alone.
+     * principal axes. In a PLANAR world that of an upright object about the vertical is {@code aboutY}; that of a tipped one
+     * comes from all three.
      *
      * @throws IllegalArgumentException if one of them is more than the sum of the other two, which it is in no body; a millionth
      *     more is taken for rounding
@@ -236,6 +235,11 @@ public record Body(
                 floorFriction,
                 Quantity.positive("aboutX", aboutX),
                 Quantity.positive("aboutZ", aboutZ));
+    }
+
+    /** This body with one moment of inertia, about the vertical. */
+    Body about(double vertical) {
+        return new Body(mass, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
     }
 
     /** By how much the floor slows it, m/s<sup>2</sup>. */

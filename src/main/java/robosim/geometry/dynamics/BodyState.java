@@ -16,6 +16,9 @@ final class BodyState implements Cloneable {
     final String name;
     final Body body;
 
+    /** The same with the moment of inertia about the vertical in its present attitude, in a PLANAR world. */
+    Body acting;
+
     /** When its object came into the world, which no other object ever shares: a name may pass to another one. */
     private final long arrival;
 
@@ -55,6 +58,7 @@ final class BodyState implements Cloneable {
     BodyState(String name, Body body, long arrival) {
         this.name = name;
         this.body = body;
+        acting = body;
         this.arrival = arrival;
     }
 
@@ -111,13 +115,13 @@ final class BodyState implements Cloneable {
             beginForced(force, heading, rest, seconds);
         } else if (driven != null) {
             Twist now = velocity(heading, rest);
-            aim = driven.next(now, body, seconds);
+            aim = driven.next(now, acting, seconds);
             double spent = spent(driven, now, aim, seconds);
             left = seconds - spent;
             // What is pressed against something is not to lose the speed that it would have gained on the way.
             double gaining = isHindered ? 0 : Math.min(seconds, spent);
             // The mean: of a speed that is gained evenly that at half of its time, then what the drive aims at.
-            Twist gained = gaining > 0 ? driven.next(now, body, 0.5 * gaining) : aim;
+            Twist gained = gaining > 0 ? driven.next(now, acting, 0.5 * gaining) : aim;
             double share = gaining / seconds;
             double turn = mean(gained.ry(), aim.ry(), share);
             turns = Degrees.toRadians(turn);
@@ -137,19 +141,19 @@ final class BodyState implements Cloneable {
     /** It goes on at the mean of the speed that damping leaves, and has at the end what is left then. */
     private void beginFree(double seconds) {
         double speed = Math.sqrt(vx * vx + vz * vz);
-        double share = speed > body.maxSpeed() ? body.maxSpeed() / speed : 1;
-        double most = body.maxTurn();
+        double share = speed > acting.maxSpeed() ? acting.maxSpeed() / speed : 1;
+        double most = acting.maxTurn();
         double turn = most < Double.POSITIVE_INFINITY ? Quantity.clamp(w, Degrees.toRadians(most)) : w;
-        double kept = Decay.kept(body.damping() * seconds);
-        double turnKept = Decay.kept(body.turnDamping() * seconds);
+        double kept = Decay.kept(acting.damping() * seconds);
+        double turnKept = Decay.kept(acting.turnDamping() * seconds);
         keptX = vx * share * kept;
         keptZ = vz * share * kept;
         keptTurn = turn * turnKept;
         // What something was in the way of loses all of it at once, since it is not to keep the mean for good.
-        double mean = isHindered ? kept : Decay.mean(body.damping() * seconds);
+        double mean = isHindered ? kept : Decay.mean(acting.damping() * seconds);
         goesX = vx * share * mean;
         goesZ = vz * share * mean;
-        turns = turn * (isHindered ? turnKept : Decay.mean(body.turnDamping() * seconds));
+        turns = turn * (isHindered ? turnKept : Decay.mean(acting.turnDamping() * seconds));
     }
 
     private static double mean(double first, double then, double share) {
@@ -158,14 +162,14 @@ final class BodyState implements Cloneable {
 
     /** A force has the direction that the body has halfway; nothing but it turns the velocity, as wheels do. */
     private void beginForced(ForceDrive force, double heading, double rest, double seconds) {
-        double turn = force.next(velocity(heading, rest), body, 0.5 * seconds).ry();
+        double turn = force.next(velocity(heading, rest), acting, 0.5 * seconds).ry();
         double by = 0.5 * turn * seconds;
         aimHeading = heading + by;
         aimRest = rest + DoubleDouble.sumTail(heading, by, aimHeading);
         Twist now = velocity(aimHeading, aimRest);
-        aim = force.next(now, body, seconds);
+        aim = force.next(now, acting, seconds);
         left = 0;
-        Twist halfway = isHindered ? aim : force.mean(now, body, seconds);
+        Twist halfway = isHindered ? aim : force.mean(now, acting, seconds);
         turns = Degrees.toRadians(halfway.ry());
         go(aimHeading, aimRest, 0, halfway.x(), halfway.z());
     }
@@ -220,7 +224,7 @@ final class BodyState implements Cloneable {
         double heading = places[at] + turned;
         double rest = places[at + 1] + DoubleDouble.sumTail(places[at], turned, heading);
         Twist now = velocity(heading, rest);
-        Twist next = driven.next(now, body, left);
+        Twist next = driven.next(now, acting, left);
         double change = Math.abs(next.x() - now.x())
                 + Math.abs(next.z() - now.z())
                 + Degrees.toRadians(Math.abs(next.ry() - now.ry()));
@@ -228,7 +232,7 @@ final class BodyState implements Cloneable {
             return false;
         }
         double spent = spent(driven, now, next, left);
-        double stretch = response.stretch(now, round, body.inertia() / body.mass());
+        double stretch = response.stretch(now, round, acting.inertia() / acting.mass());
         if (stretch > 1 && spent < left) {
             stretch = spent > 0 ? Math.min(stretch, left / spent) : stretch;
             next = stretched(now, next, stretch);
@@ -279,9 +283,9 @@ final class BodyState implements Cloneable {
     /** Whether a drive, damping or the floor changes its velocity. */
     boolean isForced() {
         return drive != null
-                || body.slowing() > 0
-                || body.spinSlowing() > 0
-                || body.damping() > 0
-                || body.turnDamping() > 0;
+                || acting.slowing() > 0
+                || acting.spinSlowing() > 0
+                || acting.damping() > 0
+                || acting.turnDamping() > 0;
     }
 }

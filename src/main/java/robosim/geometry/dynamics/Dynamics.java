@@ -57,6 +57,9 @@ public final class Dynamics {
     /** Where the heading is in a place of the world. */
     private static final int HEADING = 12;
 
+    /** Where the rotation is. */
+    private static final int ROTATION = 3;
+
     /** Drives, damping and the floor's friction are worked out anew after so many seconds at most. */
     private static final double SLICE = 1.0 / 16;
 
@@ -83,6 +86,9 @@ public final class Dynamics {
 
     private final PlanarStepper.Pushes pushes = this::push;
     private boolean isStale = true;
+
+    /** Whether a body has three moments of inertia, of which its attitude makes one. */
+    private boolean hasMoments;
 
     /** Runs between two parts of the work. */
     private Runnable betweenParts = () -> {};
@@ -167,6 +173,15 @@ public final class Dynamics {
     public void surface(String name, Surface surface) {
         world.getObject(name);
         table.give(objects, name, Checks.present("surface", surface));
+        isStale = true;
+    }
+
+    /**
+     * Sets how the surfaces of two objects make that of their contact; both are {@link Surface.Mixing#GEOMETRIC_MEAN} unless told
+     * otherwise.
+     */
+    public void mix(Surface.Mixing restitution, Surface.Mixing friction) {
+        table.mix(Checks.present("restitution", restitution), Checks.present("friction", friction));
         isStale = true;
     }
 
@@ -409,11 +424,25 @@ public final class Dynamics {
             return;
         }
         prepare();
+        takeInertia();
         hasBegun = true;
         stepper.begin();
         int parts = parts(seconds);
         for (int part = 0; part < parts; part++) {
             run(seconds / parts);
+        }
+    }
+
+    /** Works out how bodies with three moments resist a turn about the vertical, as they are tipped now. */
+    private void takeInertia() {
+        for (int b = 0; b < order.size() && hasMoments; b++) {
+            int at = objects.place(stepper.id(b)) + ROTATION;
+            BodyState each = order.get(b);
+            double inertia = Inertia.aboutVertical(each.body, objects.places(), at);
+            if (inertia != each.acting.inertia()) {
+                each.acting = each.body.about(inertia);
+            }
+            stepper.setInertia(b, inertia);
         }
     }
 
@@ -453,7 +482,7 @@ public final class Dynamics {
             boolean isFree = each.drive == null;
             each.begin(places, objects.place(stepper.id(b)) + HEADING, seconds);
             stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
-            stepper.setSlowing(b, isFree ? each.body.slowing() : 0, isFree ? each.body.spinSlowing() : 0);
+            stepper.setSlowing(b, isFree ? each.acting.slowing() : 0, isFree ? each.acting.spinSlowing() : 0);
         }
         stepper.run(seconds, table, pushes);
         places = objects.places();
@@ -486,6 +515,7 @@ public final class Dynamics {
         bodies.values().removeIf(each -> !each.isThere(objects));
         stepper.clear();
         order.clear();
+        hasMoments = false;
         table.begin(objects);
         Set<Integer> moved = new HashSet<>();
         for (BodyState each : bodies.values()) {
@@ -493,6 +523,7 @@ public final class Dynamics {
             int id = carrier.mover(each.name);
             moved.add(id);
             order.add(each);
+            hasMoments |= Inertia.hasAll(each.body);
             table.put(id, each.body.surface());
             stepper.add(id, each.body.mass(), each.body.inertia());
         }

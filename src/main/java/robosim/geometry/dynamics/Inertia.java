@@ -35,6 +35,22 @@ final class Inertia {
         return all;
     }
 
+    /** The moment of a body about the vertical; the rotation of its object stands in places from an index on, row by row. */
+    static double aboutVertical(Body body, double[] places, int at) {
+        if (!hasAll(body)) {
+            return body.inertia();
+        }
+        double x = places[at + 3];
+        double y = places[at + 4];
+        double z = places[at + 5];
+        return body.inertiaX() * x * x + body.inertia() * y * y + body.inertiaZ() * z * z;
+    }
+
+    /** Whether all three moments of a body were given. */
+    static boolean hasAll(Body body) {
+        return body.inertiaX() > 0 && body.inertiaZ() > 0;
+    }
+
     /** The squares of the radii of gyration about the own axes: the moments of a unit of mass. */
     static double[] gyrationSquares(GeometryObject object) {
         return switch (object.kind()) {

@@ -16,6 +16,31 @@ import robosim.geometry.exact.Checks;
  * @param slidingFriction the same while it slides; at most {@code staticFriction}
  */
 public record Surface(double restitution, double staticFriction, double slidingFriction) {
+    /** How the numbers of two surfaces, restitution or friction, make that of their contact. */
+    public enum Mixing {
+        /** The square root of the product, the default for both: one smooth surface makes the contact smooth. */
+        GEOMETRIC_MEAN,
+        /** The arithmetic mean. */
+        MEAN,
+        /** The larger one, as dyn4j and Box2D have it for restitution. */
+        LARGER,
+        /** The smaller one, as ODE, and so Gazebo, have it for friction. */
+        SMALLER,
+        /** The product, as Bullet has it for both. */
+        PRODUCT;
+
+        /** The number of a contact. */
+        public double of(double a, double b) {
+            return switch (this) {
+                case GEOMETRIC_MEAN -> a == b ? a : Math.sqrt(a * b);
+                case MEAN -> a == b ? a : a / 2 + b / 2;
+                case LARGER -> Math.max(a, b);
+                case SMALLER -> Math.min(a, b);
+                case PRODUCT -> a * b;
+            };
+        }
+    }
+
     /** Neither bounces nor rubs. */
     public static final Surface SMOOTH = new Surface(0, 0, 0);
 
@@ -38,15 +63,16 @@ public record Surface(double restitution, double staticFriction, double slidingF
      * by which equal surfaces give themselves and a smooth one makes the contact smooth.
      */
     public Surface against(Surface other) {
-        Checks.present("other", other);
-        double still = mean(staticFriction, other.staticFriction);
-        return new Surface(
-                Math.min(1, mean(restitution, other.restitution)),
-                still,
-                Math.min(still, mean(slidingFriction, other.slidingFriction)));
+        return against(other, Mixing.GEOMETRIC_MEAN, Mixing.GEOMETRIC_MEAN);
     }
 
-    private static double mean(double a, double b) {
-        return a == b ? a : Math.sqrt(a * b);
+    /** The surface that stands for the contact of two by other rules, as {@link Dynamics#mix} sets them. */
+    public Surface against(Surface other, Mixing ofRestitution, Mixing ofFriction) {
+        Checks.present("other", other);
+        double still = Checks.present("ofFriction", ofFriction).of(staticFriction, other.staticFriction);
+        return new Surface(
+                Math.min(1, Checks.present("ofRestitution", ofRestitution).of(restitution, other.restitution)),
+                still,
+                Math.min(still, ofFriction.of(slidingFriction, other.slidingFriction)));
     }
 }

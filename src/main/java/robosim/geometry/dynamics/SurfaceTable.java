@@ -2,6 +2,7 @@ package robosim.geometry.dynamics;
 
 import java.util.HashMap;
 import java.util.Map;
+import robosim.geometry.dynamics.Surface.Mixing;
 import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.objects.ObjectTable;
 
@@ -17,6 +18,8 @@ final class SurfaceTable implements Surfaces {
     private Map<String, Given> kept = Map.of();
 
     private final Surface ground;
+    private Mixing restitutions = Mixing.GEOMETRIC_MEAN;
+    private Mixing frictions = Mixing.GEOMETRIC_MEAN;
 
     /**
      * A surface of an object.
@@ -27,6 +30,12 @@ final class SurfaceTable implements Surfaces {
 
     SurfaceTable(Surface ground) {
         this.ground = ground;
+    }
+
+    /** Sets how the numbers of two surfaces make those of their contact. */
+    void mix(Mixing ofRestitution, Mixing ofFriction) {
+        restitutions = ofRestitution;
+        frictions = ofFriction;
     }
 
     /** Gives an object in the world a surface. */
@@ -74,6 +83,16 @@ final class SurfaceTable implements Surfaces {
     @Override
     public double staticFriction(int object) {
         return of(object).staticFriction();
+    }
+
+    @Override
+    public double mixRestitution(double a, double b) {
+        return Math.min(1, restitutions.of(a, b));
+    }
+
+    @Override
+    public double mixFriction(double a, double b) {
+        return frictions.of(a, b);
     }
 
     @Override

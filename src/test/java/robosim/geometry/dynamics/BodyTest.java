@@ -7,10 +7,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
 import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.dynamics.Surface.Mixing;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -52,14 +56,13 @@ class BodyTest {
     @Test
     void otherShapesNeedTheirInertia() {
         assertThatThrownBy(() -> Body.ofMass(new ObjectGroup(List.of(new SphereObject(new Point(), 1))), 1))
-                .hasMessageStartingWith("shape must be a sphere, or an upright box");
-        assertThatThrownBy(() -> Body.ofMass(new BoxObject(new Point(), 1, 1, 1).turned(10, 0), 1))
-                .hasMessageStartingWith("shape ");
+                .hasMessageStartingWith(
+                        "shape must be a sphere, box, cylinder or capsule; for other shapes, give mass");
         assertThatThrownBy(() -> Body.ofMass(new SphereObject(new Point(), 0), 1))
-                .hasMessageStartingWith("shape must not be a point or a vertical line")
+                .hasMessageStartingWith("shape must not be a point or a line along its own Y")
                 .hasMessageContaining("Body.of(mass, inertia) (got: ");
         assertThatThrownBy(() -> Body.ofMass(new CapsuleObject(new Point(), 0, 1), 1))
-                .hasMessageStartingWith("shape must not be a point or a vertical line");
+                .hasMessageStartingWith("shape must not be a point or a line along its own Y");
         assertThatThrownBy(() -> Body.ofDensity(new SphereObject(new Point(), 0), 1))
                 .hasMessageStartingWith("shape must have a volume; ");
         assertThatThrownBy(() -> Body.ofDensity(new BoxObject(new Point(), 1, 0, 1), 1))
@@ -67,6 +70,124 @@ class BodyTest {
         assertThat(Body.ofMass(new BoxObject(new Point(), 1, 0, 1), 6).inertia())
                 .as("a plate")
                 .isEqualTo(1);
+    }
+
+    /** A tilted solid: three moments about its own axes, of which its attitude makes the one about the vertical. */
+    @Test
+    void tiltedShapesHaveMomentsOfTheirOwnAxes() {
+        SplittableRandom random = new SplittableRandom(4);
+        GeometryObject[] shapes = {
+            new BoxObject(new Point(), 1.2, 0.5, 0.8),
+            new CylinderObject(new Point(), 0.4, 1.5),
+            new CapsuleObject(new Point(), 0.3, 1)
+        };
+        for (GeometryObject upright : shapes) {
+            GeometryObject tilted = upright.turned(50, 20).turned(15, 0);
+            Body body = Body.ofMass(tilted, 3);
+            assertThat(body.mass()).isEqualTo(3);
+            assertThat(body.inertia()).isEqualTo(Body.ofMass(upright, 3).inertia());
+            assertThat(Body.ofDensity(tilted, 90).mass())
+                    .isEqualTo(Body.ofDensity(upright, 90).mass());
+            double[] squares = new double[4]; // about the own axes, and about the vertical
+            int inside = 0;
+            for (int k = 0; k < SAMPLES; k++) {
+                double x = random.nextDouble(-1, 1);
+                double y = random.nextDouble(-1, 1);
+                double z = random.nextDouble(-1, 1);
+                if (CollisionDetection.intersects(upright, new SphereObject(new Point(x, y, z), 0))) {
+                    inside++;
+                    squares[0] += y * y + z * z;
+                    squares[1] += x * x + z * z;
+                    squares[2] += x * x + y * y;
+                    double up = tilted.rotation()[3] * x + tilted.rotation()[4] * y + tilted.rotation()[5] * z;
+                    squares[3] += x * x + y * y + z * z - up * up;
+                }
+            }
+            double[] moments = {body.inertiaX(), body.inertia(), body.inertiaZ(), spun(tilted, body)};
+            for (int axis = 0; axis < 4; axis++) {
+                assertThat(moments[axis])
+                        .as("%s about axis %d", tilted, axis)
+                        .isCloseTo(3 * squares[axis] / inside, within(0.02 * moments[axis]));
+            }
+            assertThat(spun(upright, body)).isCloseTo(body.inertia(), within(1e-12));
+        }
+    }
+
+    /** The moment of inertia that a torque in a PLANAR world finds, and a collision likewise. */
+    private static double spun(GeometryObject shape, Body body) {
+        Geometry world = new Geometry(20, 20, 20, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObject(shape.moveable("top"));
+        world.addObject(new CylinderObject(new Point(3, 0, 0.3), 0.01, 1).moveable("ball"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        Surface elastic = new Surface(1, 0, 0);
+        dynamics.add("top", body.withSurface(elastic));
+        dynamics.add("ball", Body.of(1, 1).withSurface(elastic));
+        dynamics.setVelocity("ball", new Twist(-1, 0, 0, 0));
+        dynamics.step(2.9);
+        double about = 0;
+        for (BodyContact contact : dynamics.last().contacts()) {
+            Point at = contact.point();
+            Point n = contact.normal();
+            double sign = contact.body().equals("top") ? contact.impulse() : -contact.impulse();
+            // About Y, counter-clockwise: z F_x - x F_z.
+            about += sign * (at.z() * n.x() - at.x() * n.z());
+        }
+        double struck = about / Math.toRadians(dynamics.velocity("top").ry());
+        world.removeObject("ball");
+        dynamics.setVelocity("top", new Twist(0, 0, 0, 0));
+        dynamics.drive("top", new ForceDrive(0, 0, 0.5));
+        dynamics.step(1);
+        double driven = 0.5 / Math.toRadians(dynamics.velocity("top").ry());
+        if (!shape.pose().isUpright()) { // what is round does not turn where it is struck
+            assertThat(struck).isCloseTo(driven, within(1e-9 * driven));
+        }
+        return driven;
+    }
+
+    @Test
+    void surfacesMixBySelectedRules() {
+        double[][] expected = {{0.4, 0.4}, {0.5, 0.5}, {0.8, 0.8}, {0.2, 0.2}, {0.16, 0.16}};
+        Surface one = new Surface(0.8, 0.8, 0.8);
+        Surface other = new Surface(0.2, 0.2, 0.2);
+        for (Mixing rule : Mixing.values()) {
+            double truth = expected[rule.ordinal()][0];
+            assertThat(rule.of(0.8, 0.2)).isEqualTo(rule.of(0.2, 0.8)).isCloseTo(truth, within(1e-15));
+            assertThat(one.against(other, rule, Mixing.LARGER).restitution()).isCloseTo(truth, within(1e-15));
+            assertThat(one.against(other, Mixing.LARGER, rule).slidingFriction())
+                    .isCloseTo(truth, within(1e-15));
+            for (Dimension dimension : Dimension.values()) {
+                // A ball bounces off a wall by the restitution of the pair, and a box is slowed by its friction.
+                assertThat(bounced(dimension, rule, one, other)).isCloseTo(truth, within(1e-6));
+            }
+            assertThat(slowed(rule, one, other)).isCloseTo(truth * Body.GRAVITY, within(1e-3));
+        }
+        assertThat(one.against(other)).isEqualTo(one.against(other, Mixing.GEOMETRIC_MEAN, Mixing.GEOMETRIC_MEAN));
+    }
+
+    private static double bounced(Dimension dimension, Mixing rule, Surface one, Surface other) {
+        Geometry world = new Geometry(20, 20, 20, dimension, Accuracy.EXACT);
+        world.addObject(new SphereObject(new Point(), 0.5).moveable("ball"));
+        world.addObject(new BoxObject(new Point(3, 0, 0), 1, 5, 5));
+        Dynamics dynamics =
+                dimension == Dimension.PLANAR ? new Dynamics(world, other) : new Dynamics(world, other, new Point());
+        dynamics.mix(rule, Mixing.GEOMETRIC_MEAN);
+        dynamics.add("ball", Body.of(1, 0.1).withSurface(one));
+        dynamics.setVelocity("ball", new Twist(1, 0, 0, 0));
+        dynamics.step(3);
+        return -dynamics.velocity("ball").x();
+    }
+
+    private static double slowed(Mixing rule, Surface one, Surface other) {
+        Geometry world = new Geometry(20, 20, 20, Dimension.SPATIAL, Accuracy.EXACT);
+        world.addObject(new BoxObject(new Point(0, -1, 0), 20, 2, 20));
+        world.addObject(new BoxObject(new Point(0, 0.1001, 0), 1, 0.2, 1).moveable("box"));
+        Dynamics dynamics = new Dynamics(world, other);
+        dynamics.mix(Mixing.GEOMETRIC_MEAN, rule);
+        dynamics.add("box", Body.ofMass(world.getObject("box"), 1).withSurface(one));
+        dynamics.step(0.5);
+        dynamics.setVelocity("box", new Twist(5, 0, 0, 0));
+        dynamics.step(0.5);
+        return 2 * (5 - dynamics.velocity("box").x());
     }
 
     /** Of masses at random points about any axes, and of plates and rods, where one moment is the sum of the others. */

@@ -7,9 +7,15 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Twist;
+import robosim.geometry.net.session.BodyRequests;
+import robosim.geometry.world.body.ObjectBody;
 
 class DriveTest {
     private static final int CASES = 20_000;
@@ -124,6 +130,39 @@ class DriveTest {
         Twist slow = left.next(STILL, BODY.withLimits(NONE, 5), 1);
         assertThat(slow.ry()).isEqualTo(5);
         assertThat(slow.x() / slow.ry()).isCloseTo(free.x() / free.ry(), within(1e-12));
+    }
+
+    /** A centre ahead of the rear axle, or behind it, goes round the same point on the line of that axle. */
+    @Test
+    void aCarTurnsAboutItsRearAxleWhereverItsCentreIs() {
+        for (double ahead : new double[] {0, 0.4, -0.3}) {
+            for (double angle : new double[] {20, -30}) {
+                Geometry world = new Geometry(20, 5, 20, Dimension.PLANAR, Accuracy.EXACT);
+                world.addObject(new BoxObject(new Point(), 1, 1, 0.5).moveable("car"));
+                Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+                dynamics.add("car", Body.of(10, 1));
+                AckermannDrive car = new AckermannDrive(1, 35, NONE, NONE).withCentreAhead(ahead);
+                dynamics.drive("car", car.driving(1, angle));
+                double radius = 1 / StrictMath.tan(StrictMath.toRadians(angle));
+                for (int step = 1; step <= 20; step++) {
+                    dynamics.step(0.1);
+                    double turn = 0.1 * step / radius;
+                    double sin = StrictMath.sin(turn);
+                    double cos = StrictMath.cos(turn);
+                    // Its middle is beside the rear axle, to the left: at -Z.
+                    Point at = world.getObject("car").center();
+                    assertThat(at.x()).isCloseTo(-ahead + ahead * cos + radius * sin, within(1e-9));
+                    assertThat(at.z()).isCloseTo(-radius - ahead * sin + radius * cos, within(1e-9));
+                }
+            }
+        }
+        AckermannDrive car = new AckermannDrive(1, 35, NONE, NONE).withCentreAhead(0.5);
+        assertThat(car.driving(1, 5).centreAhead()).isEqualTo(0.5);
+        assertThatThrownBy(() -> car.withCentreAhead(NONE)).hasMessageStartingWith("centreAhead ");
+        assertThatThrownBy(() -> BodyRequests.of(car))
+                .hasMessageStartingWith("drive must have its centre on its rear axle");
+        assertThatThrownBy(() -> new ObjectBody(0, 0, Surface.SMOOTH, 0, 0, 0, NONE, NONE, car))
+                .hasMessageStartingWith("drive must have its centre on its rear axle");
     }
 
     /** Half a second of a newton on ten kilograms, and the end speed of a damped body, F / (m c). */

@@ -112,6 +112,21 @@ class SpatialDriveTest {
         assertThat(pushed.ry()).isCloseTo(StrictMath.toDegrees(1), within(1e-6));
     }
 
+    /** Wheels hold the rear axle, so that a centre ahead of it goes round farther out. */
+    @Test
+    void aCarWithItsCentreAheadOfItsRearAxle() {
+        Geometry world = FallingTest.floor();
+        AckermannDrive car =
+                new AckermannDrive(0.4, 45, 1, 2).withCentreAhead(0.2).driving(0.5, 20);
+        Dynamics dynamics = cart(world, Shape.BOX.at(0, STANDS, 0), car);
+        run(dynamics, world, 3);
+        double turn = 0.5 * StrictMath.tan(StrictMath.toRadians(20)) / 0.4;
+        Twist now = dynamics.velocity("cart");
+        assertThat(now.x()).isCloseTo(0.5, within(1e-6));
+        assertThat(now.z()).isCloseTo(-0.2 * turn, within(1e-6));
+        assertThat(now.ry()).isCloseTo(StrictMath.toDegrees(turn), within(1e-6));
+    }
+
     private static Geometry ramp(double degrees) {
         Geometry world = FallingTest.floor();
         double cos = StrictMath.cos(StrictMath.toRadians(degrees));

@@ -173,7 +173,7 @@ final class SequentialImpulses {
         }
         boolean bounces = !atEnd && before < -BOUNCE;
         if (bounces) {
-            target[k] = -before * mean(surfaces.restitution(own), surfaces.restitution(other));
+            target[k] = -before * surfaces.mixRestitution(surfaces.restitution(own), surfaces.restitution(other));
         } else if (apart > 2 * gap) {
             target[k] = -(apart - 2 * gap) / seconds;
         } else {
@@ -191,9 +191,9 @@ final class SequentialImpulses {
     private void rubs(Contacts c, int k, int own, int other, Surfaces surfaces) {
         double floor = floor(c, k, c.body[k], 1);
         double otherFloor = c.other[k] < 0 ? 0 : floor(c, k, c.other[k], -1);
-        double still = mean(
+        double still = surfaces.mixFriction(
                 Math.max(floor, surfaces.staticFriction(own)), Math.max(otherFloor, surfaces.staticFriction(other)));
-        double sliding = mean(
+        double sliding = surfaces.mixFriction(
                 Math.max(floor, surfaces.slidingFriction(own)), Math.max(otherFloor, surfaces.slidingFriction(other)));
         slides[k] = sliding;
         friction[k] = wheel[k] >= 0 || slidesBy(c, k) <= STICK ? still : sliding;
@@ -213,10 +213,6 @@ final class SequentialImpulses {
         double s = speed(c, k, tangents, 6 * k, false);
         double t = speed(c, k, tangents, 6 * k + 3, false);
         return Math.sqrt(s * s + t * t);
-    }
-
-    private static double mean(double a, double b) {
-        return a == b ? a : Math.sqrt(a * b);
     }
 
     /** The speed at which the body leaves the other one along a direction. */

@@ -185,15 +185,12 @@ final class CollisionPrediction {
         manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, TOUCH * gap);
         for (int k = 0; k < manifold.count; k++) {
             int c = island.add(pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
-            island.restitution[c] = mean(scene.restitution[pa], scene.restitution[pb]);
-            island.still[c] = mean(scene.still[pa], scene.still[pb]);
-            island.sliding[c] = Math.min(island.still[c], mean(scene.sliding[pa], scene.sliding[pb]));
+            Surfaces mixed = scene.surfaces();
+            island.restitution[c] = mixed.mixRestitution(scene.restitution[pa], scene.restitution[pb]);
+            island.still[c] = mixed.mixFriction(scene.still[pa], scene.still[pb]);
+            island.sliding[c] = Math.min(island.still[c], mixed.mixFriction(scene.sliding[pa], scene.sliding[pb]));
             island.least[c] = distance < 0.5 * gap && distance > 0 ? (gap - distance) / end : 0;
         }
-    }
-
-    private static double mean(double a, double b) {
-        return a == b ? a : Math.sqrt(a * b);
     }
 
     /** Puts bodies apart that came too near in a pause, each by the share of its lightness. */

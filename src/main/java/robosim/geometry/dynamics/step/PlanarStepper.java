@@ -102,6 +102,11 @@ public final class PlanarStepper {
         return b;
     }
 
+    /** Sets the moment of inertia of a body about the vertical, before a step. */
+    public void setInertia(int b, double inertia) {
+        bodies.ownEase[b] = 1 / inertia;
+    }
+
     public void setVelocity(int b, double vx, double vz, double w) {
         bodies.vx[b] = vx;
         bodies.vz[b] = vz;

@@ -1,8 +1,10 @@
 package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
@@ -36,6 +38,7 @@ final class Scene {
     private final double halfZ;
     private final Outlines outlines = new Outlines(pieces);
     private long changes = -1;
+    private @Nullable Surfaces surfaces;
 
     /** The columns of each body's rotation that a turn about the vertical keeps: its own Y. */
     private double[] upwards = new double[8];
@@ -51,6 +54,11 @@ final class Scene {
         return carrier.objects.places()[carrier.objects.place(id) + 1];
     }
 
+    /** The surfaces that the pieces were made with. */
+    Surfaces surfaces() {
+        return Checks.present("surfaces", surfaces);
+    }
+
     /** Whether objects were added to the world or removed from it since the pieces were made. */
     boolean isOld() {
         return changes != carrier.objects.changes();
@@ -62,6 +70,7 @@ final class Scene {
 
     /** Makes all pieces anew; bodies have been told before, with their ids. */
     void build(Surfaces surfaces) {
+        this.surfaces = surfaces;
         changes = carrier.objects.changes();
         pieces.clear();
         ObjectTable objects = carrier.objects;

@@ -10,4 +10,10 @@ public interface Surfaces {
 
     /** The coefficient of friction while it slides. */
     double slidingFriction(int object);
+
+    /** The restitution of a contact, of those of two objects. */
+    double mixRestitution(double a, double b);
+
+    /** The friction of a contact, static or sliding, of those of two objects. */
+    double mixFriction(double a, double b);
 }

@@ -25,8 +25,7 @@ final class BodyDefaults {
 
     private static Body solid(GeometryObject shape, double mass) {
         boolean isKnown = switch (shape.kind()) {
-            case SPHERE -> true;
-            case BOX, CYLINDER, CAPSULE -> shape.pose().isUpright();
+            case SPHERE, BOX, CYLINDER, CAPSULE -> true;
             case MESH, GROUP, GRID -> false;
         };
         if (isKnown) {

@@ -57,6 +57,11 @@ public final class BodyRequests {
                     radians(any.maxTurnAcceleration()));
         }
         if (drive instanceof AckermannDrive car) {
+            if (car.centreAhead() != 0) {
+                throw new IllegalArgumentException(
+                        "drive must have its centre on its rear axle in a session or a test; use"
+                                + " Dynamics for another one (got: " + car + ")");
+            }
             return new DriveSettings(
                     Kind.ACKERMANN,
                     car.wheelbase(),

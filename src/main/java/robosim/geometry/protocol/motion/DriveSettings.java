@@ -32,7 +32,7 @@ public record DriveSettings(
         DIFFERENTIAL,
         /** Speeds forward and to the right, and a turn. */
         OMNIDIRECTIONAL,
-        /** A car: a speed, and an angle of the front wheels. */
+        /** A car: a speed, and an angle of the front wheels. It turns about its rear axle, which is at the object's centre. */
         ACKERMANN,
         /** Has the velocity that it is given at once. */
         VELOCITY,

@@ -1,6 +1,7 @@
 package robosim.geometry.world.body;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.Drive;
 import robosim.geometry.dynamics.Surface;
 import robosim.geometry.exact.Checks;
@@ -46,6 +47,10 @@ public record ObjectBody(
         turnDamping = Checks.size("turnDamping", turnDamping);
         maxSpeed = limit("maxSpeed", maxSpeed);
         maxTurn = limit("maxTurn", maxTurn);
+        if (drive instanceof AckermannDrive car && car.centreAhead() != 0) {
+            throw new IllegalArgumentException(
+                    "drive must have its centre on its rear axle in a world file (got: " + car + ")");
+        }
     }
 
     private static double limit(String argument, double value) {

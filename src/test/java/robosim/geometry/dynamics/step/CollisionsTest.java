@@ -78,6 +78,16 @@ class CollisionsTest {
             }
 
             @Override
+            public double mixRestitution(double a, double b) {
+                return Math.sqrt(a * b);
+            }
+
+            @Override
+            public double mixFriction(double a, double b) {
+                return Math.sqrt(a * b);
+            }
+
+            @Override
             public double slidingFriction(int object) {
                 return friction;
             }
