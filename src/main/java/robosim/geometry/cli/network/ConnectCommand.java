@@ -1,5 +1,6 @@
 package robosim.geometry.cli.network;
 
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -14,6 +15,7 @@ import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Redial;
+import robosim.geometry.scenario.drive.WorldLoading;
 
 /** Dials an environment and answers its requests. */
 @Command(
@@ -65,8 +67,9 @@ public final class ConnectCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Ports.check(spec, port, 1);
-        NetOptions options =
-                record.inFile(common.options(Quotas.DEFAULT.connections())).withRedial(once ? null : Redial.DEFAULT);
+        NetOptions options = record.inFile(common.options(Quotas.DEFAULT.connections()))
+                .withRedial(once ? null : Redial.DEFAULT)
+                .withWorlds(WorldLoading.of(null, List.of()));
         WatchOptions.Watch watched = watch.begin(options);
         int seconds = common.figuresSeconds();
         GeometryClient client = new GeometryClient(host, port, watched.options());

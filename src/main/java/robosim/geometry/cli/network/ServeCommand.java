@@ -23,6 +23,7 @@ import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.scenario.drive.WorldLoading;
 import robosim.geometry.scenario.drive.WorldOpening;
 import robosim.geometry.world.WorldException;
 
@@ -31,8 +32,8 @@ import robosim.geometry.world.WorldException;
         name = "serve",
         description = {
             "Serves environment modules that dial in, until it is ended.",
-            "Each connection sends its own world, as robosim.load of examples/robosim.py does with a file, or begins with"
-                    + " that of --world, which is its own from then on."
+            "Each connection sends its own world, as robosim.load of examples/robosim.py does with a file, or begins"
+                    + " with that of --world, which is its own from then on."
         },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
@@ -58,8 +59,8 @@ public final class ServeCommand implements Callable<Integer> {
             paramLabel = "ADDRESS",
             defaultValue = "localhost",
             description =
-                    "address to listen on; 0.0.0.0 for all (default: ${DEFAULT-VALUE}). Any but this machine's own needs TLS"
-                            + " or a secret.")
+                    "address to listen on; 0.0.0.0 for all (default: ${DEFAULT-VALUE}). Any but this machine's own"
+                            + " needs TLS or a secret.")
     private String host = "localhost";
 
     @Option(
@@ -76,6 +77,13 @@ public final class ServeCommand implements Callable<Integer> {
                     "the world with which each connection begins, unless it sends one first: any file that convert"
                             + " reads, with the bodies and drives of its robots (default: none)")
     private @Nullable Path world;
+
+    @Option(
+            names = "--worlds",
+            paramLabel = "DIR",
+            description = "a folder whose world files peers may load by their paths in it, as robosim.load of"
+                    + " examples/robosim.py does; without it they can send theirs (default: none)")
+    private @Nullable Path worlds;
 
     @Mixin
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -98,7 +106,7 @@ public final class ServeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        NetOptions options = common.options(connections);
+        NetOptions options = common.options(connections).withWorlds(loading());
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
         WatchOptions.Watch watched = watch.begin(record.inFolder(options.withOpening(opening)));
@@ -115,6 +123,13 @@ public final class ServeCommand implements Callable<Integer> {
             watched.close();
         });
         return 0;
+    }
+
+    private WorldLoading loading() {
+        if (worlds != null) {
+            Inputs.folders(spec, "--worlds", List.of(worlds));
+        }
+        return WorldLoading.of(worlds, files.folders());
     }
 
     /** The requests with which connections begin; none without a world. */

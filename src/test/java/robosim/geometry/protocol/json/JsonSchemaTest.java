@@ -135,10 +135,12 @@ class JsonSchemaTest {
                 + "\"height\":1,\"length\":1,\"heading\":0.5}],\"settings\":{\"dimension\":\"SPATIAL\"}}");
         lines.add(
                 "{\"type\":\"batch\",\"requests\":[{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{\"place\":[0,0,0],"
-                        + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
-                        + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
+                    + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
+                    + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
         lines.add("{\"type\":\"sonars\",\"requests\":[],\"id\":\"a name\"}");
+        lines.add(
+                "{\"type\":\"load\",\"file\":\"a\",\"files\":{\"a\":\"/wM=\"},\"named\":true,\"settings\":{\"width\":4}}");
         lines.add("{\"id\":-7,\"type\":\"moves\",\"moves\":[]}");
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         return lines;
@@ -175,6 +177,7 @@ class JsonSchemaTest {
                 Gate.OPEN);
         List<String> refusals = new ArrayList<>();
         channel.onWrongRequest(refusals::add);
+        channel.loadBy(load -> new InitBundle.Loaded(List.of(new InitBundle(List.of())), 1, List.of()));
         try {
             channel.read();
         } catch (ProtocolException e) {
