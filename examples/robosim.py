@@ -376,6 +376,8 @@ def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
     for field, value in given.items():
         first, *rest = field.split("_")
         wire = first + "".join(word.capitalize() for word in rest)
+        if wire.endswith("Radians") and wire[:-7] in ("maxTurn", "maxTurnAcceleration"):
+            wire = wire[:-7]  # with or without its unit
         if wire not in known:
             raise TypeError(f"{what} has no {field}; it may have: {', '.join(known) or 'nothing'}")
         if value != math.inf:  # no limit is a field that is left out
@@ -408,7 +410,7 @@ def drive_settings(kind: str, **limits: float) -> Json:
 def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
     """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right, for a
     drive that is omnidirectional, velocity or force."""
-    return {"objectName": name, "forward": forward, "right": right, "turn": turn}
+    return {"objectName": name, "forward": forward, "right": right, "turnRadians": turn}
 
 
 # The beams of a sensor.
@@ -445,7 +447,7 @@ def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 
     if rotation is not None:
         mount["rotation"] = list(rotation)
     elif heading != 0:
-        mount["heading"] = heading
+        mount["headingRadians"] = heading
     request = {"kind": "sense", "mount": mount, "pattern": pattern, "min": min,
                "max": None if math.isinf(max) else max, "width": width, "seesCarrier": sees_carrier,
                "normals": normals, "objects": objects}
@@ -458,7 +460,7 @@ def picture(name: str, width: int, height: int, field_of_view: float, *, at: Vec
             samples: int = 1, mirrors: int = 3, sees_carrier: bool = False, light: Optional[Json] = None) -> Json:
     """A picture by a camera that an object carries; without a name, by one that stands in the world."""
     request: Json = {"kind": "picture", "pattern": pinhole(width, height, field_of_view), "samples": samples,
-                     "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": {"place": list(at), "heading": heading}}
+                     "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": {"place": list(at), "headingRadians": heading}}
     if name:
         request["objectName"] = name
     if light is not None:
@@ -483,7 +485,7 @@ def pose(name: str) -> Json:
 
 def place(name: str, center: Vector, heading: float = 0.0, identify: bool = False) -> Json:
     """Puts an object upright at a place where it touches nothing, without a way to it."""
-    return _identified({"kind": "place", "objectName": name, "center": list(center), "heading": heading}, identify)
+    return _identified({"kind": "place", "objectName": name, "center": list(center), "headingRadians": heading}, identify)
 
 
 def add(thing: Json, overlapping: bool = False, identify: bool = False) -> Json:
@@ -503,7 +505,7 @@ def remove(name: str) -> Json:
 def go(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
        identify: bool = False) -> Json:
     """A move whose answer says what blocks it."""
-    return _identified({"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rx": rx, "ry": ry}, identify)
+    return _identified({"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rxRadians": rx, "ryRadians": ry}, identify)
 
 
 def go_to_contact(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
@@ -777,7 +779,7 @@ class Module:
             if "drive" in given:
                 drive_settings(**given["drive"])
         for given in message["commands"]:
-            _fields("a command", given, ("objectName", "forward", "right", "turn"))
+            _fields("a command", given, ("objectName", "forward", "right", "turn", "turnRadians"))
         answer = self.ask(message, "bodies")[0]
         try:
             return Step({b["objectName"]: Body(b["center"], b["heading"], Velocity(**b["velocity"]), b.get("rotation"))
