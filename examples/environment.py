@@ -229,20 +229,53 @@ def load(connection, world):
         raise NotDone(f"{place}the module refused it: {refused}") from None
 
 
-def run(options):
-    world = World(options.world)
-    for _, reason in world.notes:
-        print(f"left out: {reason}", file=sys.stderr)
+def is_for_the_module(path):
+    """Whether only the module can read a file: one of another format, or one that includes others."""
+    try:
+        return not path.endswith(".xml") or b"<include" in pathlib.Path(path).read_bytes()
+    except OSError:
+        return False  # whoever reads it says why
+
+
+def loaded(connection, path):
+    """The robots of a file that the module reads, with no sensors of their own: a ring of eight sonars each."""
+    try:
+        told = connection.load(path, dimension="PLANAR", accuracy="EXACT")
+    except RequestError as refused:
+        raise NotDone(f"the module refused it: {refused}") from None
+    for each in told.left_out:
+        print(f"left out: {each.name}: {each.reason}", file=sys.stderr)
+    ring = {**AHEAD, "pattern": {"kind": "fan", "first": 0.0, "step": math.pi / 4, "count": 8}}
+    bearings = [math.remainder(k * math.pi / 4, math.tau) for k in range(8)]
+    return [({"name": each.name, "kind": "box", "width": each.high[0] - each.low[0], "length": each.high[2] - each.low[2]},
+             [(bearings, ring)]) for each in connection.objects() if each.moveable]
+
+
+def wanderers(found, options):
     seeds = random.Random(options.seed)
-    robots = [Robot(made, sensors, options.speed, seeds.random()) for made, sensors in world.robots]
+    robots = [Robot(made, sensors, options.speed, seeds.random()) for made, sensors in found]
     if not robots:
         raise NotDone(f"{options.world}: a world must hold a moveable object that stands upright, else nothing can"
                       ' wander; give one moveable="true"')
+    return robots
+
+
+def run(options):
+    by_module = is_for_the_module(options.world)
+    robots = []
+    if not by_module:
+        world = World(options.world)
+        for _, reason in world.notes:
+            print(f"left out: {reason}", file=sys.stderr)
+        robots = wanderers(world.robots, options)
     secret = first_line(options.secret_file) if options.secret_file else None
     tally = Tally()
     with open_socket(options) as sock:
         connection = Module(sock, secret)
-        load(connection, world)
+        if by_module:
+            robots = wanderers(loaded(connection, options.world), options)
+        else:
+            load(connection, world)
         for _ in range(options.steps):
             sense(connection, robots, tally)
             step(connection, robots, tally)

@@ -26,10 +26,14 @@ import base64
 import itertools
 import json
 import math
+import os
+import pathlib
+import re
 import selectors
 import socket
 import sys
 import time
+import urllib.parse
 from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 __all__ = [
@@ -63,7 +67,7 @@ class RequestError(Error):
 class LeftOut(NamedTuple):
     """An object of an init that is not in the world."""
 
-    index: int  # -1 for one that `load` could not read
+    index: int  # of what a file has and `load` could not read: the number of its objects
     name: str  # empty for an object without one
     reason: str
 
@@ -372,6 +376,8 @@ def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
     for field, value in given.items():
         first, *rest = field.split("_")
         wire = first + "".join(word.capitalize() for word in rest)
+        if wire.endswith("Radians") and wire[:-7] in ("maxTurn", "maxTurnAcceleration"):
+            wire = wire[:-7]  # with or without its unit
         if wire not in known:
             raise TypeError(f"{what} has no {field}; it may have: {', '.join(known) or 'nothing'}")
         if value != math.inf:  # no limit is a field that is left out
@@ -405,7 +411,7 @@ def drive_settings(kind: str, **limits: float) -> Json:
 def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
     """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right, for a
     drive that is omnidirectional, velocity or force."""
-    return {"objectName": name, "forward": forward, "right": right, "turn": turn}
+    return {"objectName": name, "forward": forward, "right": right, "turnRadians": turn}
 
 
 # The beams of a sensor.
@@ -442,7 +448,7 @@ def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 
     if rotation is not None:
         mount["rotation"] = list(rotation)
     elif heading != 0:
-        mount["heading"] = heading
+        mount["headingRadians"] = heading
     request = {"kind": "sense", "mount": mount, "pattern": pattern, "min": min,
                "max": None if math.isinf(max) else max, "width": width, "seesCarrier": sees_carrier,
                "normals": normals, "objects": objects}
@@ -455,7 +461,7 @@ def picture(name: str, width: int, height: int, field_of_view: float, *, at: Vec
             samples: int = 1, mirrors: int = 3, sees_carrier: bool = False, light: Optional[Json] = None) -> Json:
     """A picture by a camera that an object carries; without a name, by one that stands in the world."""
     request: Json = {"kind": "picture", "pattern": pinhole(width, height, field_of_view), "samples": samples,
-                     "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": {"place": list(at), "heading": heading}}
+                     "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": {"place": list(at), "headingRadians": heading}}
     if name:
         request["objectName"] = name
     if light is not None:
@@ -480,7 +486,7 @@ def pose(name: str) -> Json:
 
 def place(name: str, center: Vector, heading: float = 0.0, identify: bool = False) -> Json:
     """Puts an object upright at a place where it touches nothing, without a way to it."""
-    return _identified({"kind": "place", "objectName": name, "center": list(center), "heading": heading}, identify)
+    return _identified({"kind": "place", "objectName": name, "center": list(center), "headingRadians": heading}, identify)
 
 
 def add(thing: Json, overlapping: bool = False, identify: bool = False) -> Json:
@@ -500,7 +506,7 @@ def remove(name: str) -> Json:
 def go(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
        identify: bool = False) -> Json:
     """A move whose answer says what blocks it."""
-    return _identified({"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rx": rx, "ry": ry}, identify)
+    return _identified({"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rxRadians": rx, "ryRadians": ry}, identify)
 
 
 def go_to_contact(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
@@ -750,19 +756,18 @@ class Module:
         asked = {"type": "init", "objects": list(objects), "settings": settings, "answer": True}
         return self._one(world(), self.ask(asked, "answers")[0])
 
-    def load(self, path: str, **settings: Any) -> World:
-        """A new world from a file of docs/world-format.md, with its bodies; objects without a name are given one, as by
-        `named`. worldfile.py must be beside this file. Settings are those of `init`, and come before the file's."""
-        import worldfile  # a program that makes its own objects need not have it
-        read = worldfile.World(path)
-        size = dict(zip(("width", "height", "length"), read.size))
-        told = self.init(named(read.objects), **{**size, **read.settings, **settings})
-        if read.bodies:
-            refused = self.step(0, read.bodies).refused
-            if refused:
-                raise RequestError(f"{path}: " + "; ".join(refused.values()))
-        left = [LeftOut(-1, name, reason) for name, reason in read.notes]
-        return told._replace(left_out=told.left_out + left)
+    def load(self, path: str, *, on_server: bool = False, **settings: Any) -> World:
+        """A new world from a file that the module reads, with its bodies: a world of docs/world-format.md, SDFormat, URDF, a
+        ROS map, a mesh. Objects without a name are given one, as by `named`. The file is sent with all files of its folder
+        that it names, directly or through others; `on_server` it is a path within the folder given to `serve --worlds`, of
+        which nothing is sent. Settings are those of `init`, and come before the file's."""
+        message: Json = {"type": "load", "file": path, "named": True}
+        if not on_server:
+            message["file"], message["files"] = _with_its_files(path)
+        given = {name: value for name, value in settings.items() if value is not None}
+        if given:
+            message["settings"] = given
+        return self._one(world(), self.ask(message, "answers")[0])
 
     def step(self, seconds: float, bodies: Iterable[Json] = (), commands: Iterable[Json] = ()) -> Step:
         """Gives bodies and commands, as `body` and `command` make them, and lets time pass. Robots keep their commands:
@@ -775,7 +780,7 @@ class Module:
             if "drive" in given:
                 drive_settings(**given["drive"])
         for given in message["commands"]:
-            _fields("a command", given, ("objectName", "forward", "right", "turn"))
+            _fields("a command", given, ("objectName", "forward", "right", "turn", "turnRadians"))
         answer = self.ask(message, "bodies")[0]
         try:
             return Step({b["objectName"]: Body(b["center"], b["heading"], Velocity(**b["velocity"]), b.get("rotation"))
@@ -916,6 +921,41 @@ class Module:
             found += page.objects
             first = page.next
         return found
+
+
+_WORDS = re.compile(r"""[^\s"'<>,;=()\[\]{}|]+""")
+
+
+def _with_its_files(path: str) -> Tuple[str, Dict[str, str]]:
+    """A file's name and, in base64, it and what it names in its own folder, by any word or line; what they are, the module
+    knows."""
+    main = pathlib.Path(path)
+    folder, found = main.parent, {}
+    left = [main]
+    while left:
+        file = left.pop()
+        name = file.relative_to(folder).as_posix()
+        if name in found:
+            continue
+        try:
+            content = file.read_bytes()
+        except OSError as e:
+            raise NotDone(f"{file} cannot be read; check the path ({e.strerror})") from None
+        found[name] = base64.b64encode(content).decode("ascii")
+        if b"\0" in content or len(content) > 1 << 24:
+            continue  # no text, or too much to be anything but numbers
+        text = content.decode("utf-8", "replace")
+        quoted = re.findall(r"""["'>]([^"'<>\n]+)["'<]""", text)
+        values = [line.split(None, 1)[-1] for line in text.splitlines() if len(line) < 300 and line.strip()]
+        for word in {*_WORDS.findall(text), *quoted, *values}:
+            word = urllib.parse.unquote(word.strip().rpartition("file://")[2])
+            if not (word and len(word) < 256 and "." in word and set(word) - set("0123456789+-.eE")):
+                continue
+            for beside in (file.parent / word, folder / word):
+                inside = pathlib.Path(os.path.normpath(beside))
+                if beside.is_file() and os.path.normpath(folder) in map(str, [*inside.parents, inside.parent]):
+                    left.append(folder / os.path.relpath(inside, folder))
+    return main.name, found
 
 
 def _obstacle(told: Json) -> Obstacle:

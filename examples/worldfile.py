@@ -1,11 +1,7 @@
 """World files in XML (docs/world-format.md) as what an init message takes; robosim.py is beside it.
 
-    import robosim
-
-    with robosim.connect("localhost:7575") as module:
-        module.load("worlds/pushing.xml")     # the objects, the bodies, and the settings
-        module.drive("cart", forward=0.5)
-        print(module.step(1).bodies["cart"].center)
+For programs that need what the module does not tell: which sonars a file gives its robots. Everything else is simpler with
+`robosim.Module.load`, by which the module reads the file, of any format, with what it includes.
 
 `World` has the objects, the bodies and the rings of sonars of a file. A fault is told with its line. Of meshes in files it
 reads OBJ of triangles and quads alone; an object of another mesh is left out, with a note. Materials are not sent.

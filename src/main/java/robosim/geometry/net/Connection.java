@@ -231,6 +231,7 @@ final class Connection implements Runnable {
         Authenticator authenticator = new Authenticator(options.access(), in, times, newcomer);
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
         authenticator.watch(channel);
+        channel.loadBy(options.worlds());
         channel.onWrongRequest(reason -> warn("answered with an error: " + Text.line(reason)));
         this.channel = channel;
         SessionListener listener = options.listeners().apply(name);
@@ -400,7 +401,8 @@ final class Connection implements Runnable {
         if (request instanceof StepBundle step) {
             return tooMany("a bundle", "bodies and commands", step.size(), quotas.requests());
         }
-        return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a StepBundle (got: "
+        return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a"
+                + " StepBundle (got: "
                 + request.getClass().getSimpleName() + ")";
     }
 

@@ -22,6 +22,7 @@ import robosim.geometry.protocol.MessageTranslator;
  * @param opening    requests that each connection's session carries out before the peer's first one, of which the first is
  *                   an InitBundle; none of them if the peer's first request is an InitBundle itself. Nobody but the
  *                   listener gets their answers
+ * @param worlds     reads world files that JSON peers send or name; none by default
  */
 public record NetOptions(
         SessionOptions session,
@@ -31,7 +32,8 @@ public record NetOptions(
         Quotas quotas,
         Access access,
         @Nullable Redial redial,
-        List<Bundle> opening) {
+        List<Bundle> opening,
+        InitBundle.Loader worlds) {
     /** Refuses null, except for {@code redial}, and an opening that begins without a world or has an answer. */
     public NetOptions {
         Checks.present("session", session);
@@ -40,6 +42,7 @@ public record NetOptions(
         Checks.present("timeouts", timeouts);
         Checks.present("quotas", quotas);
         Checks.present("access", access);
+        Checks.present("worlds", worlds);
         opening = Checks.copy("opening", opening, Bundle.class);
         boolean isWorldFirst = opening.isEmpty() || opening.get(0) instanceof InitBundle;
         if (!isWorldFirst || opening.stream().anyMatch(Bundle::isAnswer)) {
@@ -62,6 +65,19 @@ public record NetOptions(
         this(session, listeners, translator, timeouts, quotas, access, redial, List.of());
     }
 
+    /** Options of connections whose peers send their objects, and no files. */
+    public NetOptions(
+            SessionOptions session,
+            Function<String, SessionListener> listeners,
+            MessageTranslator translator,
+            Timeouts timeouts,
+            Quotas quotas,
+            Access access,
+            @Nullable Redial redial,
+            List<Bundle> opening) {
+        this(session, listeners, translator, timeouts, quotas, access, redial, opening, InitBundle.Loader.NONE);
+    }
+
     /**
      * RoboSim's session options, no listener, the {@linkplain MessageTranslator#installed() installed} translator,
      * default timeouts and quotas, no authentication, and a client that dials once.
@@ -79,22 +95,22 @@ public record NetOptions(
 
     /** These options with another session. */
     public NetOptions withSession(SessionOptions other) {
-        return new NetOptions(other, listeners, translator, timeouts, quotas, access, redial, opening);
+        return new NetOptions(other, listeners, translator, timeouts, quotas, access, redial, opening, worlds);
     }
 
     /** These options with listeners. */
     public NetOptions withListeners(Function<String, SessionListener> others) {
-        return new NetOptions(session, others, translator, timeouts, quotas, access, redial, opening);
+        return new NetOptions(session, others, translator, timeouts, quotas, access, redial, opening, worlds);
     }
 
     /** These options with another translator. */
     public NetOptions withTranslator(MessageTranslator other) {
-        return new NetOptions(session, listeners, other, timeouts, quotas, access, redial, opening);
+        return new NetOptions(session, listeners, other, timeouts, quotas, access, redial, opening, worlds);
     }
 
     /** These options with other timeouts. */
     public NetOptions withTimeouts(Timeouts other) {
-        return new NetOptions(session, listeners, translator, other, quotas, access, redial, opening);
+        return new NetOptions(session, listeners, translator, other, quotas, access, redial, opening, worlds);
     }
 
     /** These options with other timeouts within a message. */
@@ -104,7 +120,7 @@ public record NetOptions(
 
     /** These options with other quotas. */
     public NetOptions withQuotas(Quotas other) {
-        return new NetOptions(session, listeners, translator, timeouts, other, access, redial, opening);
+        return new NetOptions(session, listeners, translator, timeouts, other, access, redial, opening, worlds);
     }
 
     /** These options with another maximum number of connections. */
@@ -119,16 +135,21 @@ public record NetOptions(
 
     /** These options with another way to tell who may connect. */
     public NetOptions withAccess(Access other) {
-        return new NetOptions(session, listeners, translator, timeouts, quotas, other, redial, opening);
+        return new NetOptions(session, listeners, translator, timeouts, quotas, other, redial, opening, worlds);
     }
 
     /** These options for a client that dials again; null for one that dials once. */
     public NetOptions withRedial(@Nullable Redial other) {
-        return new NetOptions(session, listeners, translator, timeouts, quotas, access, other, opening);
+        return new NetOptions(session, listeners, translator, timeouts, quotas, access, other, opening, worlds);
     }
 
     /** These options for connections that begin with a world: see {@link #opening}. */
     public NetOptions withOpening(List<Bundle> requests) {
-        return new NetOptions(session, listeners, translator, timeouts, quotas, access, redial, requests);
+        return new NetOptions(session, listeners, translator, timeouts, quotas, access, redial, requests, worlds);
+    }
+
+    /** These options for a module that reads world files for its JSON peers. */
+    public NetOptions withWorlds(InitBundle.Loader loader) {
+        return new NetOptions(session, listeners, translator, timeouts, quotas, access, redial, opening, loader);
     }
 }

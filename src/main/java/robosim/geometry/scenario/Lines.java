@@ -9,6 +9,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.MessageLimits;
+import robosim.geometry.scenario.recording.Checksums;
 
 /** Reads the lines of a file, one in memory at a time; blank lines and an incomplete last line are skipped. */
 final class Lines implements Closeable {

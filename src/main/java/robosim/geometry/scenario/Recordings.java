@@ -12,6 +12,7 @@ import java.util.function.Function;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
+import robosim.geometry.scenario.recording.RecordingFile;
 
 /**
  * Records the sessions of a server or a client, each in a file that is created when its first request comes. Existing

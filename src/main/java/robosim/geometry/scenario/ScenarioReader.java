@@ -15,6 +15,7 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.JsonRecord;
+import robosim.geometry.scenario.recording.Checksums;
 
 /**
  * Reads a scenario step by step, so that a day's recording takes no more memory than its longest lines. Reading is

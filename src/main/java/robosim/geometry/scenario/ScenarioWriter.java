@@ -17,6 +17,8 @@ import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.JsonRecord;
+import robosim.geometry.scenario.recording.Checksums;
+import robosim.geometry.scenario.recording.RecordingFile;
 
 /**
  * Writes a scenario as it happens: each call writes whole lines with one write to the stream and flushes it. Everything

@@ -25,6 +25,7 @@ import robosim.geometry.cli.terminal.ExitCodes;
 class ConnectOnceTest {
     private static final String HELLO = "{\"type\":\"hello\",\"version\":1}\n";
 
+    private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
 
     /** Dials an environment that says so much and hangs up. */
@@ -35,8 +36,8 @@ class ConnectOnceTest {
             List<String> line = new ArrayList<>(
                     List.of("connect", "localhost", String.valueOf(listening.getLocalPort()), "--once"));
             Collections.addAll(line, more);
-            int code = Commands.run(
-                    new PrintWriter(new StringWriter()), new PrintWriter(err, true), line.toArray(String[]::new));
+            int code =
+                    Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), line.toArray(String[]::new));
             environment.join();
             return code;
         }
@@ -57,12 +58,23 @@ class ConnectOnceTest {
     @Test
     void aTalkToItsEndIsFine() throws Exception {
         assertThat(connect(HELLO + "{\"type\":\"moves\",\"moves\":[]}\n")).isZero();
+        assertThat(out.toString()).startsWith("Connected to localhost:");
+        assertThat(err.toString()).isEmpty();
+    }
+
+    @Test
+    void anEnvironmentThatAsksNothingIsTold() throws Exception {
+        for (String said : List.of("", HELLO, HELLO + "{\"type\":\"ping\"}\n", HELLO + "{\"type\":\"fly\"}\n")) {
+            assertThat(connect(said)).as(said).isEqualTo(ExitCodes.FINDINGS);
+            assertThat(err.toString()).contains("hung up before its first request");
+            assertThat(out.toString()).startsWith("Connected to localhost:");
+        }
     }
 
     @Test
     void aFaultOfTheProtocolIsTold() throws Exception {
         assertThat(connect("what is this?\n")).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(connect(HELLO + "{\"type\":\"fly\"}\n")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(connect(HELLO + "{\"type\":\"fly\"\n")).isEqualTo(ExitCodes.UNUSABLE);
     }
 
     @Test

@@ -2,6 +2,8 @@ package robosim.geometry.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.net.GeometryServer;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.scenario.drive.WorldLoading;
 
 /** examples/robosim.py and the code of docs/guide-python.md, in processes of their own, against the module in this one. */
 @Timeout(120)
@@ -36,9 +40,15 @@ class PythonClientTest {
         return text;
     }
 
+    /** A server that reads world files for its clients. */
+    private static GeometryServer loading() throws IOException {
+        NetOptions options = NetOptions.defaults().withWorlds(WorldLoading.of(Path.of("worlds"), List.of()));
+        return new GeometryServer(InetAddress.getLoopbackAddress(), 0, options);
+    }
+
     @Test
     void everyMessageIsAnswered() throws Exception {
-        try (GeometryServer server = new GeometryServer(0)) {
+        try (GeometryServer server = loading()) {
             assertThat(run(TESTS, "127.0.0.1:" + server.port(), "worlds")).isEqualToIgnoringNewLines("all done");
         }
     }
@@ -83,7 +93,7 @@ class PythonClientTest {
             }
         }
         assertThat(expected).hasSizeGreaterThan(10);
-        try (GeometryServer server = new GeometryServer(0)) {
+        try (GeometryServer server = loading()) {
             Path file = folder.resolve("guide.py");
             Files.writeString(file, String.join("\n", program).replace("7575", "" + server.port()) + "\n");
             assertThat(run(file).lines()).containsExactlyElementsOf(expected);

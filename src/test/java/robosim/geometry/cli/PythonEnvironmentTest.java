@@ -34,6 +34,7 @@ import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Secret;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.scenario.drive.WorldLoading;
 
 /** examples/environment.py, a process of its own, against the module in this one. */
 @Timeout(120)
@@ -124,6 +125,27 @@ class PythonEnvironmentTest {
         }
     }
 
+    /** What `add` writes includes the world that it was given; only the module reads that. */
+    @Test
+    void aWorldThatIncludesAnotherIsLoadedByTheModule(@TempDir Path folder) throws Exception {
+        Files.copy(Path.of("worlds", "hard.xml"), folder.resolve("hard.xml"));
+        Path world = folder.resolve("more.xml");
+        Files.writeString(world, """
+            <world xmlns="urn:robosim:world:1" width="60" height="10" length="60">
+              <include file="hard.xml"/>
+              <cylinder name="one more" center="25 0 25" moveable="true" radius="0.3" height="1"/>
+            </world>
+            """);
+        NetOptions loading = options.withWorlds(WorldLoading.of(null, List.of()));
+        try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, loading)) {
+            Process process =
+                    start("--world", world.toString(), "--connect", "127.0.0.1:" + server.port(), "--steps", "20");
+            String text = rest(output(process));
+            assertThat(process.waitFor()).as(text).isZero();
+            assertThat(text).contains("20 steps of ", "every answer kept to the protocol");
+        }
+    }
+
     static List<Path> worlds() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("worlds"))) {
             List<Path> worlds = files.filter(file -> file.toString().endsWith(".xml"))
@@ -203,31 +225,31 @@ class PythonEnvironmentTest {
     void understandsTheWorldFormat(@TempDir Path folder) throws Exception {
         Path world = folder.resolve("all.xml");
         Files.writeString(folder.resolve("tent.obj"), """
-                v 0 0 0
-                v 1 0 0
-                v 1 1 0.5
-                v 0 1 0.5
-                f 1/1 2/2 3/3 4/4
-                f -4 -3 -2
-                """);
+            v 0 0 0
+            v 1 0 0
+            v 1 1 0.5
+            v 0 1 0.5
+            f 1/1 2/2 3/3 4/4
+            f -4 -3 -2
+            """);
         Files.writeString(world, """
-                <world xmlns="urn:robosim:world:1" width="20" height="4" length="20" unit="m">
-                  <material name="tiles" diffuse="0.8" label="3"><checker first="#ffffff" second="#204060" size="0.5"/></material>
-                  <box center="0 0 -3" width="3" height="1" length="20cm" turned="30 40" material="tiles"/>
-                  <mesh center="3 0 0" heading="90" solid="true">
-                    <bounds><sphere radius="3"/></bounds>
-                    <vertices>0 0 0 1 0 0 0 1 0 0 0 1</vertices>
-                    <triangles>0 1 2 0 2 3 0 3 1 1 3 2</triangles>
-                  </mesh>
-                  <mesh center="-3 0 0" file="tent.obj" scale="0.5"/>
-                  <group center="0 0 3" rotation="0 0 1 0 1 0 -1 0 0">
-                    <sphere center="0 0 0" radius="0.5"/><cylinder center="1 0 0" radius="0.2" height="1"/>
-                  </group>
-                  <capsule center="-6 0 -4" radius="0.3" segment="1" turned="50 20"/>
-                  <grid name="map" center="0 0 5" heading="90" cell="25cm" height="2" columns="7" rows="2">1 3 3 0 2 4 1</grid>
-                  <cylinder name="robot" moveable="true" radius="0.3" height="1"><sonar count="12" max="5" width="20"/></cylinder>
-                </world>
-                """);
+            <world xmlns="urn:robosim:world:1" width="20" height="4" length="20" unit="m">
+              <material name="tiles" diffuse="0.8" label="3"><checker first="#ffffff" second="#204060" size="0.5"/></material>
+              <box center="0 0 -3" width="3" height="1" length="20cm" turned="30 40" material="tiles"/>
+              <mesh center="3 0 0" heading="90" solid="true">
+                <bounds><sphere radius="3"/></bounds>
+                <vertices>0 0 0 1 0 0 0 1 0 0 0 1</vertices>
+                <triangles>0 1 2 0 2 3 0 3 1 1 3 2</triangles>
+              </mesh>
+              <mesh center="-3 0 0" file="tent.obj" scale="0.5"/>
+              <group center="0 0 3" rotation="0 0 1 0 1 0 -1 0 0">
+                <sphere center="0 0 0" radius="0.5"/><cylinder center="1 0 0" radius="0.2" height="1"/>
+              </group>
+              <capsule center="-6 0 -4" radius="0.3" segment="1" turned="50 20"/>
+              <grid name="map" center="0 0 5" heading="90" cell="25cm" height="2" columns="7" rows="2">1 3 3 0 2 4 1</grid>
+              <cylinder name="robot" moveable="true" radius="0.3" height="1"><sonar count="12" max="5" width="20"/></cylinder>
+            </world>
+            """);
         try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
             Process process = start(
                     "--world",
@@ -273,7 +295,8 @@ class PythonEnvironmentTest {
                         "<box width='1' height='1' length='20' heading='3'/>",
                         ":2: this <box> reaches beyond the world;"),
                 Arguments.of(
-                        "<group center='9 0 0' heading='90'><cylinder center='0 0 -1' radius='0.1' height='1'/></group>",
+                        "<group center='9 0 0' heading='90'><cylinder center='0 0 -1' radius='0.1'"
+                                + " height='1'/></group>",
                         "1 step of 1 robot: 1 move asked"),
                 Arguments.of(
                         "<group center='9 0 0' heading='90'><cylinder center='0 0 1' radius='0.1' height='1'/></group>",

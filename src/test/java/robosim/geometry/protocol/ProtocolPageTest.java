@@ -17,6 +17,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.net.GeometryServer;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.scenario.drive.WorldLoading;
 
 /** docs/protocol.md shows a conversation as it is. */
 class ProtocolPageTest {
@@ -58,7 +60,10 @@ class ProtocolPageTest {
         List<String> page = Files.readAllLines(Path.of("docs", "protocol.md"));
         int asked = 0;
         int answered = 0;
-        try (GeometryServer server = new GeometryServer(0);
+        try (GeometryServer server = new GeometryServer(
+                        InetAddress.getLoopbackAddress(),
+                        0,
+                        NetOptions.defaults().withWorlds(WorldLoading.of(null, List.of())));
                 Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
             OutputStream out = socket.getOutputStream();
             BufferedReader in =
@@ -74,7 +79,7 @@ class ProtocolPageTest {
             }
             assertThat(in.readLine()).as("after the error").isNull();
         }
-        assertThat(asked).isEqualTo(13);
-        assertThat(answered).isEqualTo(12);
+        assertThat(asked).isEqualTo(14);
+        assertThat(answered).isEqualTo(13);
     }
 }

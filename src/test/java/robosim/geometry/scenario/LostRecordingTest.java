@@ -23,6 +23,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.scenario.recording.RecordingFile;
 
 /** What cannot be recorded is told, what was recorded before can be read, and no answer is another for it. */
 class LostRecordingTest {
@@ -50,7 +51,7 @@ class LostRecordingTest {
         }
 
         @Override
-        void cutTo(long bytes) throws IOException {
+        public void cutTo(long bytes) throws IOException {
             super.cutTo(bytes);
             room += written - (int) bytes;
             written = (int) bytes;

@@ -1,7 +1,9 @@
 """Every message of examples/robosim.py against a module, whose place is the argument; PythonClientTest runs it."""
 
 import math
+import pathlib
 import sys
+import tempfile
 
 import robosim
 from robosim import Move, RequestError, Sonar, box, capsule, cylinder, grid, group, mesh, sphere
@@ -226,10 +228,56 @@ def drives(module, folder):
         else:
             raise AssertionError(f"expected a TypeError: {words}")
     told = module.load(folder + "/meshes.xml")
-    same([(o.index, o.name) for o in told.left_out], [(-1, "wall with a hole")])
+    same(told.left_out, [])  # the module reads the face of eight corners
+    assert "wall with a hole" in [o.name for o in module.objects()]
+    same(module.load("meshes.xml", on_server=True), told)
+    for path, words in (("../README.md", "stays in its folder"), ("/etc/passwd", "stays in its folder"),
+                        ("none.xml", "must be in the folder of worlds")):
+        refused_in(lambda: module.load(path, on_server=True), words)
+    for files, words in (({"a.xml": "PHdvcmxkLz4="}, "a.xml:1"), ({"b.xml": ""}, "must be one of the files sent"),
+                         ({"a.xml": "", "../b": ""}, "stays in its folder"), ({"a.xml": "*"}, "must be base64")):
+        refused_in(lambda: module.ask({"type": "load", "file": "a.xml", "files": files}, "answers"), words)
+    same(module.world(), told)  # what cannot be read leaves the world as it is
     same(module.load(folder + "/rooms.xml", accuracy="OBB").accuracy, "OBB")
-    wanted = module.move(module_robot(folder), x=100).obstacle
-    assert wanted != "", "every object must have a name"
+    robots = [o.name for o in module.objects() if o.moveable]
+    assert module.move(robots[0], x=100).obstacle != "", "every object must have a name"
+    several(module)
+
+
+def several(module):
+    """Files of several kinds, which name others: an inclusion in one with a mesh, and a ROS map with its image."""
+    with tempfile.TemporaryDirectory() as made:
+        place = pathlib.Path(made)
+        (place / "parts of it").mkdir()
+        (place / "main.xml").write_text(
+            "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20'>"
+            "<include file='parts of it/shelf.xml'/>"
+            "<cylinder name='robot' moveable='true' radius='0.25' height='1'><body mass='3'/></cylinder></world>")
+        (place / "parts of it" / "shelf.xml").write_text(
+            "<world xmlns='urn:robosim:world:1' width='8' height='4' length='4'><mesh file='tent.obj' center='3 0 0'/></world>")
+        (place / "parts of it" / "tent.obj").write_text("v 0 0 -1\nv 0 1 0\nv 0 0 1\nf 1 2 3\n")
+        told = module.load(str(place / "main.xml"))
+        same((told.added, told.left_out), (2, []))
+        near(module.sonar("robot"), 3)
+        same(list(module.step(0).bodies), ["robot"])
+        (place / "map.yaml").write_text("image: the map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
+                                        "occupied_thresh: 0.65\nfree_thresh: 0.2\n")
+        (place / "the map.pgm").write_bytes(b"P5 4 4 255\n" + bytes([0] + [254] * 15))
+        same(module.load(str(place / "map.yaml")).left_out, [])
+        assert "grid" in [o.kind for o in module.objects()]
+    try:
+        module.load(str(place / "none.xml"))
+    except robosim.NotDone as e:
+        assert "none.xml cannot be read; check the path" in str(e), e
+
+
+def refused_in(what, words):
+    try:
+        what()
+    except RequestError as e:
+        assert words in str(e) and "robosim-world" not in str(e), e
+    else:
+        raise AssertionError(f"expected a RequestError: {words}")
 
 
 def steps(module):
@@ -291,11 +339,6 @@ def mistakes(place):
                 assert str(e).startswith(reason) and "must be JSON" in str(e), e
             else:
                 raise AssertionError(reason)
-
-
-def module_robot(folder):
-    import worldfile
-    return worldfile.World(folder + "/rooms.xml").robots[0][0]["name"]
 
 
 def main():

@@ -1,6 +1,10 @@
 package robosim.geometry.cli.network;
 
+import java.io.PrintWriter;
+import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -14,7 +18,10 @@ import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Redial;
+import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.Timeouts;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.scenario.drive.WorldLoading;
 
 /** Dials an environment and answers its requests. */
 @Command(
@@ -25,6 +32,7 @@ import robosim.geometry.net.Timeouts;
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.FINE + ":with --once, the environment was served until it hung up",
+            ExitCodes.FINDINGS + ":with --once, the environment hung up before its first request",
             ExitCodes.UNUSABLE
                     + ":not done: bad usage, or with --once an environment that cannot be reached or a connection that"
                     + " failed (TLS, the secret, the protocol)",
@@ -69,7 +77,10 @@ public final class ConnectCommand implements Callable<Integer> {
         NetOptions options = record.inFile(common.options(
                         Quotas.DEFAULT.connections(),
                         Timeouts.DEFAULT.admission().toSeconds()))
-                .withRedial(once ? null : Redial.DEFAULT);
+                .withRedial(once ? null : Redial.DEFAULT)
+                .withWorlds(WorldLoading.of(null, List.of()));
+        AtomicBoolean isAsked = new AtomicBoolean();
+        options = options.withListeners(told(options.listeners(), isAsked));
         WatchOptions.Watch watched = watch.begin(options);
         int seconds = common.figuresSeconds();
         GeometryClient client = new GeometryClient(host, port, watched.options());
@@ -80,6 +91,31 @@ public final class ConnectCommand implements Callable<Integer> {
         });
         client.run();
         // A failure of the connection has been logged by then; it decides the exit code only with --once.
-        return once && client.figures().getErrors() > 0 ? ExitCodes.UNUSABLE : ExitCodes.FINE;
+        if (once && client.figures().getErrors() > 0) {
+            return ExitCodes.UNUSABLE;
+        }
+        if (once && !isAsked.get()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("the environment at " + host + ":" + port + " hung up before its first request");
+            return ExitCodes.FINDINGS;
+        }
+        return ExitCodes.FINE;
+    }
+
+    /** Listeners that also print that a connection was made, and note that there was a request. */
+    private Function<String, SessionListener> told(Function<String, SessionListener> others, AtomicBoolean isAsked) {
+        PrintWriter out = spec.commandLine().getOut();
+        return connection -> {
+            out.println("Connected to " + host + ":" + port);
+            out.flush();
+            SessionListener asked = new SessionListener() {
+                @Override
+                public void asked(Bundle request) {
+                    isAsked.set(true);
+                }
+            };
+            return asked.and(others.apply(connection));
+        };
     }
 }

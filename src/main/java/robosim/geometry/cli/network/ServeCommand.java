@@ -24,6 +24,7 @@ import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.scenario.drive.WorldLoading;
 import robosim.geometry.scenario.drive.WorldOpening;
 import robosim.geometry.world.WorldException;
 
@@ -32,8 +33,8 @@ import robosim.geometry.world.WorldException;
         name = "serve",
         description = {
             "Serves environment modules that dial in, until it is ended.",
-            "Each connection sends its own world, as robosim.load of examples/robosim.py does with a file, or begins with"
-                    + " that of --world, which is its own from then on."
+            "Each connection sends its own world, as robosim.load of examples/robosim.py does with a file, or begins"
+                    + " with that of --world, which is its own from then on."
         },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
@@ -60,8 +61,8 @@ public final class ServeCommand implements Callable<Integer> {
             paramLabel = "ADDRESS",
             defaultValue = "localhost",
             description =
-                    "address to listen on; 0.0.0.0 for all (default: ${DEFAULT-VALUE}). Any but this machine's own needs TLS"
-                            + " or a secret.")
+                    "address to listen on; 0.0.0.0 for all (default: ${DEFAULT-VALUE}). Any but this machine's own"
+                            + " needs TLS or a secret.")
     private String host = "localhost";
 
     @Option(
@@ -103,6 +104,13 @@ public final class ServeCommand implements Callable<Integer> {
                             + " reads, with the bodies and drives of its robots (default: none)")
     private @Nullable Path world;
 
+    @Option(
+            names = "--worlds",
+            paramLabel = "DIR",
+            description = "a folder whose world files peers may load by their paths in it, as robosim.load of"
+                    + " examples/robosim.py does; without it they can send theirs (default: none)")
+    private @Nullable Path worlds;
+
     @Mixin
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
@@ -124,7 +132,7 @@ public final class ServeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        NetOptions options = common.options(connections, admission);
+        NetOptions options = common.options(connections, admission).withWorlds(loading());
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
         if (drain < 0) {
@@ -168,6 +176,13 @@ public final class ServeCommand implements Callable<Integer> {
             server.close();
             throw e;
         }
+    }
+
+    private WorldLoading loading() {
+        if (worlds != null) {
+            Inputs.folders(spec, "--worlds", List.of(worlds));
+        }
+        return WorldLoading.of(worlds, files.folders());
     }
 
     /** The requests with which connections begin; none without a world. */

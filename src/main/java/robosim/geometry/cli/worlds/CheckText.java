@@ -148,7 +148,8 @@ public final class CheckText {
         }
         add(
                 "overlaps",
-                "%,d %s of static objects touch or overlap, which is allowed",
+                "%s%,d %s of static objects touch or overlap, which is allowed",
+                check.staticOverlaps() < WorldCheck.MOST_COUNTED ? "" : "at least ",
                 check.staticOverlaps(),
                 check.staticOverlaps() == 1 ? "pair" : "pairs");
         check.overlaps().stream()
@@ -158,7 +159,8 @@ public final class CheckText {
         if (check.staticOverlaps() > STATIC_PAIRS) {
             add(
                     "",
-                    "  and %,d more; --json tells the first %,d",
+                    "  and %s%,d more; --json tells the first %,d",
+                    check.staticOverlaps() < WorldCheck.MOST_COUNTED ? "" : "at least ",
                     check.staticOverlaps() - STATIC_PAIRS,
                     WorldCheck.MAX_STATIC_OVERLAPS);
         }

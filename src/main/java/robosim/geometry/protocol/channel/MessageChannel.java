@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
@@ -61,6 +62,7 @@ public final class MessageChannel {
     /** The writer, if it was created, and our stream header sent, before the peer had sent anything. */
     private @Nullable MessageWriter early;
 
+    private InitBundle.Loader worlds = InitBundle.Loader.NONE;
     private Consumer<String> wrongRequests = reason -> {};
 
     private volatile @Nullable Codec speech;
@@ -73,6 +75,11 @@ public final class MessageChannel {
         this.translator = Checks.present("translator", translator);
         this.pace = Checks.present("pace", pace);
         this.gate = Checks.present("gate", gate);
+    }
+
+    /** Sets what reads world files for a JSON peer; before anything is read. */
+    public void loadBy(InitBundle.Loader loader) {
+        worlds = Checks.present("loader", loader);
     }
 
     /** Tells an observer why requests are wrong that {@link #read} answers with an error. */
@@ -258,7 +265,7 @@ public final class MessageChannel {
             out.flush();
         }
         try {
-            return codec(JsonCodec.open(whole, out, pace, gate, reason -> wrongRequests.accept(reason)));
+            return codec(JsonCodec.open(whole, out, pace, gate, worlds, reason -> wrongRequests.accept(reason)));
         } catch (LinkageError e) {
             throw new ProtocolException(
                     "JSON lines need Jackson: put com.fasterxml.jackson.core:jackson-core on the class path, or on the"

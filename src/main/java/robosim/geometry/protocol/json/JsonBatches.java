@@ -30,8 +30,8 @@ final class JsonBatches {
     private static final Fields BATCH = Fields.of("type requests", "");
     private static final Fields REQUEST = Fields.of(
             "kind",
-            "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors light"
-                    + " center heading object overlapping x y z rx ry clearance bends identify first count");
+            "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors"
+                    + " light center heading~ object overlapping x y z rx~ ry~ clearance bends identify first count");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
             new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion"},
@@ -47,14 +47,14 @@ final class JsonBatches {
             new String[] {"moveToContact", "objectName", "x y z rx ry clearance"},
             new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends"},
             new String[] {"list", "", "first count"});
-    private static final Fields MOTION = Fields.of("duration", "x y z ry");
+    private static final Fields MOTION = Fields.of("duration", "x y z ry~");
     private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
     private static final Fields SOURCE = Fields.of("kind strength", "color direction place angle");
     private static final JsonKinds SOURCES = new JsonKinds(
             SOURCE, new String[] {"sun", "direction", "color"}, new String[] {"lamp", "place", "color"}, new String[] {
                 "spot", "place direction angle", "color"
             });
-    private static final Fields MOUNT = Fields.of("place", "rotation heading");
+    private static final Fields MOUNT = Fields.of("place", "rotation heading~");
     private static final Fields PATTERN =
             Fields.of("kind", "first step count elevations width height fieldOfView directions");
     private static final JsonKinds PATTERNS = new JsonKinds(

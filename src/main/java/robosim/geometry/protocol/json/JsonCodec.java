@@ -6,9 +6,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
@@ -16,6 +21,7 @@ import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.batch.WorldAnswer;
 
 /**
  * A connection in JSON lines: a hello first, then requests and pings. A line that is JSON but no request that can be carried
@@ -30,42 +36,63 @@ public final class JsonCodec {
     private final OutputStream buffered;
     private final Gate gate;
     private final Consumer<String> wrongRequests;
+    private final InitBundle.Loader worlds;
     private boolean admitted;
 
     /** The id of the last message, a String or a Long, which its answer repeats; null if it has none. */
     private @Nullable Object id;
 
-    /** What the last line asks besides; null if nothing. */
-    private @Nullable Bundle followUp;
+    /** What the last line asks besides. */
+    private final Deque<Bundle> followUps = new ArrayDeque<>();
+
+    /** Whether the bundle that was read last is a part of a load, of whose answer only the problems are told, at its end. */
+    private boolean isPart;
+
+    /** What a load has left out. */
+    private final List<WorldAnswer.LeftOut> leftOut = new ArrayList<>();
 
     private int messageBytes;
 
     /** The number of the line that is awaited or was read last. */
     private volatile int message = 1;
 
-    private JsonCodec(InputStream in, OutputStream out, MessagePace pace, Gate gate, Consumer<String> wrongRequests) {
+    private JsonCodec(
+            InputStream in,
+            OutputStream out,
+            MessagePace pace,
+            Gate gate,
+            InitBundle.Loader worlds,
+            Consumer<String> wrongRequests) {
         this.lines = new LineInput(in, pace);
         this.target = out;
         this.buffered = new BufferedOutputStream(out, 8192);
         this.gate = gate;
+        this.worlds = worlds;
         this.wrongRequests = wrongRequests;
     }
 
     /**
      * A codec for a connection of which nothing has been read.
      *
+     * @param worlds        reads world files for the peer
      * @param wrongRequests takes the reason of each error with which a wrong request is answered here
      * @throws LinkageError if Jackson is missing
      */
     public static JsonCodec open(
-            InputStream in, OutputStream out, MessagePace pace, Gate gate, Consumer<String> wrongRequests) {
+            InputStream in,
+            OutputStream out,
+            MessagePace pace,
+            Gate gate,
+            InitBundle.Loader worlds,
+            Consumer<String> wrongRequests) {
         Checks.present("in", in);
         Checks.present("out", out);
         Checks.present("pace", pace);
         Checks.present("gate", gate);
+        Checks.present("worlds", worlds);
         Checks.present("wrongRequests", wrongRequests);
         JsonInput.FACTORY.version(); // fails here rather than within a message
-        return new JsonCodec(in, out, pace, gate, wrongRequests);
+        return new JsonCodec(in, out, pace, gate, worlds, wrongRequests);
     }
 
     /**
@@ -74,12 +101,14 @@ public final class JsonCodec {
      * @throws ProtocolException if the bytes are not a message, the peer is not admitted, or the stream fails
      */
     public @Nullable Bundle read() throws ProtocolException {
-        Bundle next = followUp;
+        Bundle next = followUps.poll();
         if (next != null) {
-            followUp = null;
+            isPart = !followUps.isEmpty();
             messageBytes = 0;
             return next;
         }
+        isPart = false;
+        leftOut.clear();
         try {
             Bundle request = null;
             while (request == null) {
@@ -116,12 +145,13 @@ public final class JsonCodec {
             if (!e.isAboutRequest()) {
                 throw e;
             }
-            String reason = "line " + lines.number() + ", " + e.getMessage();
-            wrongRequests.accept(reason); // first, so that the log has it when the peer has its answer
-            refuse(reason);
+            refuseLine(String.valueOf(e.getMessage()));
             return null;
         }
         messageBytes = lines.count();
+        if (message instanceof InitBundle.Load load) {
+            return load(load);
+        }
         if (message instanceof JsonMessages.Ping) {
             send(output -> output.writePong(id));
             return null;
@@ -129,10 +159,32 @@ public final class JsonCodec {
         return (Bundle) message;
     }
 
+    private void refuseLine(String reason) throws IOException {
+        String told = "line " + lines.number() + ", " + reason;
+        wrongRequests.accept(told); // first, so that the log has it when the peer has its answer
+        refuse(told);
+    }
+
+    /** Reads a world file, whose world comes as several bundles; null if it cannot be read, which has been answered. */
+    private @Nullable Bundle load(InitBundle.Load load) throws IOException {
+        InitBundle.Loaded loaded;
+        try {
+            loaded = worlds.load(load);
+        } catch (IOException | IllegalArgumentException e) {
+            refuseLine(String.valueOf(e.getMessage()));
+            return null;
+        }
+        messageBytes = Math.max(messageBytes, loaded.bytes());
+        leftOut.addAll(loaded.leftOut());
+        followUps.addAll(loaded.requests().subList(1, loaded.requests().size()));
+        followUps.add(InitBundle.Answered.QUESTION);
+        return loaded.requests().get(0);
+    }
+
     /** Answers the last message that was read with an error, after which the conversation goes on. */
     public void refuse(String reason) throws IOException {
         Checks.present("reason", reason);
-        followUp = null;
+        followUps.clear();
         send(output -> output.writeError(Text.line(reason), id));
     }
 
@@ -196,8 +248,13 @@ public final class JsonCodec {
         JsonMessages messages = new JsonMessages(in);
         if (type.equals("init")) {
             Bundle init = messages.init();
-            followUp = messages.wantsAnswer() ? InitBundle.Answered.QUESTION : null;
+            if (messages.wantsAnswer()) {
+                followUps.add(InitBundle.Answered.QUESTION);
+            }
             return init;
+        }
+        if (type.equals("load")) {
+            return messages.load();
         }
         return type.equals("ping") ? messages.ping() : JsonLines.request(type, in);
     }
@@ -234,7 +291,32 @@ public final class JsonCodec {
 
     /** Writes the answer to the last message that was read: one complete message with its id, flushed. */
     public void write(Reply reply) throws IOException {
-        send(output -> output.write(reply, id));
+        if (isPart) {
+            reply.problems()
+                    .forEach(problem -> leftOut.add(new WorldAnswer.LeftOut(problem.index(), "", problem.reason())));
+            return;
+        }
+        Reply told = leftOut.isEmpty() ? reply : withLeftOut(reply);
+        leftOut.clear();
+        send(output -> output.write(told, id));
+    }
+
+    /** The answer to a load, with what is missing of the file. */
+    private Reply withLeftOut(Reply reply) {
+        if (reply.bundle() instanceof BatchAnswerBundle batch
+                && batch.answers().get(0) instanceof WorldAnswer.Described world) {
+            List<WorldAnswer.LeftOut> all = new ArrayList<>(world.leftOut());
+            all.addAll(leftOut);
+            return new Reply(new BatchAnswerBundle(List.of(new WorldAnswer.Described(
+                    world.added(),
+                    all,
+                    world.width(),
+                    world.height(),
+                    world.length(),
+                    world.dimension(),
+                    world.accuracy()))));
+        }
+        return reply;
     }
 
     private void send(JsonLines.Writing message) throws IOException {

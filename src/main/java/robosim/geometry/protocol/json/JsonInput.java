@@ -238,6 +238,14 @@ final class JsonInput implements Closeable {
         return new JsonMembers(this, fields);
     }
 
+    /** Begins reading the current value as an object of any fields, by {@link #nextField}. */
+    void beginObject() throws IOException {
+        if (!isObject()) {
+            throw refused("must be an object, {...} (got: " + kind() + ")");
+        }
+        count();
+    }
+
     boolean isObject() {
         return parser.currentToken() == JsonToken.START_OBJECT;
     }

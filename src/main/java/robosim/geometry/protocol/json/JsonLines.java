@@ -132,8 +132,8 @@ public final class JsonLines {
             case "step" -> new JsonSteps(in).step();
             default ->
                 throw ProtocolException.ofRequest(
-                        "a request's type must be init, moves, sonars, batch, step or ping (got: " + Text.quoted(type)
-                                + ")",
+                        "a request's type must be init, load, moves, sonars, batch, step or ping (got: "
+                                + Text.quoted(type) + ")",
                         null);
         };
     }

@@ -2,7 +2,9 @@ package robosim.geometry.protocol.json;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
@@ -23,6 +25,7 @@ import robosim.geometry.protocol.WorldSettings;
 /** Reads messages of known type from JSON. */
 final class JsonMessages {
     private static final Fields INIT = Fields.of("type objects", "settings answer");
+    private static final Fields LOAD = Fields.of("type file", "files settings named");
     private static final Fields SETTINGS = Fields.of("", "width height length dimension accuracy");
     private static final Fields MOVES = Fields.of("type moves", "");
     private static final Fields MOVE = Fields.of("objectName x y z rx ry", "");
@@ -35,6 +38,12 @@ final class JsonMessages {
     private static final Fields ERROR = Fields.of("error", "");
     private static final Fields HELLO = Fields.of("type version", "secret");
     private static final Fields PING = Fields.of("type", "");
+
+    /** Most files of a world: a model of a robot with a mesh for each of its links has some 30. */
+    private static final int MAX_FILES = 1_000;
+
+    /** Most bytes of one of them; all must fit into a line as base64. */
+    private static final int MAX_FILE_BYTES = 3 * MessageLimits.MAX_MESSAGE_BYTES / 8;
 
     private final JsonInput in;
     private boolean wantsAnswer;
@@ -119,6 +128,36 @@ final class JsonMessages {
         }
         in.end();
         return new InitBundle(objects, settings);
+    }
+
+    InitBundle.Load load() throws IOException {
+        String file = "";
+        Map<String, byte[]> files = new LinkedHashMap<>();
+        WorldSettings settings = null;
+        boolean isNaming = false;
+        JsonMembers message = in.message(LOAD);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            switch (field) {
+                case 0 -> in.text();
+                case 1 -> file = in.text();
+                case 2 -> files(files);
+                case 3 -> settings = settings();
+                default -> isNaming = in.flag();
+            }
+        }
+        in.end();
+        return new InitBundle.Load(file, files, settings, isNaming);
+    }
+
+    private void files(Map<String, byte[]> files) throws IOException {
+        in.beginObject();
+        for (String name = in.nextField(); name != null; name = in.nextField()) {
+            if (files.size() >= MAX_FILES || files.containsKey(name)) {
+                throw in.refused(
+                        "there must be at most " + MAX_FILES + " files, each once (got: " + in.told(name) + ")");
+            }
+            files.put(name, in.base64(1, MAX_FILE_BYTES));
+        }
     }
 
     /** Whether the init that was read asks what becomes of it. */

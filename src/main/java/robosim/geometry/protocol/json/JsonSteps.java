@@ -25,13 +25,14 @@ final class JsonSteps {
     private static final Fields STEP = Fields.of("type seconds", "bodies commands");
     private static final Fields BODY = Fields.of(
             "objectName",
-            "mass inertia restitution staticFriction slidingFriction damping turnDamping maxSpeed maxTurn"
+            "mass inertia restitution staticFriction slidingFriction damping turnDamping maxSpeed maxTurn~"
                     + " floorFriction drive velocity");
     private static final int MAX_SPEED = BODY.indexOf("maxSpeed");
     private static final int FLOOR = BODY.indexOf("floorFriction");
     private static final int DRIVE = BODY.indexOf("drive");
-    private static final Fields DRIVES = Fields.of("kind", "base maxSpeed maxAcceleration maxTurn maxTurnAcceleration");
-    private static final Fields COMMAND = Fields.of("objectName", "forward right turn");
+    private static final Fields DRIVES =
+            Fields.of("kind", "base maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~");
+    private static final Fields COMMAND = Fields.of("objectName", "forward right turn~");
     private static final Fields VELOCITY = Fields.of("x y z ry", "");
     private static final Fields ANSWER = Fields.of("type bodies contacts stopped refused", "");
     private static final Fields PLACED = Fields.of("objectName center heading velocity", "rotation");

@@ -55,7 +55,8 @@ import robosim.geometry.world.WorldObject;
  * @param sonars         number of sensors in all rings
  * @param outside        objects that extend beyond the world's bounds; they are ignored in the rest of the check
  * @param overlaps       pairs in contact: all with a moveable object, and the first ones of two static objects
- * @param staticOverlaps number of pairs of static objects in contact, including those in {@code overlaps}
+ * @param staticOverlaps number of pairs of static objects in contact, including those in {@code overlaps}; {@link #MOST_COUNTED}
+ *                       for that many or more
  * @param rooms          groups of robots that can reach each other; the first room has the most
  * @param needs          which accuracy and dimension are sufficient
  */
@@ -74,6 +75,9 @@ public record WorldCheck(
 
     /** Maximum number of pairs of static objects in {@code overlaps}. */
     public static final int MAX_STATIC_OVERLAPS = 100;
+
+    /** Maximum number of pairs of static objects that are counted. */
+    public static final int MOST_COUNTED = 100_000;
 
     /** Copies the collections. */
     public WorldCheck {

@@ -22,6 +22,7 @@ import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.Problem;
@@ -104,8 +105,8 @@ class JsonBatchesTest {
         Reply frames = new Reply(BatchSamples.frames().get(1));
         assertThat(JsonLines.readReply(JsonLines.write(frames))).isEqualTo(frames);
         assertThat(JsonLines.write(frames))
-                .contains(
-                        "\"names\":[\"\",\"wall \u00e9\"],\"objects\":\"AQAAAP////8AAAAA\",\"labels\":\"////fwAAAAAHAAAA\"");
+                .contains("\"names\":[\"\",\"wall"
+                        + " \u00e9\"],\"objects\":\"AQAAAP////8AAAAA\",\"labels\":\"////fwAAAAAHAAAA\"");
         assertThat(JsonLines.write(new Reply(new BatchAnswerBundle(List.of(new NoAnswer())))))
                 .isEqualTo(answers("{\"error\":\"no answer\"}"));
         assertThatThrownBy(() -> JsonLines.write(BatchSamples.answers())).isInstanceOf(IllegalArgumentException.class);
@@ -186,7 +187,8 @@ class JsonBatchesTest {
                 return super.read(into, at, Math.min(length, 997));
             }
         };
-        JsonCodec codec = JsonCodec.open(slow, new ByteArrayOutputStream(), MessagePace.NONE, Gate.OPEN, reason -> {});
+        JsonCodec codec = JsonCodec.open(
+                slow, new ByteArrayOutputStream(), MessagePace.NONE, Gate.OPEN, InitBundle.Loader.NONE, reason -> {});
         assertThat(codec.read()).isEqualTo(bundle);
         assertThat(codec.read()).isNull();
     }
@@ -198,7 +200,8 @@ class JsonBatchesTest {
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
-                        "must be sense, poses, edges, picture, world, pose, place, add, remove, move, moveToContact, moveAndSlide or list (got: \"x\")"),
+                        "must be sense, poses, edges, picture, world, pose, place, add, remove, move, moveToContact,"
+                                + " moveAndSlide or list (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),
@@ -311,7 +314,8 @@ class JsonBatchesTest {
         String many = "{\"kind\":\"poses\",\"objectName\":\"r\",\"poses\":\"" + largest + "\"}";
         assertThatThrownBy(() -> JsonLines.readRequest(batch(many + "," + one)))
                 .hasMessageContaining(
-                        "requests must have at most 262144 poses, edges and requests of other kinds together (got: 262145)");
+                        "requests must have at most 262144 poses, edges and requests of other kinds together (got:"
+                                + " 262145)");
         String half = "{\"kind\":\"sense\",\"objectName\":\"r\",\"pattern\":"
                 + "{\"kind\":\"fan\",\"first\":0,\"step\":0,\"count\":524288}}";
         assertThat(((BatchRequestBundle) JsonLines.readRequest(batch(half + "," + half))).size())

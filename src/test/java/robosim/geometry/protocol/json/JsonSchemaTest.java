@@ -97,6 +97,33 @@ class JsonSchemaTest {
             "{\"type\":\"ping\",\"id\":\"x\"}",
             "{\"type\":\"ping\",\"id\":17}");
 
+    /** Angles and speeds of turning whose names have their unit. */
+    private static final List<String> WITH_UNITS = List.of(
+            "{\"type\":\"step\",\"seconds\":1,\"bodies\":[{\"objectName\":\"r\",\"maxTurnRadians\":2,\"drive\":{\"kind\":"
+                + "\"omnidirectional\",\"maxTurnRadians\":1,\"maxTurnAccelerationRadians\":3}}],\"commands\":[{"
+                + "\"objectName\":\"r\",\"turnRadians\":0.5}]}",
+            "{\"type\":\"batch\",\"requests\":[{\"kind\":\"move\",\"objectName\":\"r\",\"rxRadians\":1,\"ryRadians\":2},"
+                + "{\"kind\":\"moveToContact\",\"objectName\":\"r\",\"ryRadians\":2},{\"kind\":\"place\",\"objectName\":"
+                + "\"r\",\"center\":[0,0,0],\"headingRadians\":1},{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{"
+                + "\"place\":[0,0,0],\"headingRadians\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,"
+                + "\"count\":2},\"motion\":{\"duration\":1,\"ryRadians\":1}}]}");
+
+    @Test
+    void aNameWithItsUnitIsTheSameField() throws IOException {
+        for (String line : WITH_UNITS) {
+            String without = line.replace("Radians", "");
+            assertThat(JsonLines.readRequest(line)).isEqualTo(JsonLines.readRequest(without));
+            assertThat(toModule.validate(MAPPER.readTree(without))).isEmpty();
+        }
+        for (String twice : List.of(
+                WITH_UNITS.get(0).replace("\"turnRadians\"", "\"turn\":1,\"turnRadians\""),
+                WITH_UNITS.get(0).replace("\"seconds\"", "\"secondsRadians\""),
+                WITH_UNITS.get(1).replace("\"rxRadians\"", "\"xRadians\""))) {
+            assertThat(refusal(twice)).as(twice).isNotNull();
+            assertThat(toModule.validate(MAPPER.readTree(twice))).isNotEmpty();
+        }
+    }
+
     private final Schema toModule = schema("toModule");
     private final Schema fromModule = schema("fromModule");
 
@@ -135,10 +162,13 @@ class JsonSchemaTest {
                 + "\"height\":1,\"length\":1,\"heading\":0.5}],\"settings\":{\"dimension\":\"SPATIAL\"}}");
         lines.add(
                 "{\"type\":\"batch\",\"requests\":[{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{\"place\":[0,0,0],"
-                        + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
-                        + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
+                    + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
+                    + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
+        lines.addAll(WITH_UNITS);
         lines.add("{\"type\":\"sonars\",\"requests\":[],\"id\":\"a name\"}");
+        lines.add(
+                "{\"type\":\"load\",\"file\":\"a\",\"files\":{\"a\":\"/wM=\"},\"named\":true,\"settings\":{\"width\":4}}");
         lines.add("{\"id\":-7,\"type\":\"moves\",\"moves\":[]}");
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         return lines;
@@ -175,6 +205,7 @@ class JsonSchemaTest {
                 Gate.OPEN);
         List<String> refusals = new ArrayList<>();
         channel.onWrongRequest(refusals::add);
+        channel.loadBy(load -> new InitBundle.Loaded(List.of(new InitBundle(List.of())), 1, List.of()));
         try {
             channel.read();
         } catch (ProtocolException e) {
@@ -319,6 +350,9 @@ class JsonSchemaTest {
             "boundingVolume",
             "refused",
             "heading",
+            "headingRadians",
+            "turn",
+            "ry",
             "answer",
             "object",
             "obstacle",

@@ -431,6 +431,21 @@ class WorldCheckTest {
                 overlaps.found().stream().filter(o -> !o.isStart()).count());
     }
 
+    /** Of static objects in one place, whose pairs grow with the square of their number, so many are counted and no more. */
+    @Test
+    void ofManyStaticObjectsInOnePlaceNotAllPairsAreCounted() {
+        GeometryObject[] objects = new GeometryObject[20_002];
+        objects[0] = new CylinderObject(new Point(6, 0, 6), 0.3, 1).moveable("first");
+        for (int k = 1; k <= 20_000; k++) {
+            objects[k] = new BoxObject(new Point(k * 1e-6, 0, 0), 1, 1, 1);
+        }
+        objects[20_001] = new CylinderObject(new Point(6, 0, 6.5), 0.3, 1).moveable("second");
+        Overlaps overlaps = new Overlaps(world(Dimension.PLANAR, objects), (work, done, total) -> {});
+        assertThat(overlaps.staticCount()).isEqualTo(WorldCheck.MOST_COUNTED);
+        assertThat(overlaps.found()).hasSize(WorldCheck.MAX_STATIC_OVERLAPS + 1);
+        assertThat(overlaps.found().stream().filter(Overlap::isStart)).hasSize(1);
+    }
+
     @Test
     void planarIsProvenWhereAllReachTheRobotsHeight() {
         WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL, wall(3, 0, 1, 8), drum("a", 0, 0, 0.5)));

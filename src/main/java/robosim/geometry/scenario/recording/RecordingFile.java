@@ -1,4 +1,4 @@
-package robosim.geometry.scenario;
+package robosim.geometry.scenario.recording;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -8,11 +8,11 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /** A new file that can be truncated to the last complete line if the disk becomes full within another. */
-class RecordingFile extends OutputStream {
+public class RecordingFile extends OutputStream {
     private final FileChannel file;
 
     /** Creates the file, which must not exist. */
-    RecordingFile(Path place) throws IOException {
+    public RecordingFile(Path place) throws IOException {
         file = FileChannel.open(place, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
     }
 
@@ -30,7 +30,7 @@ class RecordingFile extends OutputStream {
     }
 
     /** Truncates the file to a number of bytes. */
-    void cutTo(long bytes) throws IOException {
+    public void cutTo(long bytes) throws IOException {
         file.truncate(bytes);
     }
 

@@ -1,4 +1,4 @@
-package robosim.geometry.scenario;
+package robosim.geometry.scenario.recording;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
@@ -9,34 +9,37 @@ import java.util.zip.CRC32;
  * the digits of the line before, none for the first, and then of the bytes of the line without that field, in UTF-8. So it
  * tells a line that was altered, and lines that are missing before it.
  */
-final class Checksums {
+public final class Checksums {
     private static final String BEGIN = ",\"crc\":\"";
     private static final String END = "\"}";
     private static final int DIGITS = 8;
 
     /** The number of characters that a checksum adds to a line. */
-    static final int LENGTH = BEGIN.length() + DIGITS + END.length() - 1;
+    public static final int LENGTH = BEGIN.length() + DIGITS + END.length() - 1;
 
     private String last = "";
 
+    /** For the first line. */
+    public Checksums() {}
+
     /** A line, which is an object that is not empty, with its checksum. */
-    String seal(String line) {
+    public String seal(String line) {
         last = digits(line);
         return line.substring(0, line.length() - 1) + BEGIN + last + END;
     }
 
     /** Whether a line has a checksum. */
-    static boolean isSealed(String line) {
+    public static boolean isSealed(String line) {
         return line.endsWith(END) && line.startsWith(BEGIN, line.length() - LENGTH - 1);
     }
 
     /** A sealed line without its checksum. */
-    static String open(String line) {
+    public static String open(String line) {
         return line.substring(0, line.length() - LENGTH - 1) + "}";
     }
 
     /** Whether a line is as it was sealed, and after the same one. The next one is expected to follow it in any case. */
-    boolean isRight(String line) {
+    public boolean isRight(String line) {
         if (!isSealed(line)) {
             return false;
         }
@@ -47,11 +50,12 @@ final class Checksums {
     }
 
     /** What {@link #restore} takes to forget the lines sealed since. */
-    String state() {
+    public String state() {
         return last;
     }
 
-    void restore(String state) {
+    /** Goes back to an earlier {@link #state}: the lines sealed since were not written. */
+    public void restore(String state) {
         last = state;
     }
 

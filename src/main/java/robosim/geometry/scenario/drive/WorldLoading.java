@@ -1,0 +1,172 @@
+package robosim.geometry.scenario.drive;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.net.session.Opening;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.world.ImportOptions;
+import robosim.geometry.world.Skipped;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldException;
+import robosim.geometry.world.WorldImport;
+import robosim.geometry.world.WorldObject;
+
+/**
+ * Reads world files for the peers of a server: what they send, and what they name within one folder. What is sent is kept in
+ * a temporary folder while it is read, and nothing outside of it is opened.
+ */
+public final class WorldLoading implements InitBundle.Loader {
+    private final @Nullable Path folder;
+    private final ImportOptions options;
+
+    private WorldLoading(@Nullable Path folder, ImportOptions options) {
+        this.folder = folder;
+        this.options = options;
+    }
+
+    /**
+     * Reads what peers send, and the files of a folder and its subfolders.
+     *
+     * @param folder null for none
+     * @param models folders of models, as in {@link ImportOptions}
+     */
+    public static WorldLoading of(@Nullable Path folder, List<Path> models) {
+        return new WorldLoading(folder, ImportOptions.DEFAULT.withModels(models));
+    }
+
+    @Override
+    public InitBundle.Loaded load(InitBundle.Load load) throws IOException {
+        Checks.present("load", load);
+        if (!load.files().isEmpty()) {
+            return sent(load);
+        }
+        if (folder == null) {
+            throw new IOException(
+                    "a file must be sent with its contents, in files, unless the module was given a folder of"
+                            + " worlds: serve --worlds DIR (got: " + Text.quoted(load.file()) + ")");
+        }
+        Path file = inside(folder, load.file());
+        if (!Files.exists(file) || !file.toRealPath().startsWith(folder.toRealPath())) {
+            throw new IOException("file must be in the folder of worlds that the module was given (got: "
+                    + Text.quoted(load.file()) + ")");
+        }
+        return read(load, folder, file);
+    }
+
+    private InitBundle.Loaded sent(InitBundle.Load load) throws IOException {
+        if (!load.files().containsKey(load.file())) {
+            throw new IOException("file must be one of the files sent (got: " + Text.quoted(load.file()) + ")");
+        }
+        Path place = Files.createTempDirectory("robosim-world");
+        try {
+            for (Map.Entry<String, byte[]> each : load.files().entrySet()) {
+                Path file = inside(place, each.getKey());
+                Files.createDirectories(Objects.requireNonNull(file.getParent()));
+                Files.write(file, each.getValue());
+            }
+            return read(load, place, inside(place, load.file()));
+        } finally {
+            remove(place);
+        }
+    }
+
+    private static void remove(Path place) throws IOException {
+        try (Stream<Path> all = Files.walk(place)) {
+            for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(each);
+            }
+        }
+    }
+
+    /** A path below a folder, by its names alone. */
+    private static Path inside(Path root, String name) throws IOException {
+        try {
+            Path file = root.resolve(name).normalize();
+            if (!Path.of(name).isAbsolute() && file.startsWith(root.normalize()) && !file.equals(root.normalize())) {
+                return file;
+            }
+        } catch (InvalidPathException e) {
+            throw new IOException("a file must be a relative path (got: " + Text.quoted(name) + ")", e);
+        }
+        throw new IOException(
+                "a file must be a relative path that stays in its folder (got: " + Text.quoted(name) + ")");
+    }
+
+    private InitBundle.Loaded read(InitBundle.Load load, Path root, Path file) throws IOException {
+        WorldImport read;
+        try {
+            read = WorldImport.read(file, options);
+        } catch (WorldException e) {
+            throw new IOException(shown(root, e.getMessage()), e);
+        }
+        World world = read.world();
+        List<GeometryObject> objects = new ArrayList<>(
+                world.objects().stream().map(WorldObject::object).toList());
+        if (load.isNaming()) {
+            name(objects);
+        }
+        List<Bundle> requests = new ArrayList<>(List.of(new InitBundle(objects, settings(world, load.settings()))));
+        List<BodyRequest> bodies = WorldBodies.of(world);
+        if (!bodies.isEmpty()) {
+            requests.add(new StepBundle(0, bodies, List.of()));
+        }
+        List<WorldAnswer.LeftOut> leftOut = new ArrayList<>();
+        for (Skipped each : read.skipped()) {
+            leftOut.add(new WorldAnswer.LeftOut(objects.size(), each.what(), shown(root, each.reason())));
+        }
+        return new InitBundle.Loaded(requests, Opening.of(requests).bytes(), leftOut);
+    }
+
+    /** Words without the folder in which the files are here, of which a peer knows nothing. */
+    private static String shown(Path root, @Nullable String words) {
+        return String.valueOf(words).replace(root.toAbsolutePath() + "/", "").replace(root + "/", "");
+    }
+
+    private static WorldSettings settings(World world, @Nullable WorldSettings given) {
+        WorldSettings own =
+                new WorldSettings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
+        return given == null
+                ? own
+                : new WorldSettings(
+                        given.width() > 0 ? given.width() : own.width(),
+                        given.height() > 0 ? given.height() : own.height(),
+                        given.length() > 0 ? given.length() : own.length(),
+                        given.dimension() == null ? own.dimension() : given.dimension(),
+                        given.accuracy() == null ? own.accuracy() : given.accuracy());
+    }
+
+    /** Names objects without a name by their kind and index, as in {@code box 3}. */
+    private static void name(List<GeometryObject> objects) {
+        Set<String> taken = new HashSet<>();
+        objects.stream().map(GeometryObject::name).filter(Objects::nonNull).forEach(taken::add);
+        for (int k = 0; k < objects.size(); k++) {
+            GeometryObject object = objects.get(k);
+            if (object.name() == null) {
+                String name = object.kind().word() + " " + k;
+                while (!taken.add(name)) {
+                    name += "'";
+                }
+                objects.set(k, object.named(name));
+            }
+        }
+    }
+}
