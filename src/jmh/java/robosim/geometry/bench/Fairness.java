@@ -35,7 +35,7 @@ import robosim.geometry.protocol.SonarRequestBundle;
  * one are processes of their own, on one machine, over loopback.
  *
  * <p>{@code mvn -q test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=robosim.geometry.bench.Fairness
- * -Dexec.args=""}; below two minutes. The arguments name attacks, all where there are none; {@code -Dseconds=10} for each,
+ * -Dexec.args=""}; four minutes. The arguments name attacks, all where there are none; {@code -Dseconds=10} for each,
  * {@code -Dserver.flags="-Xmx2g"} for the server's Java, {@code -Dserver.classes=old.jar} for the server of another build.
  */
 public final class Fairness {

@@ -5,9 +5,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Base64;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
+import java.util.function.IntFunction;
 
 /** What greedy peers do to a server, in JSON lines that are made beforehand, again and again until they are ended. */
 enum Greed {
@@ -44,7 +49,124 @@ enum Greed {
         byte[] request() {
             return join(List.of(world(700_000), sonars(1, "{\"objectName\":\"r\",\"xOffset\":%d,\"zOffset\":%d}")));
         }
+    },
+
+    /** 8 connections that ask for pictures of a million pixels of a hall of mirrors. */
+    PICTURES(8, 0, true) {
+        @Override
+        byte[] setting() {
+            return line("{\"type\":\"init\",\"settings\":{\"dimension\":\"SPATIAL\"},\"objects\":[", 400, k -> {
+                if (k == 0) {
+                    return ROBOT;
+                }
+                return String.format(
+                        Locale.ROOT,
+                        "{\"kind\":\"sphere\",\"center\":[%d,0,%d],\"radius\":0.9,\"material\":{\"mirror\":0.9}}",
+                        2 * (k % 20) + 1,
+                        2 * (k / 20) - 20);
+            });
+        }
+
+        @Override
+        byte[] request() {
+            return text("{\"type\":\"batch\",\"requests\":[{\"kind\":\"picture\",\"objectName\":\"r\",\"mirrors\":15,"
+                    + "\"pattern\":{\"kind\":\"pinhole\",\"width\":1024,\"height\":1024,\"fieldOfView\":1.5}}]}\n");
+        }
+    },
+
+    /** 8 connections that ask for depth images of 1024 x 1024 with objects and normals. */
+    FRAMES(8, 1000, true) {
+        @Override
+        byte[] request() {
+            return text("{\"type\":\"batch\",\"requests\":[{\"kind\":\"sense\",\"objectName\":\"r\",\"objects\":true,"
+                    + "\"normals\":true,\"pattern\":"
+                    + "{\"kind\":\"pinhole\",\"width\":1024,\"height\":1024,\"fieldOfView\":1.5}}]}\n");
+        }
+    },
+
+    /** 8 connections that let 3,000 bodies collide for a minute. */
+    STEPS(8, 0, true) {
+        @Override
+        byte[] setting() {
+            return line(
+                    "{\"type\":\"init\",\"objects\":[",
+                    3000,
+                    k -> String.format(
+                            Locale.ROOT,
+                            "{\"kind\":\"cylinder\",\"name\":\"b%d\",\"moveable\":true,\"center\":[%d,0,%d],\"radius\":0.3,\"height\":1}",
+                            k,
+                            k % 60,
+                            k / 60));
+        }
+
+        @Override
+        byte[] request() {
+            SplittableRandom random = new SplittableRandom(3);
+            return line(
+                    "{\"type\":\"step\",\"seconds\":60,\"bodies\":[",
+                    3000,
+                    k -> String.format(
+                            Locale.ROOT,
+                            "{\"objectName\":\"b%d\",\"mass\":1,\"floorFriction\":0,\"velocity\":{\"x\":%.3f,\"y\":0,\"z\":%.3f,\"ry\":0}}",
+                            k,
+                            random.nextDouble(-1, 1),
+                            random.nextDouble(-1, 1)));
+        }
+    },
+
+    /** 8 connections that ask about 100,000 edges at a time. */
+    EDGES(8, 1000, true) {
+        @Override
+        byte[] request() {
+            SplittableRandom random = new SplittableRandom(4);
+            ByteBuffer numbers = ByteBuffer.allocate(100_000 * 64).order(ByteOrder.LITTLE_ENDIAN);
+            for (int k = 0; k < 200_000; k++) {
+                numbers.putDouble(random.nextDouble(1, 2000)).putDouble(0);
+                numbers.putDouble(random.nextDouble(-2000, 2000)).putDouble(random.nextDouble(3));
+            }
+            return text("{\"type\":\"batch\",\"requests\":[{\"kind\":\"edges\",\"objectName\":\"r\",\"edges\":\""
+                    + Base64.getEncoder().encodeToString(numbers.array()) + "\"}]}\n");
+        }
+    },
+
+    /** 8 connections that move one family of slivers along the lines of z = x y a thousandth above the other family. */
+    HYPAR(8, 0, true) {
+        private static final int SLIVERS = 5000;
+
+        @Override
+        byte[] setting() {
+            return text("{\"type\":\"init\",\"settings\":{\"dimension\":\"SPATIAL\"},\"objects\":["
+                    + rulings(true, "", 0) + "," + rulings(false, "\"name\":\"r\",\"moveable\":true,", 1e-3) + "]}\n");
+        }
+
+        private static String rulings(boolean first, String name, double lift) {
+            StringBuilder vertices = new StringBuilder();
+            StringBuilder faces = new StringBuilder();
+            for (int i = 0; i < SLIVERS; i++) {
+                double t = -1 + 2.0 * i / (SLIVERS - 1);
+                for (int k = 0; k < 3; k++) {
+                    double s = k == 0 ? -1 : 1;
+                    double u = k == 2 ? t + 0.2 / SLIVERS : t;
+                    double x = first ? u : s;
+                    double z = first ? s : u;
+                    vertices.append(i + k == 0 ? "" : ",")
+                            .append(String.format(Locale.ROOT, "[%s,%s,%s]", x, x * z + lift, z));
+                }
+                faces.append(i == 0 ? "" : ",")
+                        .append(String.format(Locale.ROOT, "[%d,%d,%d]", 3 * i, 3 * i + 1, 3 * i + 2));
+            }
+            return "{\"kind\":\"mesh\"," + name + "\"vertices\":[" + vertices + "],\"faces\":[" + faces + "]}";
+        }
+
+        @Override
+        byte[] request() {
+            return text("{\"type\":\"moves\",\"moves\":"
+                    + "[{\"objectName\":\"r\",\"x\":0,\"y\":1e-5,\"z\":0,\"rx\":0,\"ry\":0}]}\n");
+        }
     };
+
+    private static final String ROBOT =
+            "{\"kind\":\"cylinder\",\"name\":\"r\",\"moveable\":true,\"center\":[0,0,0],\"radius\":0.2,\"height\":1}";
 
     private static final byte[] HELLO = "{\"type\":\"hello\",\"version\":1}\n".getBytes(StandardCharsets.UTF_8);
 
@@ -61,9 +183,14 @@ enum Greed {
     /** What is sent again and again, after the world. */
     abstract byte[] request();
 
+    /** What is sent once, before it: a world. */
+    byte[] setting() {
+        return world(Math.min(objects, 1000));
+    }
+
     /** Until the process is ended. */
     void begin(int port) {
-        byte[] world = world(Math.min(objects, 1000));
+        byte[] world = setting();
         byte[] request = request();
         for (int k = 0; k < connections; k++) {
             new Thread(() -> greed(port, world, request), "greedy").start();
@@ -115,8 +242,7 @@ enum Greed {
     private static byte[] world(int objects) {
         SplittableRandom random = new SplittableRandom(5);
         StringBuilder line = new StringBuilder(128 * objects).append("{\"type\":\"init\",\"objects\":[");
-        line.append(
-                "{\"kind\":\"cylinder\",\"name\":\"r\",\"moveable\":true,\"center\":[0,0,0],\"radius\":0.2,\"height\":1}");
+        line.append(ROBOT);
         for (int k = 1; k < objects; k++) {
             line.append(",{\"kind\":\"box\",\"center\":[")
                     .append(random.nextInt(1, 2000))
@@ -134,6 +260,19 @@ enum Greed {
             line.append(k == 0 ? "" : ",").append(String.format(form, random.nextInt(1, 99), random.nextInt(-9, 9)));
         }
         return line.append("]}\n").toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** A list of items, of which each is made from its number, and the end of its message. */
+    private static byte[] line(String beginning, int count, IntFunction<String> item) {
+        StringBuilder line = new StringBuilder(128 * count).append(beginning);
+        for (int k = 0; k < count; k++) {
+            line.append(k == 0 ? "" : ",").append(item.apply(k));
+        }
+        return text(line.append("]}\n").toString());
+    }
+
+    private static byte[] text(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 
     private static byte[] join(List<byte[]> parts) {

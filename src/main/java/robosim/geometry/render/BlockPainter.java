@@ -51,11 +51,18 @@ final class BlockPainter {
     private int[] skyRays = new int[0];
     private boolean[] asked = new boolean[0];
     private boolean[] seen = new boolean[0];
+    private Runnable pause = () -> {};
 
     BlockPainter(Geometry world) {
         this.world = world;
         surfaces = new Surfaces(world);
         illuminator = new Illuminator(world);
+    }
+
+    /** Runs something between two parts of a block, of which none has more rays than the block has samples. */
+    void pausing(Runnable between) {
+        pause = between;
+        illuminator.pausing(between);
     }
 
     boolean isOf(Geometry other) {
@@ -120,6 +127,7 @@ final class BlockPainter {
             boolean isLast = depth >= by.options().mirrors();
             askBack(by, isLast, depth);
             int rays = gather(isLast, shade != null && depth == 0 ? skyLight : light);
+            pause.run();
             world.castRays(mirrored, rays, met);
             follow(rays);
         }

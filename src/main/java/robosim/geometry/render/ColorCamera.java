@@ -267,7 +267,7 @@ public final class ColorCamera {
     /**
      * Takes a picture of a world, on the calling thread.
      *
-     * @param progress is told how many percent are done, now and then; what it throws ends the picture, and the frame has none
+     * @param progress is told how many percent are done, many times for each block; what it throws ends the picture, and the frame has none
      * @throws IllegalArgumentException if the world has no moveable object of the carrier's name
      */
     public void render(Geometry world, ColorFrame out, IntConsumer progress) {
@@ -277,9 +277,16 @@ public final class ColorCamera {
         BlockPainter painter = out.painter(world);
         SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
         painter.begin(this, shade);
-        for (int block = 0; block < plan.blocks(); block++) {
-            painter.paint(block, out.pixels());
-            progress.accept((int) (100L * (block + 1) / plan.blocks()));
+        int[] percent = {0};
+        painter.pausing(() -> progress.accept(percent[0])); // a block of many mirrors and lights takes long
+        try {
+            for (int block = 0; block < plan.blocks(); block++) {
+                painter.paint(block, out.pixels());
+                percent[0] = (int) (100L * (block + 1) / plan.blocks());
+                progress.accept(percent[0]);
+            }
+        } finally {
+            painter.pausing(() -> {});
         }
         for (int row = 0; shade != null && row < plan.height; row++) {
             shade.resolve(row, out.pixels());

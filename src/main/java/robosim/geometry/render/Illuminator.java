@@ -13,9 +13,20 @@ final class Illuminator {
     private int[] asker = new int[0];
     private double[] carried = new double[0];
     private long[] free = new long[0];
+    private Runnable pause = () -> {};
 
     Illuminator(Geometry world) {
         this.world = world;
+    }
+
+    /** Runs something between two parts of the work. */
+    void pausing(Runnable between) {
+        pause = between;
+    }
+
+    private void freeRays(int count) {
+        pause.run();
+        world.freeRays(rays, count, free);
     }
 
     /** Makes room for the points of a block. */
@@ -39,7 +50,7 @@ final class Illuminator {
                 count++;
             }
         }
-        world.freeRays(rays, count, free);
+        freeRays(count);
         for (int j = 0; j < count; j++) {
             if (isFree(j)) {
                 int at = 3 * asker[j];
@@ -70,7 +81,7 @@ final class Illuminator {
 
     /** Answers so many rays that were taken. */
     void look(int count) {
-        world.freeRays(rays, count, free);
+        freeRays(count);
     }
 
     /** The point of a ray. */
@@ -119,7 +130,7 @@ final class Illuminator {
                 SkyRays.way(first[k] + round, hits.normal, 3 * k, rays, at + 3);
                 rays[at + 6] = reach;
             }
-            world.freeRays(rays, hits.count, free);
+            freeRays(hits.count);
             for (int k = 0; k < hits.count; k++) {
                 seen[k] += isFree(k) ? 1 : 0;
             }
@@ -155,8 +166,9 @@ final class Illuminator {
             }
         }
         if (ignored == null) {
-            world.freeRays(rays, count, free);
+            freeRays(count);
         } else {
+            pause.run();
             world.freeRays(rays, count, ignored, free);
         }
         for (int j = 0; j < count; j++) {

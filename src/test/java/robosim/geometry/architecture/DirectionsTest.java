@@ -286,6 +286,8 @@ class DirectionsTest {
                                 && house(type).equals("junit"))
                         || (target.startsWith("org.snakeyaml.engine.")
                                 && type.getName().startsWith(ROOT + ".world.rosmap.MapSettings"))
+                        || (target.startsWith("com.sun.net.httpserver.")
+                                && type.getName().equals(ROOT + ".cli.network.AdminPort"))
                         || (target.startsWith("picocli.") && house(type).equals("cli"));
                 if (!known) {
                     wrong.add(type.getName() + " -> " + target);

@@ -8,6 +8,8 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Allocated;
@@ -39,6 +41,37 @@ class ColorCameraTest {
                 .at(Viewpoints.lookAt(new Point(2, 4, 6), new Point(0, 0.5, 0)))
                 .withSamples(samples)
                 .withSkyRays(samples == 2 ? 3 : 0, 2);
+    }
+
+    /** A picture of one block, in which mirrors and lights make most of the work: it gives way between them, and may end there. */
+    @Test
+    void aBlockGivesWayBetweenItsLightsAndItsMirrors() {
+        Geometry world = new Geometry(40, 40, 40);
+        Material mirror = Material.DEFAULT.withMirror(0.9);
+        world.addObject(new BoxObject(new Point(0, 0, -3), 10, 10, 1).withMaterial(mirror));
+        world.addObject(new BoxObject(new Point(0, 0, 3), 10, 10, 1).withMaterial(mirror));
+        List<Light> lamps = Collections.nCopies(5, new Light.Lamp(new Point(1, 1, 0.5), new Color(1, 1, 1), 1));
+        ColorCamera camera = ColorCamera.of(16, 16, 40)
+                .at(Viewpoints.lookAt(new Point(), new Point(0, 0.01, 3)))
+                .withMirrors(7)
+                .withLighting(new Lighting(Sky.NONE, lamps));
+        ColorFrame whole = new ColorFrame();
+        int[] breaks = {0};
+        camera.render(world, whole, percent -> breaks[0]++);
+        assertThat(breaks[0]).as("8 surfaces of 5 lights each").isGreaterThan(40);
+        for (int end : new int[] {1, 7, 23, 40}) {
+            ColorFrame frame = new ColorFrame();
+            int[] left = {end};
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> camera.render(world, frame, percent -> {
+                        if (--left[0] == 0) {
+                            throw new IllegalStateException("ended");
+                        }
+                    }));
+            assertThat(frame.width()).isZero();
+            camera.render(world, frame);
+            assertThat(frame.pixels()).isEqualTo(whole.pixels());
+        }
     }
 
     /** The same on each JVM: textures on round shapes go through StrictMath, all else through the four operations. */

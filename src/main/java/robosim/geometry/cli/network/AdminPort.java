@@ -159,19 +159,19 @@ final class AdminPort implements AutoCloseable {
         add(text, "requests_total", "counter", "Moves, distances, beams, poses, edges.", figures.getRequests());
         add(text, "moves_refused_total", "counter", "Moves that were not made.", figures.getRefusedMoves());
         add(text, "errors_total", "counter", "Connections closed because of an error.", figures.getErrors());
-        add(text, "heap_bytes", "gauge", "Memory in use.", (double) (java.totalMemory() - java.freeMemory()));
-        add(text, "heap_max_bytes", "gauge", "Memory that may be used.", (double) java.maxMemory());
+        add(text, "heap_bytes", "gauge", "Memory in use.", java.totalMemory() - java.freeMemory());
+        add(text, "heap_max_bytes", "gauge", "Memory that may be used.", java.maxMemory());
         head(text, "answer_seconds", "summary", "From a request that was read to its answer in the socket's queue.");
         quantile(text, "0.5", figures.getAnswerMicrosecondsP50());
         quantile(text, "0.99", figures.getAnswerMicrosecondsP99());
-        sample(text, "answer_seconds_sum", figures.getAnswerMicrosecondsInAll() / 1e6);
-        sample(text, "answer_seconds_count", figures.getAnswers());
+        sample(text, "answer_seconds_sum", seconds(figures.getAnswerMicrosecondsInAll()));
+        sample(text, "answer_seconds_count", Long.toString(figures.getAnswers()));
         return text.toString();
     }
 
-    private static void add(StringBuilder text, String name, String type, String help, double value) {
+    private static void add(StringBuilder text, String name, String type, String help, long value) {
         head(text, name, type, help);
-        sample(text, name, value);
+        sample(text, name, Long.toString(value));
     }
 
     private static void head(StringBuilder text, String name, String type, String help) {
@@ -180,12 +180,14 @@ final class AdminPort implements AutoCloseable {
     }
 
     private static void quantile(StringBuilder text, String quantile, double microseconds) {
-        sample(text, "answer_seconds{quantile=\"" + quantile + "\"}", microseconds / 1e6);
+        sample(text, "answer_seconds{quantile=\"" + quantile + "\"}", seconds(microseconds));
     }
 
-    private static void sample(StringBuilder text, String name, double value) {
-        boolean isWhole = value == Math.rint(value) && Math.abs(value) < 1e15;
-        String number = isWhole ? Long.toString((long) value) : String.format(Locale.ROOT, "%.9f", value);
+    private static String seconds(double microseconds) {
+        return String.format(Locale.ROOT, "%.9f", microseconds / 1e6);
+    }
+
+    private static void sample(StringBuilder text, String name, String number) {
         text.append("robosim_").append(name).append(' ').append(number).append('\n');
     }
 

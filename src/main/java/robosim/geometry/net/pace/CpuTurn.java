@@ -36,6 +36,9 @@ public final class CpuTurn {
     /** When it last began to compute. */
     long since;
 
+    /** The processor time of its thread at that moment, or shortly after; negative until that is known. */
+    private volatile long cpuSince = -1;
+
     boolean isLent;
     boolean isBrief;
     boolean countsAsHeavy;
@@ -117,6 +120,7 @@ public final class CpuTurn {
             interrupted |= Thread.interrupted();
             turns.lend(this);
         }
+        cpuSince = turns.cpuTime();
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
@@ -156,12 +160,21 @@ public final class CpuTurn {
         return Math.max(usual, burst);
     }
 
-    void computed(long nanos) {
+    /**
+     * Ends a turn, on its own thread. What counts is the processor time: how long others on the machine have kept the thread
+     * waiting says nothing about the connection.
+     */
+    void computed(long now) {
+        long nanos = cpuSince < 0 ? now - since : turns.cpuTime() - cpuSince;
         burst += nanos;
+        if (isLent && nanos >= CpuTurns.PATIENCE_NANOS) {
+            heavy(); // it did not give way in time
+        }
     }
 
     void begin(long now) {
         since = now;
+        cpuSince = -1;
         state = State.RUNNING;
         countsAsHeavy = isHeavy();
         isBrief = need() < CpuTurns.SHORT_NANOS && !countsAsHeavy;

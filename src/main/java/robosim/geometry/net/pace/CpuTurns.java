@@ -1,5 +1,7 @@
 package robosim.geometry.net.pace;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongSupplier;
@@ -10,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * peer to send or to receive bytes does not count as computing.
  *
  * <ul>
- *   <li>The need of a connection is the time it has computed since it was last idle, or the average of earlier such
+ *   <li>The need of a connection is the processor time it has used since it was last idle, or the average of earlier such
  *       bursts, whichever is more. Below a millisecond it is short, else long.
  *   <li>There are as many turns for short work as processors, and as many for long work. So short requests need not
  *       wait until a long one gives way; which of the two runs is left to the operating system, which prefers threads
@@ -40,6 +42,7 @@ public final class CpuTurns {
     private final int most;
     private final int mostHeavy;
     private final LongSupplier clock;
+    private final LongSupplier cpu;
     private final List<CpuTurn> waiting = new ArrayList<>();
     private final List<CpuTurn> running = new ArrayList<>();
 
@@ -55,14 +58,44 @@ public final class CpuTurns {
 
     /** Takes the number of turns of each sort, and a clock like {@link System#nanoTime}. */
     public CpuTurns(int most, LongSupplier clock) {
+        this(most, clock, clock);
+    }
+
+    /** Takes also a clock of the processor time of the calling thread. */
+    CpuTurns(int most, LongSupplier clock, LongSupplier cpu) {
         this.most = most;
+        this.cpu = cpu;
         this.mostHeavy = Math.max(1, most - 1);
         this.clock = clock;
     }
 
     /** As many turns as there are processors. */
     public static CpuTurns ofThisMachine() {
-        return new CpuTurns(Runtime.getRuntime().availableProcessors(), System::nanoTime);
+        return new CpuTurns(Runtime.getRuntime().availableProcessors(), System::nanoTime, ofThread());
+    }
+
+    /** The processor time of the calling thread; where it is not known, the time. */
+    private static LongSupplier ofThread() {
+        try {
+            return Threads.cpuTime();
+        } catch (NoClassDefFoundError e) {
+            return System::nanoTime; // there is no java.management
+        }
+    }
+
+    /** The only class that needs java.management, so that the others load without it. */
+    private static final class Threads {
+        private Threads() {}
+
+        static LongSupplier cpuTime() {
+            ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+            boolean isKnown = threads.isCurrentThreadCpuTimeSupported() && threads.isThreadCpuTimeEnabled();
+            return isKnown ? threads::getCurrentThreadCpuTime : System::nanoTime;
+        }
+    }
+
+    long cpuTime() {
+        return cpu.getAsLong();
     }
 
     /** The turn of one connection, not held yet. */
@@ -100,7 +133,7 @@ public final class CpuTurns {
         if (!running.remove(turn)) {
             return;
         }
-        turn.computed(clock.getAsLong() - turn.since);
+        turn.computed(clock.getAsLong());
         count(turn, -1);
         turn.isLent = false;
     }
@@ -170,7 +203,6 @@ public final class CpuTurns {
                 count(turn, -1);
                 turn.isLent = true;
                 count(turn, 1);
-                turn.heavy();
             }
         }
         grant();

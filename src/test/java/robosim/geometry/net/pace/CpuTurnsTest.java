@@ -114,6 +114,42 @@ class CpuTurnsTest {
         assertThat(healthy.done).isGreaterThan(1_500);
     }
 
+    /** On a machine that is busy with other things a short question takes long, and stays a short question. */
+    @Test
+    void whatTheMachineDoesElseMakesNobodyHeavy() {
+        AtomicLong processor = new AtomicLong(1);
+        CpuTurns turns = new CpuTurns(1, now::get, processor::get);
+        CpuTurn healthy = turns.turn();
+        CpuTurn other = turns.turn();
+        for (CpuTurn each : List.of(healthy, other, healthy, other, healthy, other, healthy, other)) {
+            each.take(); // by now both are known for short questions
+            processor.addAndGet(BREATH);
+            each.give();
+            each.rest();
+        }
+        for (int k = 0; k < 10; k++) {
+            healthy.take();
+            turns.ask(other);
+            assertThat(other.isWaiting()).isTrue();
+            now.addAndGet(30 * MILLI); // off the processor
+            turns.lend(other);
+            assertThat(healthy.isLent).isTrue();
+            processor.addAndGet(BREATH);
+            healthy.give();
+            healthy.rest();
+            turns.leave(other);
+        }
+        assertThat(healthy.need()).isLessThan(CpuTurns.SHORT_NANOS);
+        assertThat(healthy.isHeavy()).isFalse();
+        healthy.take();
+        turns.ask(other);
+        now.addAndGet(30 * MILLI);
+        processor.addAndGet(30 * MILLI); // on it
+        turns.lend(other);
+        healthy.give();
+        assertThat(healthy.isHeavy()).isTrue();
+    }
+
     @Test
     void aNewcomerWaitsForFewSlices() {
         CpuTurns turns = new CpuTurns(2, now::get);
