@@ -28,6 +28,8 @@ public final class Main {
             "javax/",
             "This needs a part of Java that this Java runtime lacks: use a full JDK or JRE");
 
+    private static final long USUAL_GIGABYTES = 4;
+
     private Main() {}
 
     /**
@@ -64,8 +66,9 @@ public final class Main {
         } catch (NoClassDefFoundError missing) {
             err.println(sentence(missing));
         } catch (OutOfMemoryError full) {
-            err.println("Not enough memory; give Java more, as in java -Xmx4g -jar ..., or use a smaller input"
-                    + " (got: " + full.getMessage() + ")");
+            err.println("Not enough memory; give Java more, as in java -Xmx"
+                    + moreGigabytes(Runtime.getRuntime().maxMemory())
+                    + "g -jar ..., or use a smaller input (got: " + full.getMessage() + ")");
         } catch (StackOverflowError deep) {
             err.println("The input is nested too deep; give Java a larger stack, as in java -Xss64m -jar ... (got: "
                     + deep + ")");
@@ -74,6 +77,11 @@ public final class Main {
             err.println("Unexpected error; please report it (got: " + other + ")");
         }
         return ExitCodes.UNUSABLE;
+    }
+
+    /** Twice as much as there is, in gigabytes, and no less than is usually enough. */
+    static long moreGigabytes(long most) {
+        return Math.max(USUAL_GIGABYTES, (most >> 30) * 2 + 2);
     }
 
     /** What to do about a missing class. */

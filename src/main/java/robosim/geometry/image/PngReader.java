@@ -202,7 +202,8 @@ public final class PngReader {
         }
         isInterlaced = header[12] == 1;
         if ((long) width * channels() * bits > 8L * MOST_BYTES) {
-            throw new IOException("a row of an image must have at most " + MOST_BYTES + " bytes (got: more)");
+            throw new IOException("a row of an image must have at most " + MOST_BYTES
+                    + " bytes; split it in several files, or simplify what is in it (got: more)");
         }
     }
 

@@ -8,10 +8,13 @@ import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.extension.ExtensionConfigurationException;
 import org.junit.platform.commons.support.ReflectionSupport;
 import robosim.geometry.Geometry;
+import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldReader;
 
 /** Creates the world that an annotation names. */
@@ -22,7 +25,7 @@ final class WorldFile {
         Path file = Path.of(name);
         try {
             if (Files.exists(file)) {
-                return WorldReader.read(file);
+                return read(file);
             }
             URL resource = resource(name, test);
             if (resource == null) {
@@ -33,13 +36,27 @@ final class WorldFile {
                                 + ")");
             }
             if (resource.getProtocol().equals("file")) { // so that its meshes are found relative to it
-                return WorldReader.read(Path.of(resource.toURI()));
+                return read(Path.of(resource.toURI()));
             }
             try (InputStream in = resource.openStream()) {
                 return WorldReader.read(in, name, null);
             }
         } catch (IOException | URISyntaxException | IllegalArgumentException e) {
             throw new ExtensionConfigurationException("the world of @World cannot be had: " + e.getMessage(), root(e));
+        }
+    }
+
+    /** A world, or all that is wrong with it. */
+    private static robosim.geometry.world.World read(Path file) throws WorldException {
+        try {
+            return WorldReader.read(file);
+        } catch (WorldException first) {
+            List<WorldException> problems = WorldReader.problems(file);
+            if (problems.size() < 2) {
+                throw first;
+            }
+            String all = problems.stream().map(Throwable::getMessage).collect(Collectors.joining("\n"));
+            throw new IllegalArgumentException(all, first);
         }
     }
 

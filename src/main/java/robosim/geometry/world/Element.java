@@ -52,6 +52,10 @@ final class Element {
     @Nullable
     BitSet occupied;
 
+    /** Which elements may be in it, in words; null before one that may not has been found. */
+    @Nullable
+    String allowed;
+
     /** Whether it or something in it was refused, so that no object can be made of it. */
     boolean broken;
 

@@ -303,7 +303,7 @@ final class ObjectBuilder {
         cells += (long) columns * rows;
         if (cells > Limits.MAX_CELLS) {
             throw new IllegalArgumentException("the grids of a world must have at most " + Limits.MAX_CELLS
-                    + " cells together (got: " + cells + ")");
+                    + " cells together; use larger cells (got: " + cells + ")");
         }
         try {
             return GridRuns.read(element.text, columns, rows);
@@ -321,7 +321,7 @@ final class ObjectBuilder {
             includedCells += (long) grid.columns() * grid.rows();
             if (includedCells > Limits.MAX_MAP_CELLS) {
                 throw new IllegalArgumentException("included grids must have at most " + Limits.MAX_MAP_CELLS
-                        + " cells together (got: " + includedCells + ")");
+                        + " cells together; use larger cells (got: " + includedCells + ")");
             }
         }
     }

@@ -39,6 +39,9 @@ final class SchemaErrors {
             Map.entry("dimension", "PLANAR or SPATIAL"),
             Map.entry("accuracy", "SPHERE, AABB, OBB, DOP or EXACT"));
 
+    /** Comes before the elements that may be in the place of another. */
+    static final String ALLOWED = "allowed here: ";
+
     private SchemaErrors() {}
 
     /** Whether an error only precedes another one that names the place. */
@@ -81,7 +84,7 @@ final class SchemaErrors {
     private static String misplaced(List<String> quoted, Element element) {
         String children = children(quoted);
         String where = element.parent == null ? "" : " in <" + element.parent.name + ">";
-        String remedy = children.isEmpty() ? "remove it" : "allowed here: " + children;
+        String remedy = children.isEmpty() ? "remove it" : ALLOWED + children;
         String namespace = element.namespace.equals(WorldWriter.NAMESPACE)
                 ? ""
                 : " of the namespace \"" + element.namespace + "\"";

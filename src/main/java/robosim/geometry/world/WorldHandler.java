@@ -136,20 +136,27 @@ final class WorldHandler extends DefaultHandler {
         for (int k = 0; k < attributes.getLength(); k++) {
             if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
                 throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
-                        + " characters (got: " + attributes.getValue(k).length() + ")");
+                        + " characters; shorten it (got: "
+                        + attributes.getValue(k).length() + ")");
             }
         }
         Element element = new Element(open, uri, name, attributes, line(), column());
         open = element;
         if (element.groups() > Limits.MAX_GROUPS) {
-            throw refusal("groups must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
+            throw refusal("groups must be nested at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
         if (ObjectBuilder.isObject(element) && ++count > Limits.MAX_OBJECTS) {
-            throw refusal("a world must have at most " + Limits.MAX_OBJECTS + " objects (got: more)");
+            throw refusal("a world must have at most " + Limits.MAX_OBJECTS
+                    + " objects; split it, or make one mesh of many (got: more)");
         }
         checkName(element);
+        String allowed = element.parent == null ? null : element.parent.allowed;
         validator.startElement(uri, name, qualified, attributes);
         flushDetail();
+        if (allowed != null && !element.broken && !allowed.contains("<" + name + ">")) {
+            // A validator reports the first wrong child of an element alone.
+            refuse("<" + name + "> is not allowed in <world>; " + allowed);
+        }
     }
 
     private void checkName(Element element) throws SAXException {
@@ -279,8 +286,8 @@ final class WorldHandler extends DefaultHandler {
             count += members(each.object());
             builder.countCells(each.object());
             if (count > Limits.MAX_OBJECTS) {
-                throw new IllegalArgumentException(
-                        "a world must have at most " + Limits.MAX_OBJECTS + " objects, included ones too (got: more)");
+                throw new IllegalArgumentException("a world must have at most " + Limits.MAX_OBJECTS
+                        + " objects, included ones too; leave some out, or make one mesh of many (got: more)");
             }
             String name = each.object().name();
             Integer earlier = name == null ? null : linesOfNames.putIfAbsent(name, element.line);
@@ -347,6 +354,11 @@ final class WorldHandler extends DefaultHandler {
         Element element = open;
         String problem = element == null ? String.valueOf(e.getMessage()) : SchemaErrors.explain(e, element);
         refuse(new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e));
+        boolean isInWorld = element != null && element.parent != null && element.parent.parent == null;
+        int allowed = problem.indexOf(SchemaErrors.ALLOWED);
+        if (isInWorld && allowed >= 0) {
+            element.parent.allowed = problem.substring(allowed);
+        }
     }
 
     private void refuse(String problem) throws SAXException {

@@ -127,6 +127,10 @@ public record WorldImport(
     }
 
     private static void refuseByName(Path file, String ending) throws WorldException {
+        String other = FileKind.byEnding(ending);
+        if (other != null) {
+            throw new WorldException(new FileProblem(file.toString(), 0, 0, other + " (got: ." + ending + ")"));
+        }
         switch (ending) {
             case "xacro" -> {
                 String name = String.valueOf(file.getFileName());

@@ -58,8 +58,8 @@ final class WorldMaterials {
     void define(Element element) {
         String name = element.attribute("name");
         if (byName.size() >= Limits.MAX_MATERIALS) {
-            throw new IllegalArgumentException(
-                    "a world must have at most " + Limits.MAX_MATERIALS + " materials (got: more)");
+            throw new IllegalArgumentException("a world must have at most " + Limits.MAX_MATERIALS
+                    + " materials; give the same one to more objects (got: more)");
         }
         Material plain = Material.DEFAULT;
         Material material = plain.withColor(color(element, "color", plain.color()))

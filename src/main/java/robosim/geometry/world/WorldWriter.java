@@ -135,7 +135,7 @@ public final class WorldWriter {
         }
         if (cells > Limits.MAX_CELLS) {
             throw new IllegalArgumentException("the grids of a world file must have at most " + Limits.MAX_CELLS
-                    + " cells together (got: " + cells + ")");
+                    + " cells together; use larger cells (got: " + cells + ")");
         }
         for (WorldObject object : world.objects()) {
             object(object.object(), object.color(), object.sonars(), object.body(), 1);
@@ -151,7 +151,7 @@ public final class WorldWriter {
             int depth) {
         if (depth > Limits.MAX_GROUPS + 1) {
             throw new IllegalArgumentException(
-                    "groups must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
+                    "groups must be nested at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
         String tag = object.kind().word();
         indent(depth).append('<').append(tag);
@@ -363,7 +363,7 @@ public final class WorldWriter {
     void attribute(String attribute, String value) {
         if (value.length() > Limits.MAX_ATTRIBUTE) {
             throw new IllegalArgumentException(attribute + " must have at most " + Limits.MAX_ATTRIBUTE
-                    + " characters (got: " + value.length() + ")");
+                    + " characters; shorten it (got: " + value.length() + ")");
         }
         out.append(' ').append(attribute).append("=\"");
         value.codePoints().forEach(c -> character(attribute, c));

@@ -228,7 +228,7 @@ final class XmlWorld implements WorldHandler.Includes {
         }
         if (open.size() > Limits.MAX_GROUPS) {
             throw new IllegalArgumentException(
-                    "files must be included at most " + Limits.MAX_GROUPS + " deep (got: one more)");
+                    "files must be included at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
         Found made;
         open.put(real, name);
@@ -236,7 +236,7 @@ final class XmlWorld implements WorldHandler.Includes {
             bytes += Files.isRegularFile(real) ? Files.size(real) : 0;
             if (bytes > Limits.MAX_INCLUDED_BYTES) {
                 throw new IllegalArgumentException("all included files must have at most " + Limits.MAX_INCLUDED_BYTES
-                        + " bytes together (got: more, with " + name + ")");
+                        + " bytes together; simplify some, or leave some out (got: more, with " + name + ")");
             }
             made = name.toLowerCase(Locale.ROOT).endsWith(".xml")
                     ? nested(real, name)

@@ -216,4 +216,15 @@ class CommandsTest {
     void aMissingLibraryIsToldWithItsRemedy(String missing, String remedy) {
         assertThat(Main.sentence(new NoClassDefFoundError(missing))).contains(remedy, "(missing: " + missing + ")");
     }
+
+    /** What is advised is more than what there is. */
+    @Test
+    void moreMemoryIsAdvisedAndNotLess() {
+        for (long gigabytes : new long[] {0, 1, 2, 4, 8, 31}) {
+            for (long most : new long[] {gigabytes << 30, (gigabytes << 30) + (1 << 29)}) {
+                assertThat(Main.moreGigabytes(most) << 30).isGreaterThan(most + (most >> 1));
+                assertThat(Main.moreGigabytes(most)).isGreaterThanOrEqualTo(4);
+            }
+        }
+    }
 }

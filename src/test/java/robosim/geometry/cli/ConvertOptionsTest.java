@@ -71,4 +71,65 @@ class ConvertOptionsTest extends CommandRun {
             assertThat(WorldReader.read(outer).dimension()).hasToString(dimension);
         }
     }
+
+    /** A command that needs a world lists all that is wrong with its file, as check does. */
+    @Test
+    void allProblemsAreListed() throws IOException {
+        Path file = Files.writeString(folder.resolve("both.xml"), """
+                <world xmlns="urn:robosim:world:1" width="10" height="2" length="10">
+                  <wall center="0 0 -4" width="9" height="1" length="0.1"/>
+                  <cylinder name="a" radius="0.2" hight="1"/>
+                  <ball radius="1"/>
+                </world>
+                """);
+        for (String[] command : new String[][] {
+            {"convert", file.toString(), folder.resolve("o.xml").toString()},
+            {"drive", file.toString()},
+            {"add", file.toString(), folder.resolve("o.xml").toString(), "disc:0.3@0,0"}
+        }) {
+            err.getBuffer().setLength(0);
+            assertThat(run((Object[]) command)).isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString().lines().filter(line -> line.startsWith(file + ":")))
+                    .as(command[0])
+                    .satisfiesExactly(
+                            wall -> assertThat(wall).contains(":2:", "<wall> is not allowed"),
+                            hight -> assertThat(hight).contains(":3:", "hight"),
+                            height -> assertThat(height).contains(":3:", "height"),
+                            ball -> assertThat(ball).contains(":4:", "<ball> is not allowed"));
+        }
+    }
+
+    /** Robots that stand on nothing are reported; in this world it is the ground that is missing. */
+    @Test
+    void fallsAreReported() throws IOException {
+        Path lab = Files.writeString(folder.resolve("lab.sdf"), """
+                <sdf version='1.6'><world name='w'><model name='m'><static>1</static><pose>2 0 0.5 0 0 0</pose><link name='l'>
+                <collision name='c'><geometry><box><size>0.1 4 1</size></box></geometry></collision></link></model>
+                </world></sdf>
+                """);
+        Path world = folder.resolve("lab.xml");
+        assertThat(run("add", lab, world, "scout=disc:0.2x0.3@0,0"))
+                .as(err.toString())
+                .isZero();
+        assertThat(err.toString())
+                .containsPattern(
+                        "warning: \"scout\" stands on nothing: where bodies move it falls .* to the lower border");
+        assertThat(run("check", world)).as(out.toString()).isZero();
+        assertThat(out.toString()).contains("falls     \"scout\" stands on nothing: ", "verdict   fine");
+        assertThat(run("check", "--json", world)).isZero();
+        assertThat(out.toString()).containsPattern("\"falls\":\\[\\{\"robot\":\"scout\",\"drop\":");
+        Files.writeString(
+                lab,
+                Files.readString(lab)
+                        .replace("</world>", "<include><uri>model://ground_plane</uri></include></world>"));
+        err.getBuffer().setLength(0);
+        assertThat(run("add", lab, world, "scout=disc:0.2x0.3@0,0"))
+                .as(err.toString())
+                .isZero();
+        assertThat(err.toString()).doesNotContain("falls");
+        assertThat(run("check", world)).as(out.toString()).isZero();
+        out.getBuffer().setLength(0);
+        assertThat(run("check", "--json", world)).isZero();
+        assertThat(out.toString()).contains("\"falls\":[]");
+    }
 }

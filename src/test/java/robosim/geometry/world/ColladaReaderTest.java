@@ -269,11 +269,11 @@ class ColladaReaderTest {
                         "",
                         "<polygons><input semantic=\"VERTEX\" offset=\"0\"/><p>" + corners + "</p></polygons>",
                         scene(node("")))))
-                .hasMessageContaining("a polygon must have at most 1000 corners (got: 1200)");
+                .hasMessageContaining("a polygon must have at most 1000 corners; cut it into smaller ones (got: 1200)");
         assertThatThrownBy(() -> read(dae("", TRIANGLES, scene("<node>".repeat(300)))))
                 .hasMessageContaining("elements must be nested at most 200 deep");
         assertThatThrownBy(() -> read(dae("", TRIANGLES, scene("<node name=\"" + "x".repeat(1001) + "\"/>"))))
-                .hasMessageContaining("name of <node> must have at most 1000 characters (got: 1001)");
+                .hasMessageContaining("name of <node> must have at most 1000 characters; shorten it (got: 1001)");
         String digits = dae("", TRIANGLES, scene(node(""))).replace("1 1 0<", "1 1 " + "0".repeat(3_000_000) + "<");
         assertThatThrownBy(() -> read(digits)).hasMessageContaining("a number must be decimal and finite");
         String endless = "0 ".repeat(20_000_001);

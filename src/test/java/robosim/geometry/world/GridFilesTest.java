@@ -152,19 +152,20 @@ class GridFilesTest {
         long before = threads.getCurrentThreadAllocatedBytes();
         assertThatThrownBy(() -> read("<grid cell='1' height='1' columns='268435456' rows='1'>1 268435455</grid>"))
                 .hasMessageContaining(
-                        "the grids of a world must have at most 16777216 cells together (got: 268435456)");
+                        "the grids of a world must have at most 16777216 cells together; use larger cells (got: 268435456)");
         assertThatThrownBy(() -> read("<grid cell='1' height='1' columns='2147483647' rows='2147483647'>1 1</grid>"))
-                .hasMessageContaining("at most 16777216 cells together (got: 4611686014132420609)");
+                .hasMessageContaining("at most 16777216 cells together; use larger cells (got: 4611686014132420609)");
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000_000);
         String half = "<grid cell='0.001' height='1' columns='8388609' rows='1'>1 8388608</grid>";
         assertThatThrownBy(() -> read(half + half))
-                .hasMessageContaining("at most 16777216 cells together (got: 16777218)");
+                .hasMessageContaining("at most 16777216 cells together; use larger cells (got: 16777218)");
         BitSet one = new BitSet();
         one.set(7);
         GridObject large = new GridObject(new Point(), 0.001, 1, 8_388_609, 1, one);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> WorldWriter.toXml(worldOf(large, large)))
-                .withMessage("the grids of a world file must have at most 16777216 cells together (got: 16777218)");
+                .withMessage(
+                        "the grids of a world file must have at most 16777216 cells together; use larger cells (got: 16777218)");
     }
 
     @Test

@@ -143,7 +143,7 @@ class HostileFilesTest {
         }
         refused(
                 file("faces.obj", round + (face + "\n").repeat(500_001)),
-                ":500013: a file must have at most 5000000 faces, cut into triangles (got: more)");
+                ":500013: a file must have at most 5000000 faces, cut into triangles; simplify or split it (got: more)");
     }
 
     @ParameterizedTest

@@ -205,12 +205,13 @@ class IncludeTest {
             world(k + ".xml", one, one);
         }
         assertThatThrownBy(() -> WorldReader.read(folder.resolve("40.xml")))
-                .hasMessageContaining("a world must have at most 200000 objects, included ones too (got: more)");
+                .hasMessageContaining(
+                        "a world must have at most 200000 objects, included ones too; leave some out, or make one mesh of many (got: more)");
         for (int k = 1; k <= 60; k++) {
             world("c" + k + ".xml", k == 60 ? "" : "<include file=\"c" + (k + 1) + ".xml\"/>");
         }
         assertThatThrownBy(() -> WorldReader.read(folder.resolve("c1.xml")))
-                .hasMessageContaining("files must be included at most 50 deep (got: one more)");
+                .hasMessageContaining("files must be included at most 50 deep; nest less (got: one more)");
     }
 
     @Test

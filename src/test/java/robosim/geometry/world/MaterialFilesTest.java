@@ -300,7 +300,7 @@ class MaterialFilesTest {
         assertThatThrownBy(() -> read(content.toString()))
                 .isInstanceOf(WorldException.class)
                 .hasMessageContaining(
-                        "the pictures of a world must have at most 67108864 pixels together (got: 67108870)");
+                        "the pictures of a world must have at most 67108864 pixels together; make them smaller (got: 67108870)");
     }
 
     @Test

@@ -305,7 +305,6 @@ class PlyFilesTest {
                 "property float y | property y | :7: a property must be TYPE NAME",
                 "list uchar int | list float int | :10: the length of a list must be of a whole type (got: float)",
                 "element vertex 5 | property int n | :5: a property must follow the element that has it",
-                "obj_info made by hand | made by hand | :4: a line of the header must begin with format",
                 "4 0 1 2 3 | 4 0 1 2 5 | a corner must be from 0 and below 5, the number of vertices (got: 5)",
                 "4 0 1 2 3 | 4 0 1 2 -1 | :17: face 1 of 1: a corner must be a whole number of at least 0 (got: -1.0)",
                 "4 0 1 2 3 | 4 0 1 2 1.5 | :17: face 1 of 1: a corner must be a whole number of at least 0 (got: 1.5)",

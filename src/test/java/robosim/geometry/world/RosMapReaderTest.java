@@ -550,7 +550,9 @@ class RosMapReaderTest {
                     .hasMessageContaining("a map must consist of keys with values");
         }
         Files.writeString(yaml, "#".repeat(Limits.MAX_SETTINGS + 1));
-        assertThatThrownBy(() -> RosMapReader.read(yaml)).hasMessageContaining("at most 65536 bytes (got: more)");
+        assertThatThrownBy(() -> RosMapReader.read(yaml))
+                .hasMessageContaining(
+                        "at most 65536 bytes; split it in several files, or simplify what is in it (got: more)");
         Path raw = map("P2 1 1 1 0".getBytes(StandardCharsets.US_ASCII), 1, "raw");
         assertThatThrownBy(() -> RosMapReader.read(raw)).hasMessageContaining("negate must be 0 in mode raw");
     }

@@ -111,7 +111,7 @@ class SdfHostileTest {
         String deep = "<model name=\"m\">".repeat(60);
         Path nested = file("n.sdf", "<sdf version=\"1.6\">" + deep + "</model>".repeat(60) + "</sdf>");
         assertThatThrownBy(() -> SdfReader.read(nested, List.of()))
-                .hasMessageContaining("models must be nested at most 50 deep (got: one more)");
+                .hasMessageContaining("models must be nested at most 50 deep; nest less (got: one more)");
     }
 
     /** A hundred thousand frames, each counting from the one before: no stack is deep enough to follow them by calls. */

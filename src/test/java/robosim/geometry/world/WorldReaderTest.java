@@ -321,7 +321,8 @@ class WorldReaderTest {
     void refusesWhatIsTooLong() {
         String million = "9".repeat(1_000_000);
         assertThat(refusal(OPEN + "><sphere radius='" + million + "'/></world>"))
-                .hasMessage("t.xml:1:1000087: radius of <sphere> must have at most 1000 characters (got: 1000000)");
+                .hasMessage(
+                        "t.xml:1:1000087: radius of <sphere> must have at most 1000 characters; shorten it (got: 1000000)");
         assertThat(refusal(OPEN + "><mesh><vertices>" + million + "</vertices></mesh></world>"))
                 .hasMessageContaining("a number must be decimal")
                 .satisfies(e -> assertThat(e.getMessage()).hasSizeLessThan(400));
@@ -355,7 +356,8 @@ class WorldReaderTest {
                 .toList()));
         assertThatThrownBy(() -> WorldReader.read(many, "t.xml", null))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("a world must have at most 200000 objects (got: more)");
+                .hasMessageContaining(
+                        "a world must have at most 200000 objects; split it, or make one mesh of many (got: more)");
     }
 
     @Test
@@ -374,15 +376,17 @@ class WorldReaderTest {
         };
         assertThatThrownBy(() -> new Bounded(endless).transferTo(OutputStream.nullOutputStream()))
                 .isInstanceOf(IOException.class)
-                .hasMessage("a file must have at most 134217728 bytes (got: more)");
+                .hasMessage(
+                        "a file must have at most 134217728 bytes; split it in several files, or simplify what is in it (got: more)");
         assertThatThrownBy(() -> WorldReader.read(endless, "t.xml", null))
                 .isInstanceOf(WorldException.class)
                 .hasMessage(
                         "t.xml:1: a tag with its attributes, a comment, or the space before the first tag must have at"
-                                + " most 4194304 bytes (got: more)");
+                                + " most 4194304 bytes; keep large meshes in files of their own (got: more)");
         assertThatThrownBy(() -> ObjReader.read(endless, "t.obj", 1))
                 .isInstanceOf(WorldException.class)
-                .hasMessage("t.obj:1: a statement must have at most 100000 characters (got: more)");
+                .hasMessage(
+                        "t.obj:1: a statement must have at most 100000 characters; end lines with a line feed, and split larger polygons (got: more)");
     }
 
     @Test

@@ -183,7 +183,7 @@ class WorldWriterTest {
         assertThat(reread(WorldWriter.toXml(named))).isEqualTo(named);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> WorldWriter.toXml(named("x".repeat(1001))))
-                .withMessageContaining("at most 1000 characters (got: 1001)");
+                .withMessageContaining("at most 1000 characters; shorten it (got: 1001)");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> WorldWriter.toXml(named("half a pair \ud83e")))
                 .withMessageContaining("(got: U+d83e)");

@@ -17,6 +17,7 @@ import robosim.geometry.world.Skipped;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
+import robosim.geometry.world.WorldReader;
 
 /** The worlds that a command reads: where it looks for their models, and which files they came from. */
 public final class WorldFiles {
@@ -55,7 +56,19 @@ public final class WorldFiles {
      * @param options the models of which are replaced by {@link #folders()}
      */
     public WorldImport read(Path file, ImportOptions options) throws WorldException {
-        return WorldImport.read(file, options.withModels(folders()), opened::add);
+        ImportOptions all = options.withModels(folders());
+        try {
+            return WorldImport.read(file, all, opened::add);
+        } catch (WorldException first) {
+            // The command ends with the last one.
+            List<WorldException> problems = WorldReader.problems(file, all);
+            if (problems.size() < 2) {
+                throw first;
+            }
+            PrintWriter err = spec.commandLine().getErr();
+            problems.subList(0, problems.size() - 1).forEach(each -> err.println(each.getMessage()));
+            throw problems.get(problems.size() - 1);
+        }
     }
 
     /** Reads a world of any format; what is left out of the file is reported on the standard error. */

@@ -121,11 +121,17 @@ public record StandIn(CylinderObject body, double floor) {
     /**
      * The height of the floor of a world, for a robot that is to be put there.
      *
-     * @return the world's ground if there is no other
+     * @return where no place is found from which anything is seen, the lowest point of the scene, since a robot below all
+     *     walls would meet none; the world's ground where there is nothing, or heights do not count
      */
     public static double floorOf(World world) {
         StandIn found = of(world, world.toGeometry(refused -> {}));
-        return found == null ? -world.height() / 2 : found.floor;
+        if (found != null) {
+            return found.floor;
+        }
+        double ground = -world.height() / 2;
+        Bounds scene = world.dimension() == Dimension.PLANAR ? null : scene(world);
+        return scene == null ? ground : Math.max(ground, scene.minY());
     }
 
     /**

@@ -138,8 +138,8 @@ final class ColladaFaces {
             return; // a point or an edge
         }
         if (corners.length > Limits.MAX_CORNERS) {
-            throw list.wrong(
-                    "a polygon must have at most " + Limits.MAX_CORNERS + " corners (got: " + corners.length + ")");
+            throw list.wrong("a polygon must have at most " + Limits.MAX_CORNERS
+                    + " corners; cut it into smaller ones (got: " + corners.length + ")");
         }
         bounded(list, corners.length - 2);
         Polygon.cutOrFan(vertices, corners, faces);
@@ -165,7 +165,8 @@ final class ColladaFaces {
 
     private void bounded(ColladaElement list, int more) throws FileProblem {
         if (faces.size() + more > Limits.MAX_FACES) {
-            throw list.wrong("a mesh must have at most " + Limits.MAX_FACES + " faces, cut into triangles (got: more)");
+            throw list.wrong("a mesh must have at most " + Limits.MAX_FACES
+                    + " faces, cut into triangles; simplify or split it (got: more)");
         }
     }
 }

@@ -172,14 +172,15 @@ final class ColladaParser extends DefaultHandler {
 
     private ColladaElement keep(String name, Attributes attributes) throws SAXException {
         if (++elements > Limits.MAX_ELEMENTS) {
-            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS + " relevant elements (got: more)");
+            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS
+                    + " relevant elements; split it in several files (got: more)");
         }
         Map<String, String> values = attributes.getLength() == 0 ? Map.of() : new HashMap<>();
         for (int k = 0; k < attributes.getLength(); k++) {
             String value = attributes.getValue(k);
             if (value.length() > Limits.MAX_ATTRIBUTE) {
                 throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
-                        + " characters (got: " + value.length() + ")");
+                        + " characters; shorten it (got: " + value.length() + ")");
             }
             values.put(attributes.getQName(k), value);
         }
@@ -201,7 +202,8 @@ final class ColladaParser extends DefaultHandler {
         if (NUMBERS.contains(element.name)) {
             numbers += element.add(text, start, length);
             if (numbers > Limits.MAX_NUMBERS) {
-                throw refusal("a file must have at most " + Limits.MAX_NUMBERS + " numbers (got: more)");
+                throw refusal("a file must have at most " + Limits.MAX_NUMBERS
+                        + " numbers; simplify or split the mesh (got: more)");
             }
         } else if (element.name.equals("up_axis") && upAxis.length() + length <= Limits.MAX_ATTRIBUTE) {
             upAxis.append(text, start, length);

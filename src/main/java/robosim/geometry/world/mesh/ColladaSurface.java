@@ -106,8 +106,9 @@ public final class ColladaSurface {
         while (!waiting.isEmpty()) {
             Visit visit = waiting.remove(waiting.size() - 1);
             if (++visits > Limits.MAX_OBJECTS || visit.depth > Limits.MAX_DEPTH) {
-                throw visit.element.wrong("a scene must have at most " + Limits.MAX_OBJECTS + " nodes, nested at most "
-                        + Limits.MAX_DEPTH + " deep, instances included, and no node may contain itself (got: more)");
+                throw visit.element.wrong(
+                        "a scene must have at most " + Limits.MAX_OBJECTS + " nodes, nested at most " + Limits.MAX_DEPTH
+                                + " deep, instances included, and no node may contain itself; join some, or nest less (got: more)");
             }
             List<Visit> inner = new ArrayList<>();
             visit(visit, inner);
@@ -189,7 +190,7 @@ public final class ColladaSurface {
         }
         if (joined.size() + known.faces.size() > Limits.MAX_FACES) {
             throw geometry.wrong("all meshes of a file together must have at most " + Limits.MAX_FACES
-                    + " faces, each instance counted (got: more)");
+                    + " faces, each instance counted; simplify or split it (got: more)");
         }
         try {
             joined.add(known.vertices, known.faces, place);

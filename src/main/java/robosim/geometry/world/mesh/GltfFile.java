@@ -1,6 +1,5 @@
 package robosim.geometry.world.mesh;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -160,35 +159,16 @@ final class GltfFile {
             throw buffer.wrong("a buffer must be data in base64, or a file below the folder of this one (got: "
                     + uri.substring(0, Math.min(60, uri.length())) + ")");
         }
-        Path file = Folder.locate(folder, decoded(uri), "glTF", "buffer");
+        Path file = Folder.locate(folder, Folder.decoded(uri), "glTF", "buffer");
         try (InputStream in = new Bounded(RegularFile.open(file))) {
             byte[] bytes = in.readAllBytes();
             read += bytes.length;
             if (read > Limits.MAX_INCLUDED_BYTES) {
                 throw buffer.wrong("all files of a glTF file must have at most " + Limits.MAX_INCLUDED_BYTES
-                        + " bytes together (got: more)");
+                        + " bytes together; simplify some, or leave some out (got: more)");
             }
             return bytes;
         }
-    }
-
-    /** A path whose special characters are written as {@code %} and two digits for each of their bytes. */
-    private static String decoded(String uri) {
-        if (uri.indexOf('%') < 0) {
-            return uri;
-        }
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        byte[] given = uri.getBytes(StandardCharsets.UTF_8);
-        for (int k = 0; k < given.length; k++) {
-            int high = given[k] == '%' && k + 2 < given.length ? Character.digit(given[k + 1], 16) : -1;
-            int low = high < 0 ? -1 : Character.digit(given[k + 2], 16);
-            if (given[k] == '%' && low < 0) {
-                throw new IllegalArgumentException("% must be followed by two hexadecimal digits (got: " + uri + ")");
-            }
-            bytes.write(low < 0 ? given[k] : 16 * high + low);
-            k += low < 0 ? 0 : 2;
-        }
-        return bytes.toString(StandardCharsets.UTF_8);
     }
 
     private FileProblem wrong(String problem) {

@@ -149,7 +149,7 @@ final class GltfSurface {
                         0,
                         0,
                         "a scene must have at most " + Limits.MAX_OBJECTS + " nodes, nested at most " + Limits.MAX_DEPTH
-                                + " deep, and no node may contain itself (got: more)");
+                                + " deep, and no node may contain itself; join some, or nest less (got: more)");
             }
             try {
                 GltfPart node = file.root.item("nodes", visit.node);
@@ -214,7 +214,7 @@ final class GltfSurface {
                         0,
                         0,
                         "all meshes of a file together must have at most " + Limits.MAX_FACES
-                                + " faces, each instance counted (got: more)");
+                                + " faces, each instance counted; simplify or split it (got: more)");
             }
             try {
                 joined.add(shape.vertices, shape.faces, place);
@@ -280,7 +280,8 @@ final class GltfSurface {
                     path.toString(),
                     0,
                     0,
-                    "all primitives together must have at most " + Limits.MAX_NUMBERS + " numbers (got: more)");
+                    "all primitives together must have at most " + Limits.MAX_NUMBERS
+                            + " numbers; simplify or split the mesh (got: more)");
         }
         return GltfAccessor.read(file, accessor, parts);
     }

@@ -48,10 +48,11 @@ final class JsonText {
 
     private @Nullable Object value(int depth) throws FileProblem {
         if (depth > Limits.MAX_DEPTH) {
-            throw wrong("values must be nested at most " + Limits.MAX_DEPTH + " deep (got: one more)");
+            throw wrong("values must be nested at most " + Limits.MAX_DEPTH + " deep; nest less (got: one more)");
         }
         if (++values > Limits.MAX_ELEMENTS) {
-            throw wrong("the text must have at most " + Limits.MAX_ELEMENTS + " values (got: more)");
+            throw wrong("the text must have at most " + Limits.MAX_ELEMENTS
+                    + " values; simplify the scene, or write it as .glb (got: more)");
         }
         return switch (next()) {
             case '{' -> object(depth);

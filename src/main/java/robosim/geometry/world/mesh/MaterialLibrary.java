@@ -92,8 +92,8 @@ final class MaterialLibrary {
         for (; c >= 0 && c != '\n'; c = in.read()) {
             text.append((char) c);
             if (text.length() > Limits.MAX_STATEMENT) {
-                throw new IllegalArgumentException(
-                        "a statement must have at most " + Limits.MAX_STATEMENT + " characters (got: more)");
+                throw new IllegalArgumentException("a statement must have at most " + Limits.MAX_STATEMENT
+                        + " characters; end lines with a line feed, and split larger polygons (got: more)");
             }
         }
         return text.toString();

@@ -1,6 +1,5 @@
 package robosim.geometry.world.mesh;
 
-import java.io.BufferedInputStream;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -23,28 +22,15 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.shared.PlainBytes;
 import robosim.geometry.world.shared.TextureFiles;
 
 /** The surface of a Wavefront OBJ file while it is read: its vertices, and its faces with polygons cut. */
 public final class ObjSurface {
-    private static final Set<String> PASSED_OVER = Set.of(
-            "vn",
-            "vp",
-            "s",
-            "mg",
-            "usemap",
-            "maplib",
-            "l",
-            "p",
-            "lod",
-            "bevel",
-            "c_interp",
-            "d_interp",
-            "shadow_obj",
-            "trace_obj");
-
-    /** The byte order mark of UTF-8, read as Latin-1. */
-    private static final String BYTE_ORDER_MARK = "\u00ef\u00bb\u00bf";
+    /** The statements of curved surfaces, whose shape would be lost. */
+    private static final Set<String> CURVED = Set.of(
+            "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end",
+            "con", "bsp", "bzp", "cdc", "cdp", "res");
 
     private final double scale;
     private final List<Point> vertices = new ArrayList<>();
@@ -87,7 +73,7 @@ public final class ObjSurface {
         try {
             // Latin-1 accepts every byte; everything that is evaluated is ASCII.
             reader.readLines(new BufferedReader(
-                    new InputStreamReader(new Bounded(new BufferedInputStream(in)), StandardCharsets.ISO_8859_1)));
+                    new InputStreamReader(PlainBytes.of(new Bounded(in)), StandardCharsets.ISO_8859_1)));
             return reader.faces.mesh(
                     folder == null || textures == null ? null : reader.library(folder, new MaterialLibrary(textures)));
         } catch (FileProblem e) {
@@ -160,13 +146,10 @@ public final class ObjSurface {
             if (!comment && c != '\r') {
                 text.append((char) c);
                 if (text.length() > Limits.MAX_STATEMENT) {
-                    throw new IllegalArgumentException(
-                            "a statement must have at most " + Limits.MAX_STATEMENT + " characters (got: more)");
+                    throw new IllegalArgumentException("a statement must have at most " + Limits.MAX_STATEMENT
+                            + " characters; end lines with a line feed, and split larger polygons (got: more)");
                 }
             }
-        }
-        if (line == 1 && text.indexOf(BYTE_ORDER_MARK) == 0) {
-            text.delete(0, BYTE_ORDER_MARK.length());
         }
     }
 
@@ -188,10 +171,11 @@ public final class ObjSurface {
             case "usemtl" -> faces.use(rest(text));
             case "mtllib" -> libraries.add(rest(text).replace('\\', '/')); // as Windows programs write it
             default -> {
-                if (!PASSED_OVER.contains(words[0])) {
-                    throw new IllegalArgumentException("a statement must be v, f or one that does not affect the"
-                            + " surface, such as vn, vt, usemtl or g; export the mesh as polygons (got: "
-                            + words[0] + ")");
+                // What nobody knows changes no surface that v and f describe.
+                if (CURVED.contains(words[0])) {
+                    throw new IllegalArgumentException(
+                            "a surface must be of polygons, f; export the curves and curved surfaces of the file as"
+                                    + " polygons (got: " + words[0] + ")");
                 }
             }
         }
@@ -232,7 +216,7 @@ public final class ObjSurface {
         int corners = words.length - 1;
         if (corners < 3 || corners > Limits.MAX_CORNERS) {
             throw new IllegalArgumentException(
-                    "a face must have 3 to " + Limits.MAX_CORNERS + " corners (got: " + corners + ")");
+                    "a face must have 3 to " + Limits.MAX_CORNERS + " corners; cut larger ones (got: " + corners + ")");
         }
         int[] face = new int[corners];
         int[] texture = new int[corners];
@@ -249,8 +233,8 @@ public final class ObjSurface {
             texture[k] = slash < 0 ? TextureCoordinates.NONE : texturePoint(word, slash + 1, second);
         }
         if (faces.size() + corners - 2 > Limits.MAX_FACES) {
-            throw new IllegalArgumentException(
-                    "a file must have at most " + Limits.MAX_FACES + " faces, cut into triangles (got: more)");
+            throw new IllegalArgumentException("a file must have at most " + Limits.MAX_FACES
+                    + " faces, cut into triangles; simplify or split it (got: more)");
         }
         faces.add(face, texture);
     }

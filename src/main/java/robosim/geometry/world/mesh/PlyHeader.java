@@ -90,9 +90,7 @@ final class PlyHeader {
                     line++;
                     return;
                 }
-                default ->
-                    throw wrong("a line of the header must begin with format, element, property, comment, obj_info or"
-                            + " end_header (got: " + Numbers.shown(text) + ")");
+                default -> {} // as a comment: no line of another kind changes what follows the header
             }
         }
     }

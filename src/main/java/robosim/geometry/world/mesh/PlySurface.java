@@ -13,6 +13,7 @@ import robosim.geometry.world.shared.Bounded;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.shared.PlainBytes;
 
 /**
  * The surface of a PLY file (G. Turk, The PLY polygon file format, 1994): its faces of any number of corners and its strips
@@ -52,7 +53,7 @@ public final class PlySurface {
         }
         byte[] bytes;
         try {
-            bytes = new Bounded(in).readAllBytes();
+            bytes = PlainBytes.of(new Bounded(in).readAllBytes());
         } catch (IOException e) {
             throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
         }
@@ -84,7 +85,8 @@ public final class PlySurface {
                         source,
                         0,
                         0,
-                        "a mesh must have at most " + Limits.MAX_FACES + " faces, cut into triangles (got: more)");
+                        "a mesh must have at most " + Limits.MAX_FACES
+                                + " faces, cut into triangles; simplify or split it (got: more)");
             }
             Polygon.cutOrFan(vertices, polygon, faces);
         }
@@ -169,7 +171,8 @@ public final class PlySurface {
                 }
             }
             if (count + 3 > Limits.MAX_NUMBERS) {
-                throw numbers.wrong("a mesh must have at most " + Limits.MAX_NUMBERS / 3 + " vertices (got: more)");
+                throw numbers.wrong("a mesh must have at most " + Limits.MAX_NUMBERS / 3
+                        + " vertices; simplify or split them (got: more)");
             }
             if (count == coordinates.length) {
                 coordinates = Arrays.copyOf(coordinates, Math.max(96, 2 * count));
@@ -198,7 +201,8 @@ public final class PlySurface {
 
     private void polygon(PlyHeader.Property property, int length) throws FileProblem {
         if (length > Limits.MAX_CORNERS) {
-            throw numbers.wrong("a face must have at most " + Limits.MAX_CORNERS + " corners (got: " + length + ")");
+            throw numbers.wrong("a face must have at most " + Limits.MAX_CORNERS
+                    + " corners; cut it into smaller ones (got: " + length + ")");
         }
         int[] corners = new int[length];
         for (int k = 0; k < length; k++) {
@@ -240,7 +244,8 @@ public final class PlySurface {
 
     private void add(int[] corners) throws FileProblem {
         if (polygons.size() == Limits.MAX_FACES) {
-            throw numbers.wrong("a mesh must have at most " + Limits.MAX_FACES + " faces (got: more)");
+            throw numbers.wrong(
+                    "a mesh must have at most " + Limits.MAX_FACES + " faces; simplify or split it (got: more)");
         }
         polygons.add(corners);
     }

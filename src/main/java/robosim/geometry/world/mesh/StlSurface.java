@@ -14,6 +14,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.AsciiScanner;
 import robosim.geometry.world.shared.Bounded;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.PlainBytes;
 
 /** The surface of an STL file while it is read: its triangles, with equal corners joined. */
 public final class StlSurface {
@@ -47,17 +48,18 @@ public final class StlSurface {
             throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
         }
         StlSurface reader = new StlSurface(scale, part);
-        AsciiScanner words = new AsciiScanner(bytes, source, -1);
-        if (isBinary(bytes) && part != null) {
+        boolean isBinary = isBinary(bytes);
+        AsciiScanner words = new AsciiScanner(isBinary ? bytes : PlainBytes.of(bytes), source, -1);
+        if (isBinary && part != null) {
             throw new FileProblem(
                     source,
                     0,
                     0,
                     "a binary STL file has no parts with names; save this one as its own (got: " + part + ")");
         }
-        if (isBinary(bytes)) {
+        if (isBinary) {
             reader.binary(bytes, source);
-        } else if (words.next() && words.is("solid")) {
+        } else if (words.next() && words.is("solid") && !isCut(bytes)) {
             reader.text(words);
         } else {
             throw new FileProblem(source, 0, 0, noStl(bytes));
@@ -75,8 +77,15 @@ public final class StlSurface {
         }
     }
 
+    /** Whether it has all its triangles, and perhaps other data after them, in which no triangle may be lost. */
     private static boolean isBinary(byte[] bytes) {
-        return bytes.length >= HEADER && bytes.length == HEADER + TRIANGLE * triangles(bytes);
+        long more = bytes.length < HEADER ? -1 : bytes.length - HEADER - TRIANGLE * triangles(bytes);
+        return more == 0 || (more > 0 && more % TRIANGLE != 0 && triangles(bytes) > 0);
+    }
+
+    /** Whether it is binary without some of its triangles: text has no zeros, of which each number of triangles has some. */
+    private static boolean isCut(byte[] bytes) {
+        return bytes.length >= HEADER && bytes[HEADER - 1] == 0 && PlainBytes.of(bytes) == bytes;
     }
 
     // Unsigned; no text file is mistaken for a binary one, since four of its bytes give more triangles than a file can
@@ -96,7 +105,7 @@ public final class StlSurface {
         return begin
                 + (bytes.length < need
                         ? "; if it is one, it is truncated (got: "
-                        : "; if it is one, there is extra data after its last triangle, so save it again (got: ")
+                        : "; if it is one, it has more triangles than it says, so save it again (got: ")
                 + bytes.length + " bytes that would hold " + count + " triangles, which take " + need + ")";
     }
 

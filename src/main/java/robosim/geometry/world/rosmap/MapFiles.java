@@ -9,6 +9,7 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.ImageFiles;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.PlainBytes;
 import robosim.geometry.world.shared.RegularFile;
 
 /** Opens the two files of a map: its settings, and the image that they name. */
@@ -17,7 +18,7 @@ public final class MapFiles {
 
     /** The settings of a map. */
     public static MapSettings settings(Path yaml) throws FileProblem {
-        byte[] bytes = RegularFile.bytes(yaml, Limits.MAX_SETTINGS);
+        byte[] bytes = PlainBytes.of(RegularFile.bytes(yaml, Limits.MAX_SETTINGS));
         try {
             return MapSettings.parse(new String(bytes, StandardCharsets.UTF_8), yaml.toString());
         } catch (NoClassDefFoundError e) {

@@ -1,19 +1,23 @@
 package robosim.geometry.world.sdf;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -22,6 +26,7 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
 
 /**
@@ -33,6 +38,8 @@ public final class SdfFiles {
     private static final int FUEL_DEPTH = 5;
 
     private static final Pattern REMOTE = Pattern.compile("(?i)(https?|ftp|fuel)://");
+
+    private static final Pattern PACKAGE_NAME = Pattern.compile("<name>\\s*([^<\\s]+)\\s*</name>");
 
     private final Path main;
     private final List<Path> folders = new ArrayList<>();
@@ -204,25 +211,46 @@ public final class SdfFiles {
     private @Nullable Path search(SdfElement uri) throws FileProblem {
         String name = uri.value();
         if (name.isEmpty() || name.indexOf('\\') >= 0) {
-            throw uri.wrong("<uri> must be a path with /, or model://NAME (got: " + name + ")");
+            throw uri.wrong(shown(uri) + " must be a path with /, or model://NAME (got: " + name + ")");
         }
         try {
-            for (Path candidate : isRemote(name) ? downloaded(name) : candidates(name, uri.file.folder())) {
+            List<Path> candidates = isRemote(name) ? downloaded(name) : candidates(name, uri.file.folder());
+            String decoded = decoded(name);
+            if (!isRemote(name) && !decoded.equals(name)) { // as it is written counts first
+                candidates.addAll(candidates(decoded, uri.file.folder()));
+            }
+            for (Path candidate : candidates) {
                 if (Files.exists(candidate)) {
                     Path real = candidate.toRealPath();
                     if (folders.stream().noneMatch(real::startsWith)) {
-                        throw uri.wrong("<uri> must refer to a file below the folder of the file being read, or below a"
-                                + " given model folder (got: " + name + ")");
+                        throw uri.wrong(
+                                shown(uri) + " must refer to a file below the folder of the file being read, or below a"
+                                        + " given model folder (got: " + name + ")");
                     }
                     return real;
                 }
             }
             return null;
         } catch (InvalidPathException e) {
-            throw uri.wrong("<uri> must be a path (got: " + name + ")");
+            throw uri.wrong(shown(uri) + " must be a path (got: " + name + ")");
         } catch (IOException e) {
             throw new FileProblem(uri.file.shown(), uri.line, uri.column, name + " could not be read: " + e, e);
         }
+    }
+
+    /** A name without its {@code %20} and the like; the name itself if they are none. */
+    private static String decoded(String name) {
+        try {
+            String decoded = Folder.decoded(name);
+            return decoded.indexOf('\\') < 0 ? decoded : name;
+        } catch (IllegalArgumentException e) {
+            return name;
+        }
+    }
+
+    /** What names a file, as its format has it. */
+    private String shown(SdfElement uri) {
+        return urdf.contains(uri.file.path()) ? "filename of <mesh>" : "<uri>";
     }
 
     /** Where a file of Fuel may be: in the folders where Gazebo keeps what it has downloaded. */
@@ -273,11 +301,12 @@ public final class SdfFiles {
 
     /**
      * The folders of a package of ROS: one around the file that names it, so that a robot finds its own meshes, and those
-     * deeper in the given folders. Both must have a package.xml.
+     * deeper in the given folders. Both must have a package.xml, which gives the name of the package; that of the folder may be
+     * another, and counts too.
      */
     private void packages(String name, String rest, Path from, List<Path> candidates) throws IOException {
         for (Path around = from; around != null; around = around.getParent()) {
-            if (around.endsWith(name) && isPackage(around)) {
+            if (isPackage(around) && (name.equals(packageName(around)) || around.endsWith(name))) {
                 folders.add(around);
                 candidates.add(around.resolve(rest).normalize());
                 return;
@@ -299,18 +328,29 @@ public final class SdfFiles {
                 continue;
             }
             try (Stream<Path> below = Files.walk(folder, PACKAGE_DEPTH)) {
-                below.limit(MOST_ENTRIES)
-                        .filter(SdfFiles::isPackage)
-                        .sorted()
-                        .forEach(each -> found.computeIfAbsent(
-                                        String.valueOf(each.getFileName()), name -> new ArrayList<>())
-                                .add(each));
+                below.limit(MOST_ENTRIES).filter(SdfFiles::isPackage).sorted().forEach(each -> {
+                    String folderName = String.valueOf(each.getFileName());
+                    for (String name : new LinkedHashSet<>(List.of(packageName(each), folderName))) {
+                        found.computeIfAbsent(name, key -> new ArrayList<>()).add(each);
+                    }
+                });
             } catch (UncheckedIOException e) {
                 throw e.getCause();
             }
         }
         packages = found;
         return found;
+    }
+
+    /** The name that a package gives itself; empty if that cannot be read. */
+    private static String packageName(Path folder) {
+        try (InputStream in = RegularFile.open(folder.resolve("package.xml"))) {
+            String xml = new String(in.readNBytes(Limits.MAX_SETTINGS), StandardCharsets.UTF_8);
+            Matcher name = PACKAGE_NAME.matcher(xml.replaceAll("(?s)<!--.*?-->", ""));
+            return name.find() ? name.group(1) : "";
+        } catch (IOException e) {
+            return "";
+        }
     }
 
     private static boolean isPackage(Path folder) {
@@ -389,7 +429,7 @@ public final class SdfFiles {
         }
         if (bytes > Limits.MAX_INCLUDED_BYTES) {
             throw uri.wrong("all files that an SDFormat file includes must have at most " + Limits.MAX_INCLUDED_BYTES
-                    + " bytes together (got: more, with " + file + ")");
+                    + " bytes together; simplify some, or leave some out (got: more, with " + file + ")");
         }
     }
 }

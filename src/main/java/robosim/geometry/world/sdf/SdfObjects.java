@@ -287,7 +287,8 @@ public final class SdfObjects {
     private @Nullable GeometryObject shape(SdfNode link, SdfElement collision, String path, Placement place)
             throws FileProblem {
         if (++collisions > Limits.MAX_OBJECTS) {
-            throw collision.beyond("a world must have at most " + Limits.MAX_OBJECTS + " collisions (got: more)");
+            throw collision.beyond("a world must have at most " + Limits.MAX_OBJECTS
+                    + " collisions; leave some out, or make one mesh of many (got: more)");
         }
         counts.merge("collision", 1, Integer::sum);
         tree.account(collision);

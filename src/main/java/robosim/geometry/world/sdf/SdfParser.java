@@ -128,13 +128,14 @@ public final class SdfParser extends DefaultHandler {
         for (int k = 0; k < attributes.getLength(); k++) {
             if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
                 throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
-                        + " characters (got: " + attributes.getValue(k).length() + ")");
+                        + " characters; shorten it (got: "
+                        + attributes.getValue(k).length() + ")");
             }
             values.put(attributes.getQName(k), attributes.getValue(k));
         }
         SdfElement element = new SdfElement(file, name, line(), column(), values);
         if (name.equals("model") && ++models > Limits.MAX_GROUPS) {
-            throw refusal("models must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
+            throw refusal("models must be nested at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
         if (parent != null) {
             // Otherwise a search for the collisions of a link would go through all of its poses, again for each
@@ -161,7 +162,8 @@ public final class SdfParser extends DefaultHandler {
 
     private void bounded() throws SAXException {
         if (++count > Limits.MAX_ELEMENTS) {
-            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS + " relevant elements (got: more)");
+            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS
+                    + " relevant elements; split it in several files (got: more)");
         }
     }
 

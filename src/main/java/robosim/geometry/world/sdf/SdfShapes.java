@@ -241,7 +241,8 @@ public final class SdfShapes {
     private void count(int more, SdfElement uri) throws FileProblem {
         vertices += more;
         if (vertices > Limits.MAX_VERTICES) {
-            throw uri.wrong("all meshes together must have at most " + Limits.MAX_VERTICES + " vertices (got: more)");
+            throw uri.wrong("all meshes together must have at most " + Limits.MAX_VERTICES
+                    + " vertices; simplify or split them (got: more)");
         }
     }
 

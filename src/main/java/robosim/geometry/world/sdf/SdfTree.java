@@ -116,7 +116,8 @@ public final class SdfTree {
 
     private void skip(SdfElement place, LeftOut each) throws FileProblem {
         if (skipped.size() >= Limits.MAX_OBJECTS) {
-            throw place.beyond("at most " + Limits.MAX_OBJECTS + " elements may be left out of a world (got: more)");
+            throw place.beyond("at most " + Limits.MAX_OBJECTS
+                    + " elements may be left out of a world; remove what is not supported (got: more)");
         }
         skipped.add(each);
     }
@@ -172,13 +173,13 @@ public final class SdfTree {
 
     private void add(SdfScope scope, SdfElement element, @Nullable SdfNode home) throws FileProblem {
         if (++depth > Limits.MAX_GROUPS) {
-            throw element.beyond(
-                    "models must be nested at most " + Limits.MAX_GROUPS + " deep, included ones too (got: one more)");
+            throw element.beyond("models must be nested at most " + Limits.MAX_GROUPS
+                    + " deep, included ones too; nest less (got: one more)");
         }
         for (SdfElement child : element.children) {
             if (++nodes > Limits.MAX_FRAMES) {
                 throw child.beyond("a world must have at most " + Limits.MAX_FRAMES
-                        + " models, links and frames, those of included files too (got: more)");
+                        + " models, links and frames, those of included files too; leave some out (got: more)");
             }
             int outer = depth;
             try {

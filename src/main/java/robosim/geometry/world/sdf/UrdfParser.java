@@ -43,6 +43,9 @@ final class UrdfParser extends DefaultHandler {
             "capsule", Set.of("radius", "length"),
             "mesh", Set.of("filename"));
 
+    /** How many numbers an attribute of a shape has. */
+    private static final Map<String, Integer> NUMBERS = Map.of("size", 3, "radius", 1, "length", 1, "scale", 3);
+
     private final SdfFile file;
     private final Deque<SdfElement> open = new ArrayDeque<>();
     private @Nullable Locator locator;
@@ -111,7 +114,8 @@ final class UrdfParser extends DefaultHandler {
         for (int k = 0; k < attributes.getLength(); k++) {
             if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
                 throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
-                        + " characters (got: " + attributes.getValue(k).length() + ")");
+                        + " characters; shorten it (got: "
+                        + attributes.getValue(k).length() + ")");
             }
             values.put(attributes.getQName(k), attributes.getValue(k));
             if (Xacro.isExpression(attributes.getValue(k))) {
@@ -142,7 +146,8 @@ final class UrdfParser extends DefaultHandler {
 
     private void bounded() throws SAXException {
         if (++count > Limits.MAX_ELEMENTS) {
-            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS + " relevant elements (got: more)");
+            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS
+                    + " relevant elements; split it in several files (got: more)");
         }
     }
 
@@ -246,6 +251,11 @@ final class UrdfParser extends DefaultHandler {
                     throw shape.wrong("<" + shape.name + "> must have the attribute " + needed + " (got: none)");
                 }
             }
+            for (Map.Entry<String, Integer> each : new TreeMap<>(NUMBERS).entrySet()) {
+                if (!shape.attribute(each.getKey()).isEmpty()) {
+                    checkNumbers(shape, each.getKey(), each.getValue());
+                }
+            }
         }
         return geometry;
     }
@@ -263,11 +273,28 @@ final class UrdfParser extends DefaultHandler {
 
     private static String three(SdfElement origin, String name) throws FileProblem {
         String value = origin.attribute(name);
-        int count = Numbers.words(value).length;
-        if (!value.isEmpty() && count != 3) {
-            throw origin.wrong(name + " of <origin> must be 3 numbers (got: " + count + ")");
+        if (value.isEmpty()) {
+            return "0 0 0";
         }
-        return value.isEmpty() ? "0 0 0" : value;
+        checkNumbers(origin, name, 3);
+        return value;
+    }
+
+    /** Refuses an attribute that is not so many numbers, in the words of URDF. */
+    private static void checkNumbers(SdfElement element, String name, int count) throws FileProblem {
+        String what = name + " of <" + element.name + ">";
+        String[] words = Numbers.words(element.attribute(name));
+        if (words.length != count) {
+            throw element.wrong(what + " must be " + count + (count == 1 ? " number" : " numbers") + " (got: "
+                    + words.length + ")");
+        }
+        for (String word : words) {
+            try {
+                Numbers.parse(word);
+            } catch (IllegalArgumentException e) {
+                throw element.wrong(what + ": " + e.getMessage());
+            }
+        }
     }
 
     private SdfElement element(SdfElement place, String name, Map<String, String> attributes) {

@@ -29,7 +29,8 @@ public final class Bounded extends FilterInputStream {
     private void count(int bytes) throws IOException {
         left -= Math.max(0, bytes);
         if (left < 0) {
-            throw new IOException("a file must have at most " + Limits.MAX_BYTES + " bytes (got: more)");
+            throw new IOException("a file must have at most " + Limits.MAX_BYTES
+                    + " bytes; split it in several files, or simplify what is in it (got: more)");
         }
     }
 }

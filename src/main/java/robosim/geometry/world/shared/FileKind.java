@@ -30,7 +30,32 @@ public final class FileKind {
     public static final String POINTER =
             "this is not the file but a pointer of Git LFS to it; fetch it: git lfs pull (got: a pointer)";
 
+    /** The top-level keys of a world of IR-SIM, whose obstacles and robots are lists. */
+    private static final Pattern IR_SIM = Pattern.compile("(?m)^(?:robot|obstacle)s?\\s*:\\s*(?:#.*)?$");
+
+    private static final Pattern FLATLAND = Pattern.compile("(?m)^layers\\s*:");
+    private static final Pattern FLATLAND_MAP = Pattern.compile("(?m)^[\\s{-]*map\\s*:\\s*[\"']?([^\"'\\s]+)");
+
+    private static final String WEBOTS =
+            "this is a file of Webots, which is not supported; export its robots as URDF and"
+                    + " its shapes as OBJ, or write them as a world file, which ends in .xml";
+    private static final String MJCF = "this is MJCF, of MuJoCo, which is not supported; convert it to SDFormat with"
+            + " mjcf2sdformat of gz-mujoco, or export it as URDF";
+    private static final String USD =
+            "this is USD, which is not supported; export it as glTF, or convert it to SDFormat"
+                    + " with usd2sdf of gz-usd";
+
     private FileKind() {}
+
+    /** What to do with a file of another simulator or program, by the ending of its name; null if that says nothing. */
+    public static @Nullable String byEnding(String ending) {
+        return switch (ending) {
+            case "usd", "usda", "usdc", "usdz" -> USD;
+            case "wbt", "wbo", "proto" -> WEBOTS;
+            case "mjcf" -> MJCF;
+            default -> null;
+        };
+    }
 
     /** Whether a file is a pointer of Git LFS, which the repository has instead of the file itself. */
     public static boolean isPointer(Path file) {
@@ -100,6 +125,9 @@ public final class FileKind {
                     ? null
                     : "this is glTF in its binary form; give it a name that ends in .glb";
         }
+        if (bytes.startsWith("PXR-USDC")) {
+            return USD;
+        }
         if (bytes.startsWith("Kaydara FBX")) {
             return "this is FBX, which is not supported; export it as glTF, COLLADA, OBJ or STL";
         }
@@ -117,6 +145,18 @@ public final class FileKind {
         Matcher root = ROOT.matcher(text);
         if (root.lookingAt()) {
             return xml(root.group(1), readAs);
+        }
+        if (text.startsWith("#usda")) {
+            return USD;
+        }
+        if (text.startsWith("#VRML_SIM")) {
+            return WEBOTS;
+        }
+        if (text.startsWith("#VRML")) {
+            return "this is VRML, which is not supported; export it as glTF, COLLADA or OBJ";
+        }
+        if (readAs.equals("yaml")) {
+            return yaml(text);
         }
         if (PLY.matcher(text).lookingAt()) {
             return readAs.equals("ply") ? null : "this is PLY; give it a name that ends in .ply";
@@ -144,8 +184,27 @@ public final class FileKind {
         return null;
     }
 
+    /** The world of another simulator, which is YAML as a ROS map is. */
+    private static @Nullable String yaml(String text) {
+        if (RESOLUTION.matcher(text).find()) {
+            return null;
+        }
+        if (FLATLAND.matcher(text).find()) {
+            Matcher map = FLATLAND_MAP.matcher(text);
+            return "this is a world of Flatland, which is not supported; read the ROS map of one of its layers"
+                    + (map.find() ? ", such as " + map.group(1) : "");
+        }
+        return IR_SIM.matcher(text).find()
+                ? "this is a world of IR-SIM, which is not supported; write its shapes as a world file, which ends in .xml"
+                : null;
+    }
+
     private static @Nullable String xml(String root, String readAs) {
         return switch (root) {
+            case "mujoco", "mujocoinclude" -> MJCF;
+            case "mvsim_world" ->
+                "this is a world of MVSim, which is not supported; read the ROS map that it names, or write its blocks as"
+                        + " a world file with the root <world>";
             case "sdf" ->
                 readAs.equals("sdf") || readAs.equals("urdf")
                         ? null

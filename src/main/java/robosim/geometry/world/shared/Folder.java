@@ -1,6 +1,8 @@
 package robosim.geometry.world.shared;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -42,5 +44,24 @@ public final class Folder {
     private static IllegalArgumentException outside(String file, String owner) {
         return new IllegalArgumentException("file must be a path with / relative to the " + owner
                 + " file's folder, and stay inside it (got: " + file + ")");
+    }
+
+    /** A path whose special characters are written as {@code %} and two digits for each of their bytes. */
+    public static String decoded(String uri) {
+        if (uri.indexOf('%') < 0) {
+            return uri;
+        }
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        byte[] given = uri.getBytes(StandardCharsets.UTF_8);
+        for (int k = 0; k < given.length; k++) {
+            int high = given[k] == '%' && k + 2 < given.length ? Character.digit(given[k + 1], 16) : -1;
+            int low = high < 0 ? -1 : Character.digit(given[k + 2], 16);
+            if (given[k] == '%' && low < 0) {
+                throw new IllegalArgumentException("% must be followed by two hexadecimal digits (got: " + uri + ")");
+            }
+            bytes.write(low < 0 ? given[k] : 16 * high + low);
+            k += low < 0 ? 0 : 2;
+        }
+        return bytes.toString(StandardCharsets.UTF_8);
     }
 }

@@ -134,8 +134,11 @@ public final class Numbers {
     }
 
     private static IllegalArgumentException wrong(String token, @Nullable Throwable cause) {
+        String comma =
+                token.indexOf(',') < 0 ? "" : "; write decimals with a point, and spaces between numbers, not commas";
         return new IllegalArgumentException(
-                "a number must be decimal and finite, like 12, -0.5 or 1.5e-3 (got: " + shown(token) + ")", cause);
+                "a number must be decimal and finite, like 12, -0.5 or 1.5e-3" + comma + " (got: " + shown(token) + ")",
+                cause);
     }
 
     /** A token for a message, shortened if it is long. */

@@ -62,7 +62,11 @@ public final class RegularFile {
             long size = Files.size(file);
             if (size > most) {
                 throw new FileProblem(
-                        file.toString(), 0, 0, "the file must have at most " + most + " bytes (got: more)");
+                        file.toString(),
+                        0,
+                        0,
+                        "the file must have at most " + most
+                                + " bytes; split it in several files, or simplify what is in it (got: more)");
             }
             byte[] bytes = new byte[(int) size];
             int read = in.readNBytes(bytes, 0, bytes.length);

@@ -155,7 +155,7 @@ public final class TextureFiles {
         pixels += ImageTexture.checkSize(width, height);
         if (pixels > ImageTexture.MOST_PIXELS) {
             throw new IllegalArgumentException("the pictures of a world must have at most " + ImageTexture.MOST_PIXELS
-                    + " pixels together (got: " + pixels + ")");
+                    + " pixels together; make them smaller (got: " + pixels + ")");
         }
     }
 }

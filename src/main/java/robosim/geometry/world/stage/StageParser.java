@@ -171,7 +171,8 @@ final class StageParser {
     /** An entity from its bracket on, with all that its type was defined as. */
     private StageEntity entity(Text text, String type, int depth) throws FileProblem {
         if (depth > Limits.MAX_GROUPS) {
-            throw text.wrong("entities must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
+            throw text.wrong(
+                    "entities must be nested at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
         StageEntity macro = macros.get(type);
         StageEntity entity = new StageEntity(macro == null ? type : macro.type, text.file, text.line);
@@ -214,7 +215,7 @@ final class StageParser {
                     text.line,
                     0,
                     "a world must have at most " + Limits.MAX_OBJECTS
-                            + " entities, with all that is defined (got: more)");
+                            + " entities, with all that is defined; leave some out (got: more)");
         }
     }
 

@@ -115,7 +115,7 @@ final class StageShape {
         Rectangles.cover(dark, columns, image.height(), (fromColumn, fromRow, toColumn, toRow) -> {
             if (parts.size() == Limits.MAX_OBJECTS) {
                 throw new IllegalArgumentException("a bitmap must consist of at most " + Limits.MAX_OBJECTS
-                        + " rectangles of dark pixels (got: more)");
+                        + " rectangles of dark pixels; scale or smooth its image (got: more)");
             }
             box(
                     (fromColumn - bounds[0]) / width - 0.5,

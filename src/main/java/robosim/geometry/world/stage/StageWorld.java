@@ -181,7 +181,8 @@ public final class StageWorld {
                             model.file.toString(),
                             model.line,
                             0,
-                            "all bodies together must have at most " + Limits.MAX_OBJECTS + " parts (got: more)");
+                            "all bodies together must have at most " + Limits.MAX_OBJECTS
+                                    + " parts; use simpler shapes (got: more)");
                 }
                 body.members.add(part.at(shape.then(Placement.of(part.pose())).pose()));
             }

@@ -70,7 +70,7 @@ final class XmlLimitFilter extends XMLFilterImpl implements LexicalHandler {
                         locator == null ? 0 : locator.getLineNumber(),
                         0,
                         "a tag with its attributes, a comment, or the space before the first tag must have at most "
-                                + Limits.MAX_MARKUP + " bytes (got: more)");
+                                + Limits.MAX_MARKUP + " bytes; keep large meshes in files of their own (got: more)");
             }
         }
     }
@@ -89,7 +89,7 @@ final class XmlLimitFilter extends XMLFilterImpl implements LexicalHandler {
                     source,
                     locator == null ? 0 : locator.getLineNumber(),
                     locator == null ? 0 : locator.getColumnNumber(),
-                    "elements must be nested at most " + Limits.MAX_DEPTH + " deep (got: one more)"));
+                    "elements must be nested at most " + Limits.MAX_DEPTH + " deep; nest less (got: one more)"));
         }
         super.startElement(uri, name, qualified, attributes);
     }
