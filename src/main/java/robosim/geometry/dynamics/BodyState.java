@@ -41,10 +41,16 @@ final class BodyState implements Cloneable {
 
     private double aimRest;
 
-    // What damping leaves of the velocity at the end of that, where there is no drive.
+    // What damping leaves of the velocity at the end of that, where there is no drive, also as a share of what it goes
+    // on with.
     private double keptX;
     private double keptZ;
     private double keptTurn;
+    private double keptShare;
+    private double keptTurnShare;
+
+    /** For how long a drive still has to push to get from what it goes on with to what it aims at; of a force, the whole time. */
+    private double toGo;
 
     // For how long the drive may still push at its greatest acceleration, and whether something was in its way before.
     private double left;
@@ -123,6 +129,7 @@ final class BodyState implements Cloneable {
             // The mean: of a speed that is gained evenly that at half of its time, then what the drive aims at.
             Twist gained = gaining > 0 ? driven.next(now, acting, 0.5 * gaining) : aim;
             double share = gaining / seconds;
+            toGo = 0.5 * gaining * share; // of the time in which it gains speed, what is not in the mean
             double turn = mean(gained.ry(), aim.ry(), share);
             turns = Degrees.toRadians(turn);
             double chord = chord(0.5 * turns * seconds);
@@ -154,6 +161,8 @@ final class BodyState implements Cloneable {
         goesX = vx * share * mean;
         goesZ = vz * share * mean;
         turns = turn * (isHindered ? turnKept : Decay.mean(acting.turnDamping() * seconds));
+        keptShare = isHindered ? 1 : Decay.rest(acting.damping() * seconds);
+        keptTurnShare = isHindered ? 1 : Decay.rest(acting.turnDamping() * seconds);
     }
 
     private static double mean(double first, double then, double share) {
@@ -169,6 +178,7 @@ final class BodyState implements Cloneable {
         Twist now = velocity(aimHeading, aimRest);
         aim = force.next(now, acting, seconds);
         left = 0;
+        toGo = isHindered ? 0 : seconds;
         Twist halfway = isHindered ? aim : force.mean(now, acting, seconds);
         turns = Degrees.toRadians(halfway.ry());
         go(aimHeading, aimRest, 0, halfway.x(), halfway.z());
@@ -191,15 +201,18 @@ final class BodyState implements Cloneable {
 
     /**
      * Takes the velocity that the time has left it with. Where that is the one it was given, nothing was in the way, and a
-     * body has at the end what its drive aimed at, or what damping has left.
+     * body has at the end what its drive aimed at, or what damping has left. Else drive and damping have acted for half of the
+     * time only, and act now for the rest of it.
+     *
+     * @return whether that changes the velocity of a body which something was in the way of: it may press against that
      */
-    void end(double endX, double endZ, double endTurn, double[] places, int at) {
+    boolean end(double endX, double endZ, double endTurn, double[] places, int at) {
         vx = endX;
         vz = endZ;
         w = endTurn;
         isHindered = endX != goesX || endZ != goesZ || endTurn != turns;
         if (isHindered) {
-            return;
+            return goOn(places, at) && (vx != endX || vz != endZ || w != endTurn);
         }
         if (drive == null) {
             vx = keptX;
@@ -209,6 +222,37 @@ final class BodyState implements Cloneable {
             boolean isForced = drive instanceof ForceDrive;
             setVelocity(isForced ? aimHeading : places[at], isForced ? aimRest : places[at + 1], aim);
         }
+        return false;
+    }
+
+    /** Lets drive and damping act for what is left of the time after a collision; whether there is any. */
+    private boolean goOn(double[] places, int at) {
+        Drive driven = drive;
+        if (driven == null) {
+            vx *= keptShare;
+            vz *= keptShare;
+            w *= keptTurnShare;
+            return keptShare != 1 || keptTurnShare != 1;
+        }
+        if (toGo == 0) {
+            return false;
+        }
+        if (driven instanceof ForceDrive force) {
+            setVelocity(aimHeading, aimRest, force.rest(velocity(aimHeading, aimRest), body, toGo));
+        } else {
+            Twist now = velocity(places, at);
+            Twist next = driven.next(now, body, toGo);
+            left += toGo - spent(driven, now, next, toGo);
+            setVelocity(places, at, next);
+        }
+        return true;
+    }
+
+    /** Takes the velocity that what it presses against has left of that at the end. */
+    void settle(double endX, double endZ, double endTurn) {
+        vx = endX;
+        vz = endZ;
+        w = endTurn;
     }
 
     /**

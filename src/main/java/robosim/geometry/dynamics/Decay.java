@@ -20,6 +20,16 @@ final class Decay {
         return x == 0 ? 1 : -StrictMath.expm1(-x) / x;
     }
 
+    /** What is left at the end of the mean over the time: {@code kept(x) / mean(x)}. */
+    static double rest(double x) {
+        return x == 0 ? 1 : x * kept(x) / -StrictMath.expm1(-x);
+    }
+
+    /** What is gained at the end beyond {@link #rest} of the mean gain, as a share of {@code a t}; half of it for 0. */
+    static double restGain(double x) {
+        return mean(x) - rest(x) * meanGain(x);
+    }
+
     /** The mean over the time of what is gained, as a share of {@code a t}: {@code (1 - mean(x)) / x}; half of it for 0. */
     static double meanGain(double x) {
         if (x < SMALL) {

@@ -486,9 +486,27 @@ public final class Dynamics {
         }
         stepper.run(seconds, table, pushes);
         places = objects.places();
+        boolean isPressing = false;
         for (int b = 0; b < order.size(); b++) {
             int at = objects.place(stepper.id(b)) + HEADING;
-            order.get(b).end(stepper.vx(b), stepper.vz(b), stepper.w(b), places, at);
+            boolean presses = order.get(b).end(stepper.vx(b), stepper.vz(b), stepper.w(b), places, at);
+            stepper.press(b, presses);
+            isPressing |= presses;
+        }
+        if (isPressing) {
+            settle();
+        }
+    }
+
+    /** Solves the contacts of bodies that have been pushed on after collisions, at the end of a part of a step. */
+    private void settle() {
+        for (int b = 0; b < order.size(); b++) {
+            BodyState each = order.get(b);
+            stepper.setVelocity(b, each.vx, each.vz, each.w);
+        }
+        stepper.settle();
+        for (int b = 0; b < order.size(); b++) {
+            order.get(b).settle(stepper.vx(b), stepper.vz(b), stepper.w(b));
         }
     }
 

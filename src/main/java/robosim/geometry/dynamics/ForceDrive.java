@@ -59,6 +59,22 @@ public record ForceDrive(double x, double z, double torque) implements Drive {
         return Quantity.twist(v);
     }
 
+    /** What {@link #next} makes of what {@link #mean} has answered, or of what collisions have left of that. */
+    Twist rest(Twist mean, Body body, double seconds) {
+        double[] v = Quantity.numbers(mean, body, seconds);
+        double slowed = body.damping() * seconds;
+        double turnSlowed = body.turnDamping() * seconds;
+        change(
+                v,
+                body,
+                seconds,
+                Decay.rest(slowed),
+                Decay.restGain(slowed),
+                Decay.rest(turnSlowed),
+                Decay.restGain(turnSlowed));
+        return Quantity.twist(v);
+    }
+
     /** Leaves a share of the velocity, and adds a share of what the force would give without damping. */
     private void change(
             double[] v, Body body, double seconds, double kept, double gained, double turnKept, double turnGained) {

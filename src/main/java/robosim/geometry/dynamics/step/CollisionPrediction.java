@@ -26,6 +26,9 @@ final class CollisionPrediction {
     /** Deeper in each other than this share of the size bodies do not touch. */
     private static final double DEEPEST = 1e-2;
 
+    /** Shifts and turns that part two less than by this share of what shifts along the normal would are not made. */
+    private static final double LEAST_PARTED = 0x1p-4;
+
     /** Pieces that touch and approach more slowly are left to close what is left of the gap, m/s. */
     private static final double QUIET = 1e-9;
 
@@ -115,7 +118,7 @@ final class CollisionPrediction {
     }
 
     /** Whether two that touch approach at a point of contact. */
-    private boolean isApproaching(int pair, double now) {
+    boolean isApproaching(int pair, double now) {
         island.begin();
         addContacts(pair, now);
         for (int c = 0; c < island.count; c++) {
@@ -232,15 +235,82 @@ final class CollisionPrediction {
         if (missing <= 0.5 * gap || light == 0 || distance <= deepest(pair)) {
             return false;
         }
-        double byA = missing * (bodies.lightness[a] / light);
+        if (lightB > 0 && bodies.lightness[a] > 0) {
+            putApart(pair, distance, missing);
+            return true;
+        }
+        // One of the two does not move.
+        double byA = bodies.lightness[a] > 0 ? missing : 0;
         bodies.x[a] += byA * impact.separation.nx;
         bodies.z[a] += byA * impact.separation.nz;
-        if (b >= 0) {
-            double byB = missing * (lightB / light);
-            bodies.x[b] -= byB * impact.separation.nx;
-            bodies.z[b] -= byB * impact.separation.nz;
+        if (lightB > 0) {
+            bodies.x[b] -= missing * impact.separation.nx;
+            bodies.z[b] -= missing * impact.separation.nz;
         }
         return true;
+    }
+
+    /**
+     * Puts two free bodies apart such that their angular momentum stays as it is: by turns, on which it does not depend, and
+     * by shifts in opposite directions along the velocity of the one as seen from the other. Where that hardly parts them, as
+     * where the one slides along the other, they are shifted along the normal, and slide more slowly by as much as their
+     * centres are farther apart; so energy does not grow.
+     */
+    private void putApart(int pair, double distance, double missing) {
+        int pa = pairs.a[pair];
+        int pb = pairs.b[pair];
+        int a = pieces.body[pa];
+        int b = pieces.body[pb];
+        double nx = impact.separation.nx;
+        double nz = impact.separation.nz;
+        double vx = bodies.vx[a] - bodies.vx[b];
+        double vz = bodies.vz[a] - bodies.vz[b];
+        double square = vx * vx + vz * vz;
+        double along = square > 0 ? (nx * vx + nz * vz) / square : 0;
+        // Corners that are behind the nearest one by little more than what is missing would be turned in next.
+        double slack = Math.max(TOUCH * gap, 4 * missing);
+        manifold.take(impact.separation, pieces.radius[pa], pieces.radius[pb], distance, slack);
+        double leverA = lever(a, nx, nz);
+        double leverB = lever(b, nx, nz);
+        double light = bodies.lightness[a] + bodies.lightness[b];
+        double turned = bodies.ease[a] * leverA * leverA + bodies.ease[b] * leverB * leverB;
+        double parted = light * (square > 0 ? along * (nx * vx + nz * vz) : 1) + turned;
+        if (parted >= LEAST_PARTED * light) {
+            double by = missing / parted;
+            shift(a, b, by * (square > 0 ? along * vx : nx), by * (square > 0 ? along * vz : nz));
+            bodies.angle[a] += by * bodies.ease[a] * leverA;
+            bodies.angle[b] -= by * bodies.ease[b] * leverB;
+            return;
+        }
+        double before = (bodies.x[a] - bodies.x[b]) * vz - (bodies.z[a] - bodies.z[b]) * vx;
+        shift(a, b, missing / light * nx, missing / light * nz);
+        double after = (bodies.x[a] - bodies.x[b]) * vz - (bodies.z[a] - bodies.z[b]) * vx;
+        double kept = before / after;
+        if (kept < 1 && kept > 0.5) {
+            double share = (1 - kept) / light;
+            bodies.vx[a] -= share * bodies.lightness[a] * vx;
+            bodies.vz[a] -= share * bodies.lightness[a] * vz;
+            bodies.vx[b] += share * bodies.lightness[b] * vx;
+            bodies.vz[b] += share * bodies.lightness[b] * vz;
+        }
+    }
+
+    /** Shifts two bodies in opposite directions, by their lightness. */
+    private void shift(int a, int b, double byX, double byZ) {
+        bodies.x[a] += bodies.lightness[a] * byX;
+        bodies.z[a] += bodies.lightness[a] * byZ;
+        bodies.x[b] -= bodies.lightness[b] * byX;
+        bodies.z[b] -= bodies.lightness[b] * byZ;
+    }
+
+    /** By how much a turn of a body shifts where it touches along the normal: both ends of a common edge at least. */
+    private double lever(int body, double nx, double nz) {
+        double first = (manifold.z[0] - bodies.z[body]) * nx - (manifold.x[0] - bodies.x[body]) * nz;
+        if (manifold.count == 1) {
+            return first;
+        }
+        double second = (manifold.z[1] - bodies.z[body]) * nx - (manifold.x[1] - bodies.x[body]) * nz;
+        return first * second <= 0 ? 0 : Math.abs(first) < Math.abs(second) ? first : second;
     }
 
     /** Tells who pushed whom. */

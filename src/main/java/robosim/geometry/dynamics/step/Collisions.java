@@ -11,6 +11,9 @@ final class Collisions {
     /** A number of the round of pushes at hand; after those of one collision one is left out. */
     private long pushing;
 
+    /** Whether the world has carried the bodies to where they are, and has turned them. */
+    boolean isCarried;
+
     /** A number of the collision at hand: pairs and bodies that belong to it are marked with it. */
     int mark;
 
@@ -77,8 +80,8 @@ final class Collisions {
     }
 
     /** Solves what has been gathered, and lets drives make up for what it has cost them. */
-    boolean settle(ContactLog touches) {
-        boolean isSolved = solver.solve();
+    boolean settle(ContactLog touches, boolean isBouncing) {
+        boolean isSolved = solver.solve(isBouncing);
         meetings.tell(touches);
         pushing++;
         for (int round = 0; round < MOST_PUSHES && isSolved && push(); round++) {
@@ -108,7 +111,8 @@ final class Collisions {
     }
 
     private boolean push(int body) {
-        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, bodies.angle[body], pushing);
+        double turned = isCarried ? 0 : bodies.angle[body];
+        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, turned, pushing);
     }
 
     /** Whether the second body of a pair recedes from the first, which follows it: then it is carried first. */

@@ -84,12 +84,12 @@ final class ContactSolver {
     }
 
     /** Solves all contacts; false where even without restitution and friction energy would grow, and nothing has changed. */
-    boolean solve() {
+    boolean solve(boolean isBouncing) {
         makeRoom();
         for (int k = 0; k < island.bodyCount; k++) {
             keep(island.bodyList[k], first);
         }
-        return solve(0);
+        return solve(isBouncing ? 0 : 1);
     }
 
     /** Solves all contacts again for other velocities, without restitution. */
@@ -154,6 +154,8 @@ final class ContactSolver {
                 bodies.w[body] = before[3 * body + 2];
             }
         }
+        Arrays.fill(push, 0, island.count, 0);
+        Arrays.fill(rub, 0, island.count, 0);
         return false;
     }
 

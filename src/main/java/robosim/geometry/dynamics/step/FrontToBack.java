@@ -25,6 +25,9 @@ final class FrontToBack {
     /** Who gets no farther than in this share of the time is stopped; who does is late, and keeps its velocity. */
     private static final double LEAST_SHARE = 0x1p-3;
 
+    /** Who lacks no more of its way than so many gaps is where it was to be. */
+    private static final double MOST_GAPS = 32;
+
     /** Most bodies that are let go first, for one that waits. */
     private static final int MOST_WAITING = 64;
 
@@ -70,6 +73,9 @@ final class FrontToBack {
     /** Whether a body could not be carried where it was to go. */
     boolean[] isBlocked = new boolean[FIRST];
 
+    /** Whether what blocks a body is another one that moves. */
+    boolean[] isBehind = new boolean[FIRST];
+
     /** The body of an object of the world, by id; -1 for none. */
     private int[] bodyOf = new int[FIRST];
 
@@ -112,6 +118,7 @@ final class FrontToBack {
             isOnWay = new boolean[room];
             isLate = new boolean[room];
             isBlocked = new boolean[room];
+            isBehind = new boolean[room];
         }
         for (int b = 0; b < bodies.count; b++) {
             firstLeg[b] = -1;
@@ -121,6 +128,7 @@ final class FrontToBack {
             atZ[b] = bodies.z[b];
             atAngle[b] = 0;
             isBlocked[b] = false;
+            isBehind[b] = false;
             isLate[b] = false;
         }
     }
@@ -380,7 +388,10 @@ final class FrontToBack {
         return true;
     }
 
-    /** Lets a body go as far as it may, where it ends. */
+    /**
+     * Lets a body go as far as it may, where it ends. It is blocked where it gets less than its share of the way and what it
+     * lacks is more than the gaps between bodies that touch: one that rests among others may have to make room by as much.
+     */
     private void settle(int b) {
         bodies.betweenParts.run();
         int id = bodies.id[b];
@@ -388,7 +399,18 @@ final class FrontToBack {
         double dx = legs.x[leg] - atX[b];
         double dz = legs.z[leg] - atZ[b];
         double by = legs.angle[leg] - atAngle[b];
-        carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap);
-        isBlocked[b] = true;
+        double fromX = carrier.objects.places()[carrier.objects.place(id)];
+        double fromZ = carrier.objects.places()[carrier.objects.place(id) + 2];
+        boolean isThere = carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap);
+        int obstacle = isThere ? -1 : carrier.obstacle();
+        int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
+        isBehind[b] = other >= 0 && bodies.lightness[other] > 0 && !bodies.isStill(other);
+        double[] places = carrier.objects.places();
+        int at = carrier.objects.place(id);
+        double lacking = Math.hypot(dx - (places[at] - fromX), dz - (places[at + 2] - fromZ));
+        double turning = Math.abs(by) * bodies.size[b];
+        double least = MOST_GAPS * Math.max(gap, 0x1p-42 * (Math.abs(fromX) + Math.abs(fromZ)));
+        isBlocked[b] =
+                !isThere && lacking + turning > Math.max(least, (1 - LEAST_SHARE) * (Math.hypot(dx, dz) + turning));
     }
 }

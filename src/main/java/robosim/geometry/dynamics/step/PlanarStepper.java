@@ -12,6 +12,12 @@ public final class PlanarStepper {
     /** Most times that the velocity of a body changes in one go; then it is held until the end. */
     private static final int MOST_CHANGES = 48;
 
+    /** After so many of these it bounces no more: a light body between two heavy ones that close in would bounce ever faster. */
+    private static final int MOST_BOUNCES = 24;
+
+    /** For so many seconds a body that another one is in the way of keeps its velocity; then it stops. */
+    private static final double LONGEST_WAIT = 0.25;
+
     /** Collisions within so much of the time are solved together. */
     private static final double TOGETHER = 1e-12;
 
@@ -49,6 +55,11 @@ public final class PlanarStepper {
     private boolean[] wasStopped = new boolean[0];
 
     private double end;
+    private boolean[] isPressed = new boolean[8];
+
+    /** For how long a body has waited for others that are in its way, seconds. */
+    private double[] waited = new double[8];
+
     private int[] hits = new int[16];
     private int hitCount;
 
@@ -94,9 +105,12 @@ public final class PlanarStepper {
         bodies.ownEase[b] = mass == 0 ? 0 : 1 / inertia;
         if (b >= isStopped.length) {
             isStopped = new boolean[2 * b];
+            isPressed = new boolean[2 * b];
+            waited = Arrays.copyOf(waited, 2 * b);
         }
         floor.set(b, 0, 0);
         floor.forget(b);
+        waited[b] = 0;
         bodies.stop(b);
         scene.forget();
         return b;
@@ -227,6 +241,30 @@ public final class PlanarStepper {
         finish();
     }
 
+    /** Marks a body that {@link #settle} is to look at, or one that it is not to. */
+    public void press(int b, boolean isPressing) {
+        isPressed[b] = isPressing;
+    }
+
+    /**
+     * Solves, where all are after {@link #run}, what the bodies that press and have other velocities since do to those which
+     * they touch. Nothing bounces there: all of it has met before.
+     */
+    public void settle() {
+        met.isCarried = true;
+        int lastMark = met.mark;
+        for (int b = 0; b < bodies.count; b++) {
+            for (int link = isPressed[b] ? pairs.heads[b] : -1; link >= 0; link = pairs.links[link]) {
+                int pair = link >> 1;
+                if (pairs.touches[pair] && pairs.mark[pair] <= lastMark && meetings.isApproaching(pair, end)) {
+                    met.gather(pair, end);
+                    met.settle(touches, false);
+                }
+            }
+        }
+        met.isCarried = false;
+    }
+
     /** Takes all that meet at a time, and solves them, those that touch each other together. */
     private void meet(double time) {
         hitCount = 0;
@@ -259,7 +297,7 @@ public final class PlanarStepper {
             approach = Math.min(approach, island.pair[c] == hit ? island.parting(c) : 0);
         }
         boolean isSlow = approach > -CollisionPrediction.SLOW;
-        boolean isSolved = met.settle(touches);
+        boolean isSolved = met.settle(touches, bounces());
         meetings.apart(now);
         for (int k = 0; k < island.bodyCount; k++) {
             int body = island.bodyList[isSwapped && k < 2 ? 1 - k : k];
@@ -278,6 +316,16 @@ public final class PlanarStepper {
             meetings.pause(hit, now, met.isChanged(hit));
         }
         again(hit, now);
+    }
+
+    /** Whether none of those that meet has bounced too often in this time. */
+    private boolean bounces() {
+        for (int k = 0; k < island.bodyCount; k++) {
+            if (bodies.changes[island.bodyList[k]] >= MOST_BOUNCES) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Expects the next collisions of those whose velocities have changed. */
@@ -328,7 +376,11 @@ public final class PlanarStepper {
         order.sort(bodies, pairs, pieces, carrying.atX, carrying.atZ);
         carrying.carry(order.bodies, end);
         for (int b = 0; b < bodies.count; b++) {
-            if (carrying.isBlocked[b]) {
+            if (!carrying.isBlocked[b]) {
+                waited[b] = 0;
+            } else if (carrying.isBehind[b] && waited[b] < LONGEST_WAIT) {
+                waited[b] += end; // and keeps its velocity
+            } else {
                 bodies.stop(b);
                 isStopped[b] = true;
             }

@@ -17,6 +17,9 @@ import robosim.geometry.exact.Turned;
  * times what is lost in rounding, here and when places are stored.
  */
 final class SeparationProof {
+    /** Squared, the least cosine of the angle between a normal and a velocity along which two are shifted instead. */
+    private static final double LEAST_ALONG = 0x1p-4;
+
     /** Most times that a time is halved. */
     private static final int MOST_HALVES = 6;
 
@@ -177,9 +180,24 @@ final class SeparationProof {
         double share = other < 0 || light == 0 ? 1 : bodies.ownLightness[body] / light;
         double rest = share - 1;
         if (isMissingAtEnd) {
+            if (other >= 0) {
+                turnAlong(body, other);
+            }
             return shift(legs, body, share * missing) && (other < 0 || shift(legs, other, rest * missing));
         }
         return bulge(body, share * missing) && (other < 0 || bulge(other, rest * missing));
+    }
+
+    /** Lets two end apart along the velocity of one as seen from the other if that parts them: so their angular momentum stays. */
+    private void turnAlong(int body, int other) {
+        double vx = bodies.vx[body] - bodies.vx[other];
+        double vz = bodies.vz[body] - bodies.vz[other];
+        double along = vx * missingX + vz * missingZ;
+        double square = vx * vx + vz * vz;
+        if (along * along >= LEAST_ALONG * square && square > 0) {
+            missingX = vx / along;
+            missingZ = vz / along;
+        }
     }
 
     private boolean shift(Legs legs, int body, double by) {
