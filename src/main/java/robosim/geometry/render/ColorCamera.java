@@ -255,7 +255,8 @@ public final class ColorCamera {
     }
 
     /**
-     * Takes a picture of a world, on the calling thread.
+     * Takes a picture of a world, on the calling thread. Under a {@link robosim.geometry.WorkLimit} of the world it counts as
+     * one call; where it is ended, the frame has no picture.
      *
      * @throws IllegalArgumentException if the world is PLANAR, which has no heights, or has no moveable object of the
      *     carrier's name
@@ -275,7 +276,13 @@ public final class ColorCamera {
         checkSpatial(Checks.present("world", world).dimension());
         Checks.present("out", out).reset(plan.width, plan.height);
         Checks.present("progress", progress);
-        BlockPainter painter = out.painter(world);
+        world.together("a picture", () -> {
+            paint(out.painter(world), out, progress);
+            return out;
+        });
+    }
+
+    private void paint(BlockPainter painter, ColorFrame out, IntConsumer progress) {
         SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
         painter.begin(this, shade);
         for (int block = 0; block < plan.blocks(); block++) {
