@@ -381,10 +381,12 @@ public final class Geometry extends GeometryQueries {
      * their order, places and headings are the same to the bit.
      *
      * <pre>{@code
+     * Geometry geometry = new Geometry(20, 5, 20);
+     * geometry.addObject(new CylinderObject(new Point(0, 0, 0), 0.3, 1).moveable("robot"));
      * geometry.together("a round", () -> {
      *     geometry.move("robot", new Move(1, 0, 0, 0, 0));
      *     return geometry.move("robot", new Move(0, 0, 0, 0, 90)).allowed();
-     * });
+     * });  // true
      * }</pre>
      *
      * @param call  what messages about the limit call it

@@ -61,6 +61,11 @@ public final class WorkLimit {
         return new WorkLimit(units, Checks.present("pause", pause));
     }
 
+    /** Begins to count work of another kind against this limit, as that of a check, or of a loop of one's own. */
+    public Meter meter(String call) {
+        return new Meter(this, Checks.present("call", call));
+    }
+
     /** The most units that a call may take. */
     public long units() {
         return units;
@@ -92,6 +97,28 @@ public final class WorkLimit {
     @Override
     public String toString() {
         return units == Long.MAX_VALUE ? "no limit of work" : "at most " + units + " units of work a call";
+    }
+
+    /** Counts work for one call; used by one thread at a time. */
+    public static final class Meter {
+        private final Work work = new Work();
+
+        private Meter(WorkLimit limit, String call) {
+            work.begin(limit.counted, call);
+        }
+
+        /**
+         * Counts units.
+         *
+         * @param units at least 0
+         * @throws WorkLimitException if there are more than the limit allows, or it was cancelled
+         */
+        public void take(long units) {
+            if (units < 0) {
+                throw new IllegalArgumentException("units must be at least 0 (got: " + units + ")");
+            }
+            work.take(units);
+        }
     }
 
     private final class Counted implements Work.Limit {

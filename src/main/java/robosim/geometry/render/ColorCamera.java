@@ -256,7 +256,8 @@ public final class ColorCamera {
     }
 
     /**
-     * Takes a picture of a world, on the calling thread.
+     * Takes a picture of a world, on the calling thread. Under a {@link robosim.geometry.WorkLimit} of the world it counts as
+     * one call; where it is ended, the frame has no picture.
      *
      * @throws IllegalArgumentException if the world has no moveable object of the carrier's name
      */
@@ -274,7 +275,13 @@ public final class ColorCamera {
         Checks.present("world", world);
         Checks.present("out", out).reset(plan.width, plan.height);
         Checks.present("progress", progress);
-        BlockPainter painter = out.painter(world);
+        world.together("a picture", () -> {
+            paint(out.painter(world), out, progress);
+            return out;
+        });
+    }
+
+    private void paint(BlockPainter painter, ColorFrame out, IntConsumer progress) {
         SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
         painter.begin(this, shade);
         int[] percent = {0};

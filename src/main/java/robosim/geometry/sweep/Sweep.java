@@ -13,7 +13,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -49,6 +52,10 @@ public final class Sweep implements Serializable {
 
     private final long replicates;
     private final long seed;
+
+    /** The most units of work of a replicate. */
+    private long work = Long.MAX_VALUE;
+
     private transient SweepWorld.Views views = new SweepWorld.Views();
 
     private Sweep(
@@ -86,7 +93,7 @@ public final class Sweep implements Serializable {
         }
         List<SweepWorld> more = new ArrayList<>(worlds);
         more.add(world);
-        return new Sweep(name, scenario, more, parameters, replicates, seed);
+        return new Sweep(name, scenario, more, parameters, replicates, seed).with(work);
     }
 
     /**
@@ -114,7 +121,7 @@ public final class Sweep implements Serializable {
         }
         Map<String, List<String>> more = new TreeMap<>(parameters);
         more.put(parameter, List.of(values));
-        return new Sweep(name, scenario, worlds, more, replicates, seed);
+        return new Sweep(name, scenario, worlds, more, replicates, seed).with(work);
     }
 
     private static <E extends Enum<E>> E constant(String parameter, Class<E> type, String value) {
@@ -133,12 +140,28 @@ public final class Sweep implements Serializable {
             throw new IllegalArgumentException(
                     "replicates must be from 1 to " + Integer.MAX_VALUE + " (got: " + number + ")");
         }
-        return new Sweep(name, scenario, worlds, parameters, number, seed);
+        return new Sweep(name, scenario, worlds, parameters, number, seed).with(work);
     }
 
     /** This sweep with another root seed. */
     public Sweep seed(long root) {
-        return new Sweep(name, scenario, worlds, parameters, replicates, root);
+        return new Sweep(name, scenario, worlds, parameters, replicates, root).with(work);
+    }
+
+    /**
+     * This sweep with a limit of each replicate: one in which its world would take more units of {@link WorkLimit} fails, always
+     * the same ones.
+     *
+     * @param units at least 0
+     */
+    public Sweep limitWork(long units) {
+        return new Sweep(name, scenario, worlds, parameters, replicates, seed)
+                .with(WorkLimit.of(units).units());
+    }
+
+    private Sweep with(long units) {
+        work = units; // this sweep is a new one
+        return this;
     }
 
     /** The header of its results, which identifies the sweep. */
@@ -228,8 +251,8 @@ public final class Sweep implements Serializable {
         long paired = Seeds.paired(seed, name, number);
         try {
             Snapshot snapshot = snapshot(at, world, values);
-            Result result =
-                    scenario.run(new Replicate(snapshot.toGeometry(), world.name(), values, number, own, paired));
+            Geometry made = snapshot.toGeometry();
+            Result result = run(made, new Replicate(made, world.name(), values, number, own, paired));
             return Outcome.of(index, world.name(), values, number, own, result);
         } catch (StackOverflowError e) {
             return Outcome.failed(index, world.name(), values, number, own, e);
@@ -237,6 +260,26 @@ public final class Sweep implements Serializable {
             throw e; // out of memory or a broken JVM: the next replicate would fail too
         } catch (Throwable e) {
             return Outcome.failed(index, world.name(), values, number, own, e);
+        }
+    }
+
+    /** Runs a replicate within its limit of work, if it has one. */
+    private Result run(Geometry world, Replicate replicate) throws Exception {
+        if (work == Long.MAX_VALUE) {
+            return scenario.run(replicate);
+        }
+        world.limitWork(WorkLimit.of(work));
+        Callable<Result> run = () -> scenario.run(replicate);
+        return world.together("a replicate", () -> Sweep.<RuntimeException>called(run));
+    }
+
+    /** Calls something; what it throws goes on as it is, checked or not. */
+    @SuppressWarnings({"unchecked", "TypeParameterUnusedInFormals"})
+    private static <E extends Exception> Result called(Callable<Result> run) throws E {
+        try {
+            return run.call();
+        } catch (Exception e) {
+            throw (E) e;
         }
     }
 

@@ -231,6 +231,7 @@ public final class PatternSensor {
             answer(view, middle, to);
             return;
         }
+        scratch.work.take(to - from);
         search.search(view, max, ignored);
         for (int k = from; k < to; k++) {
             int beam = beams[k];

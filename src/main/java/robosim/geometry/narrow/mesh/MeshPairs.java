@@ -28,6 +28,9 @@ public final class MeshPairs {
     /** A box smaller than this fraction of the other is not split yet. */
     private static final double ALIKE = 0.5;
 
+    /** So many pairs are counted together. */
+    private static final int TOGETHER = 64;
+
     private static final double FARTHEST = Double.MAX_VALUE;
 
     private final OverlapScratch s;
@@ -114,8 +117,11 @@ public final class MeshPairs {
         loadA(nodesA, a.root(), 0);
         loadB(nodesB, b.root(), 0);
         pushAll(0, 1, 0, 1);
+        int looked = 0;
         while (depth > 0) {
-            s.work.take();
+            if ((++looked & TOGETHER - 1) == 0) {
+                s.work.take(TOGETHER);
+            }
             depth--;
             int p = stackA[depth];
             int q = stackB[depth];
@@ -126,6 +132,7 @@ public final class MeshPairs {
             if (countP > 0 && countQ > 0) {
                 double reach = size(nodesA, p) / a.scale() + size(nodesB, q) / b.scale();
                 if (leavesTouch(meshA, linkP, countP, meshB, linkQ, countQ, reach)) {
+                    s.work.take(looked & TOGETHER - 1);
                     return true;
                 }
                 continue;
@@ -147,6 +154,7 @@ public final class MeshPairs {
             }
             pushAll(linkP, partsA, linkQ, partsB);
         }
+        s.work.take(looked & TOGETHER - 1);
         return false;
     }
 

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -91,6 +92,21 @@ public record WorldCheck(
     /** Checks a world. */
     public static WorldCheck of(World world) {
         return of(world, (work, done, total) -> {});
+    }
+
+    /**
+     * Checks a world within a limit, of which each report to the watch is a unit: an object that was compared, a place that was
+     * searched, or a question that was asked.
+     *
+     * @throws robosim.geometry.WorkLimitException if there would be more, or the limit was cancelled
+     */
+    public static WorldCheck of(World world, Watch watch, WorkLimit limit) {
+        Checks.present("watch", watch);
+        WorkLimit.Meter meter = Checks.present("limit", limit).meter("a check");
+        return of(world, (work, done, total) -> {
+            meter.take(1);
+            watch.at(work, done, total);
+        });
     }
 
     /** Checks a world and reports progress. */
