@@ -1,8 +1,11 @@
 package robosim.geometry.cli;
 
 import java.io.PrintWriter;
+import java.nio.charset.Charset;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import robosim.geometry.cli.demo.DemoCommand;
@@ -14,6 +17,7 @@ import robosim.geometry.cli.studies.SweepCommand;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.FailureText;
 import robosim.geometry.cli.terminal.Numbers;
+import robosim.geometry.cli.terminal.PlainPrinter;
 import robosim.geometry.cli.terminal.Terminal;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.worlds.AddCommand;
@@ -48,6 +52,9 @@ public final class Commands implements Terminal.Program {
     /** What people who do not know a program type first. */
     private static final String HELP = "help";
 
+    /** What asks for help. */
+    private static final Set<String> HELPS = Set.of(HELP, "--help", "-h");
+
     private static final List<Class<?>> COMMANDS = List.of(
             DemoCommand.class,
             CheckCommand.class,
@@ -71,7 +78,18 @@ public final class Commands implements Terminal.Program {
     }
 
     static int run(String... arguments) {
-        return run(line(true, needed(arguments)), arguments);
+        CommandLine line = line(true, needed(arguments));
+        // A file's name must not control the terminal; only help has colors.
+        if (arguments.length > 0 && Arrays.stream(arguments).noneMatch(HELPS::contains)) {
+            line.setOut(new PlainPrinter(System.out, charset("sun.stdout.encoding")));
+            line.setErr(new PlainPrinter(System.err, charset("sun.stderr.encoding")));
+        }
+        return run(line, arguments);
+    }
+
+    private static Charset charset(String property) {
+        String name = System.getProperty(property);
+        return name == null ? Charset.defaultCharset() : Charset.forName(name);
     }
 
     /** Runs a command with its output redirected, and returns its exit code. */

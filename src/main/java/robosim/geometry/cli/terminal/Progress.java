@@ -77,7 +77,8 @@ public final class Progress implements AutoCloseable {
     private synchronized void draw(long done, String note) {
         next = System.nanoTime() + BETWEEN_NANOS;
         drawn = true;
-        err.print(ERASED + text(done, note));
+        erase();
+        err.print(text(done, note));
         err.flush();
     }
 
@@ -102,8 +103,16 @@ public final class Progress implements AutoCloseable {
     public synchronized void clear() {
         if (drawn) {
             drawn = false;
-            err.print(ERASED);
+            erase();
             err.flush();
+        }
+    }
+
+    private void erase() {
+        if (err instanceof PlainPrinter terminal) {
+            terminal.control(ERASED);
+        } else {
+            err.print(ERASED);
         }
     }
 
