@@ -1,19 +1,19 @@
 package robosim.geometry.net;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.io.ObjectStreamConstants;
 import java.io.OutputStream;
+import java.net.InetAddress;
 import java.net.Socket;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.GeometryObject;
-import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.WorkLimitException;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.pace.Effort;
 import robosim.geometry.net.pace.MessageMemory;
@@ -24,8 +24,8 @@ import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.Opening;
-import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.net.session.Refused;
+import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -241,7 +241,9 @@ final class Connection implements Runnable {
             converse(
                     channel,
                     in,
-                    session.pausing(effort::breathe, around.log()).numbered(this::message).within(limit));
+                    session.pausing(effort::breathe, around.log())
+                            .numbered(this::message)
+                            .within(limit));
         } finally {
             listener.ended();
         }

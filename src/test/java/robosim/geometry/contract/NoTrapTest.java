@@ -240,7 +240,9 @@ class NoTrapTest {
                         Move turn = isTipped ? new Move(0, 0, 0, by, 0) : new Move(0, 0, 0, 0, by);
                         boolean allowed = copy(world).move("m", turn).allowed();
                         assertThat(allowed && isBlocked)
-                                .as("%s turned by %s, tipped %s, in %s", world.getObject("m"), by, isTipped, world.objects())
+                                .as(
+                                        "%s turned by %s, tipped %s, in %s",
+                                        world.getObject("m"), by, isTipped, world.objects())
                                 .isFalse();
                         isBlocked = !allowed;
                     }

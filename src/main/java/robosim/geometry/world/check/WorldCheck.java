@@ -143,7 +143,8 @@ public record WorldCheck(
         Overlaps overlaps = new Overlaps(inside, watch);
         World free = Standing.raised(inside, overlaps.found());
         // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
-        CompletableFuture<List<SettingTally>> tallies = CompletableFuture.supplyAsync(() -> isComplete ? SettingTally.all(free) : List.of());
+        CompletableFuture<List<SettingTally>> tallies =
+                CompletableFuture.supplyAsync(() -> isComplete ? SettingTally.all(free) : List.of());
         Set<String> touching = new HashSet<>();
         for (Overlap overlap : overlaps.found()) {
             if (Standing.isStanding(overlap)) {

@@ -100,13 +100,13 @@ class JsonSchemaTest {
     /** Angles and speeds of turning whose names have their unit. */
     private static final List<String> WITH_UNITS = List.of(
             "{\"type\":\"step\",\"seconds\":1,\"bodies\":[{\"objectName\":\"r\",\"maxTurnRadians\":2,\"drive\":{\"kind\":"
-                + "\"omnidirectional\",\"maxTurnRadians\":1,\"maxTurnAccelerationRadians\":3}}],\"commands\":[{"
-                + "\"objectName\":\"r\",\"turnRadians\":0.5}]}",
+                    + "\"omnidirectional\",\"maxTurnRadians\":1,\"maxTurnAccelerationRadians\":3}}],\"commands\":[{"
+                    + "\"objectName\":\"r\",\"turnRadians\":0.5}]}",
             "{\"type\":\"batch\",\"requests\":[{\"kind\":\"move\",\"objectName\":\"r\",\"rxRadians\":1,\"ryRadians\":2},"
-                + "{\"kind\":\"moveToContact\",\"objectName\":\"r\",\"ryRadians\":2},{\"kind\":\"place\",\"objectName\":"
-                + "\"r\",\"center\":[0,0,0],\"headingRadians\":1},{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{"
-                + "\"place\":[0,0,0],\"headingRadians\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,"
-                + "\"count\":2},\"motion\":{\"duration\":1,\"ryRadians\":1}}]}");
+                    + "{\"kind\":\"moveToContact\",\"objectName\":\"r\",\"ryRadians\":2},{\"kind\":\"place\",\"objectName\":"
+                    + "\"r\",\"center\":[0,0,0],\"headingRadians\":1},{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{"
+                    + "\"place\":[0,0,0],\"headingRadians\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,"
+                    + "\"count\":2},\"motion\":{\"duration\":1,\"ryRadians\":1}}]}");
 
     @Test
     void aNameWithItsUnitIsTheSameField() throws IOException {
@@ -162,8 +162,8 @@ class JsonSchemaTest {
                 + "\"height\":1,\"length\":1,\"heading\":0.5}],\"settings\":{\"dimension\":\"SPATIAL\"}}");
         lines.add(
                 "{\"type\":\"batch\",\"requests\":[{\"kind\":\"sense\",\"objectName\":\"r\",\"mount\":{\"place\":[0,0,0],"
-                    + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
-                    + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
+                        + "\"heading\":1},\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":2}},{\"kind\":\"move\","
+                        + "\"objectName\":\"r\",\"x\":1},{\"kind\":\"place\",\"objectName\":\"r\",\"center\":[0,1,2]}]}");
         lines.add(JsonLines.write(new BatchRequestBundle(List.of())));
         lines.addAll(WITH_UNITS);
         lines.add("{\"type\":\"sonars\",\"requests\":[],\"id\":\"a name\"}");
