@@ -78,6 +78,7 @@ public record InitBundle(
     public interface Loader {
         /** Reads none. */
         Loader NONE = load -> {
+            Checks.present("load", load);
             throw new IOException(
                     "this module loads no world files for its peers; send the objects in an init, or start it"
                             + " with `serve` (got: " + Text.quoted(load.file()) + ")");

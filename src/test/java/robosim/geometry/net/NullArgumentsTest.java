@@ -65,6 +65,7 @@ class NullArgumentsTest {
     private static final List<String> NOT_ASKED = List.of(
             "SessionListener",
             "Gate",
+            "Loader",
             "MessagePace",
             "MessageTranslator",
             "StepReader",
