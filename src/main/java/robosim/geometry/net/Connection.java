@@ -279,11 +279,7 @@ final class Connection implements Runnable {
                 String reason = Text.line(String.valueOf(e.getMessage()));
                 warn("message " + message() + " was not carried out: " + reason);
                 around.figures().failed();
-                reply = Refused.of(request);
-                if (channel.encoding() == MessageChannel.Encoding.JSON) {
-                    channel.refuse(reason);
-                    reply = null;
-                }
+                reply = channel.answerError(reason) ? null : Refused.of(request);
             }
             if (session.objectCount() < before && request instanceof BatchRequestBundle) {
                 worldMemory.shrink(session.objectCount(), before);
