@@ -39,6 +39,7 @@ final class Neighbours {
         int most = far < bodies.count / 4 ? Integer.MAX_VALUE : MOST_PAIRS + MOST_EACH * bodies.count;
         grid.clear(bodies.count, bodies.count == 0 || cell == 0 ? 1 : 1.5 * cell / bodies.count);
         for (int b = 0; b < bodies.count; b++) {
+            bodies.betweenParts.run(); // a box of a long way covers many cells
             sweep(b, 0);
             double margin = 0.0625 * bodies.size[b];
             grid.put(b, own[0] - margin, own[1] - margin, own[2] + margin, own[3] + margin);

@@ -127,6 +127,7 @@ final class SimultaneousMotion {
         }
         grid.clear(count, size > 0 ? 1.5 * size / count : 1);
         for (int body = 0; body < count; body++) {
+            bodies.betweenParts.run();
             goes[body] = legs.first[body] >= 0;
             hold(body, bulge);
             if (goes[body]) {
@@ -137,6 +138,7 @@ final class SimultaneousMotion {
         }
         for (int body = 0; body < count; body++) {
             if (goes[body]) {
+                bodies.betweenParts.run();
                 findOthers(body, bulge);
             }
         }
@@ -201,6 +203,7 @@ final class SimultaneousMotion {
     }
 
     private boolean passes(int pair) {
+        bodies.betweenParts.run();
         int one = a[pair];
         int other = b[pair];
         return other < 0
