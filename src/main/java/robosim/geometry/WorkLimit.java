@@ -131,8 +131,8 @@ public final class WorkLimit {
         public void look(String call) {
             if (isCancelled) {
                 throw new WorkLimitException(
-                        call + " must not be cancelled to be made; the world is as it was before, and"
-                                + " WorkLimit.reset allows calls again (got: cancelled)",
+                        call + " was cancelled by WorkLimit.cancel; the world is as it was before, and"
+                                + " WorkLimit.reset allows calls again",
                         true);
             }
             between.run();

@@ -122,7 +122,7 @@ class WorkLimitTest {
         });
         world.limitWork(limit[0]);
         assertThat(refused(() -> world.move("m", UP)))
-                .hasMessageStartingWith("move must not be cancelled")
+                .hasMessageStartingWith("move was cancelled by WorkLimit.cancel")
                 .returns(true, WorkLimitException::isCancelled);
         assertThat(looks).hasValue(5);
         assertThat(state(world)).isEqualTo(before);
