@@ -50,6 +50,8 @@ public final class Text {
      * closest, or the first ones if none is close.
      */
     public static String choice(String given, Collection<String> names) {
+        Checks.present("given", given);
+        Checks.present("names", names);
         if (names.isEmpty()) {
             return "of which there are none";
         }
@@ -66,7 +68,7 @@ public final class Text {
 
     /** The closest names to one that does not exist, to be appended: {@code ; closest: "a", "b"}, or nothing. */
     public static String closest(String given, Iterable<String> names) {
-        List<String> near = NearNames.of(given, names);
+        List<String> near = NearNames.of(Checks.present("given", given), Checks.present("names", names));
         return near.isEmpty() ? "" : "; closest: " + list(near);
     }
 

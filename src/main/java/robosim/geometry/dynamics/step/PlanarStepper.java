@@ -53,6 +53,7 @@ public final class PlanarStepper {
     private ContactLog older;
 
     private boolean[] wasStopped = new boolean[0];
+    private double[] hadWaited = waited;
 
     private double end;
     private boolean[] isPressed = new boolean[8];
@@ -187,12 +188,14 @@ public final class PlanarStepper {
     /** Keeps what a step changes that is about to begin. */
     public void keep() {
         wasStopped = isStopped.clone();
+        hadWaited = waited.clone();
         floor.keep();
     }
 
     /** Takes a step back that was not made; whether it had begun. */
     public void undo(boolean hasBegun) {
         isStopped = wasStopped;
+        waited = hadWaited;
         floor.undo();
         if (hasBegun) {
             ContactLog failed = touches;
