@@ -53,7 +53,7 @@ public final class PlanarStepper {
     private ContactLog older;
 
     private boolean[] wasStopped = new boolean[0];
-    private double[] hadWaited = waited;
+    private double[] hadWaited = new double[0];
 
     private double end;
     private boolean[] isPressed = new boolean[8];
