@@ -123,7 +123,8 @@ final class XmlWorld implements WorldHandler.Includes {
             throw new IllegalArgumentException("an included file must have the unit of the world, " + unit.symbol()
                     + "; convert one of them (got: " + other.symbol() + ")");
         }
-        String prefix = element.attribute("prefix", "");
+        String given = element.attribute("prefix"); // spaces at its end count
+        String prefix = given == null ? "" : given;
         // A plane that an element tilts is no floor.
         boolean isSdf = included.format().equals(SdfReader.FORMAT) && place.isUpright();
         List<WorldObject> objects = new ArrayList<>(included.world().objects().size());
