@@ -354,10 +354,10 @@ final class WorldHandler extends DefaultHandler {
         Element element = open;
         String problem = element == null ? String.valueOf(e.getMessage()) : SchemaErrors.explain(e, element);
         refuse(new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e));
-        boolean isInWorld = element != null && element.parent != null && element.parent.parent == null;
+        Element parent = element == null ? null : element.parent;
         int allowed = problem.indexOf(SchemaErrors.ALLOWED);
-        if (isInWorld && allowed >= 0) {
-            element.parent.allowed = problem.substring(allowed);
+        if (parent != null && parent.parent == null && allowed >= 0) {
+            parent.allowed = problem.substring(allowed);
         }
     }
 

@@ -13,6 +13,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
@@ -122,32 +123,33 @@ final class XmlWorld implements WorldHandler.Includes {
             throw new IllegalArgumentException("an included file must have the unit of the world, " + unit.symbol()
                     + "; convert one of them (got: " + other.symbol() + ")");
         }
-        String prefix = element.attribute("prefix");
+        String given = element.attribute("prefix"); // spaces at its end count
+        String prefix = given == null ? "" : given;
+        // A plane that an element tilts is no floor.
+        boolean isSdf = included.format().equals(SdfReader.FORMAT) && place.isUpright();
         List<WorldObject> objects = new ArrayList<>(included.world().objects().size());
         for (WorldObject each : included.world().objects()) {
-            WorldObject fitted = included.format().equals(SdfReader.FORMAT) && place.isUpright()
-                    ? fitted(each, included.world(), place, outer)
-                    : each;
-            if (fitted != null) {
-                objects.add(placed(fitted, fitted == each ? place : Placement.NONE, prefix == null ? "" : prefix));
+            if (isSdf
+                    && Floor.isFloor(
+                            each.object(),
+                            included.world().width(),
+                            included.world().length())) {
+                floor(each, place, outer).ifPresent(floor -> objects.add(placed(floor, Placement.NONE, prefix)));
+            } else {
+                objects.add(placed(each, place, prefix));
             }
         }
         return objects;
     }
 
-    /**
-     * The object itself, but an infinite ground as the floor of the outer world; null if that needs none, since its lower
-     * border is above the ground or heights do not count.
-     */
-    private static @Nullable WorldObject fitted(WorldObject each, World own, Placement place, World outer) {
-        if (!Floor.isFloor(each.object(), own.width(), own.length())) {
-            return each;
+    /** An infinite ground as the floor of the outer world; none where it lies below that, or heights do not count. */
+    private static Optional<WorldObject> floor(WorldObject given, Placement place, World outer) {
+        if (outer.dimension() == Dimension.PLANAR) {
+            return Optional.empty();
         }
-        BoxObject floor = outer.dimension() == Dimension.PLANAR
-                ? null
-                : Floor.within(
-                        (BoxObject) each.object(), place.origin().y(), outer.width(), outer.height(), outer.length());
-        return floor == null ? null : new WorldObject(floor, each.color(), each.sonars(), each.body());
+        BoxObject floor = Floor.within(
+                (BoxObject) given.object(), place.origin().y(), outer.width(), outer.height(), outer.length());
+        return Optional.ofNullable(floor).map(box -> new WorldObject(box, given.color(), given.sonars(), given.body()));
     }
 
     private static WorldObject placed(WorldObject given, Placement place, String prefix) {

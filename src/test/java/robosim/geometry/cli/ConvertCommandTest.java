@@ -48,7 +48,7 @@ class ConvertCommandTest extends CommandRun {
                         "Read SDFormat: box 1, capsule 1, collision 7, cone 1, cylinder 1, ellipsoid 1, link 7, model 7, plane 1,"
                                 + " sphere 1")
                 .anySatisfy(line -> assertThat(line)
-                        .startsWith("Wrote " + xml + ": 6 objects, 6 of them moveable; the world is 4 x 4 x "));
+                        .startsWith("Wrote " + xml + ": 7 objects, 6 of them moveable; the world is 4 x 4 x "));
         assertThat(WorldReader.read(xml))
                 .isEqualTo(SdfReader.read(in, List.of()).world());
         assertThat(Files.list(folder)).containsExactly(xml);

@@ -118,9 +118,7 @@ class SpatialDriveCommandTest {
         assertThat(run("drive", world.toString(), "--seconds", "2", "--planar"))
                 .as(err.toString())
                 .isZero();
-        assertThat(out.toString() + err)
-                .containsPattern("\"bot\" at \\((1|0.9\\d*), 0.25, 0\\)")
-                .doesNotContain("fallen", "ground_plane");
+        assertThat(out.toString() + err).contains("\"bot\" at (1, 0), ").doesNotContain("fallen", "ground_plane");
     }
 
     /** For a moment only: what rolls along in front of a robot takes many slices of a step. */

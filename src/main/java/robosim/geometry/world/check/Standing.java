@@ -3,7 +3,6 @@ package robosim.geometry.world.check;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Bounds;
@@ -42,7 +41,7 @@ final class Standing {
 
     /** A world in which each robot that stands on something is slightly above it. */
     static World raised(World world, List<Overlap> overlaps) {
-        Map<WorldObject, Double> up = new IdentityHashMap<>();
+        IdentityHashMap<WorldObject, Double> up = new IdentityHashMap<>();
         for (Overlap each : overlaps) {
             if (isStanding(each)) {
                 double raise = each.depth() + RAISED * height(each.first().object());

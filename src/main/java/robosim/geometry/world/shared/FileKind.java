@@ -178,7 +178,7 @@ public final class FileKind {
         if (!readAs.equals("obj") && VERTEX.matcher(text).find()) {
             return "this is Wavefront OBJ; give it a name that ends in .obj";
         }
-        if (!readAs.equals("yaml") && RESOLUTION.matcher(text).find()) {
+        if (RESOLUTION.matcher(text).find()) {
             return "this is a ROS map; give it a name that ends in .yaml";
         }
         return null;
