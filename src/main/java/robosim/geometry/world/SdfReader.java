@@ -88,7 +88,7 @@ public final class SdfReader {
         public Optional<String> ignored() {
             Set<String> elements = new TreeSet<>();
             values.forEach((path, value) -> {
-                String[] names = path.split("/");
+                String[] names = path.split("/", -1);
                 if (names.length == 3 && names[0].equals("lens")) { // <intrinsics> or <projection>, and a number
                     elements.add("<lens><" + names[1] + ">");
                 } else if (path.startsWith("distortion/") && !isZero(value)) {
