@@ -66,8 +66,11 @@ public final class Dynamics {
     /** What is not round turns by no more than so many radians before it goes on. */
     private static final double TURN = 0.5;
 
-    /** Most parts of a step. */
-    private static final int MOST_SLICES = 64;
+    /** Most parts of a step: an hour and more. In a longer step each part is longer. */
+    private static final int MOST_SLICES = 1 << 16;
+
+    /** What turns divides each 4 seconds, or a shorter step, into so many parts at most. */
+    private static final int MOST_TURNS = 64;
 
     private static final Point DOWN = new Point(0, -Body.GRAVITY, 0);
 
@@ -471,7 +474,8 @@ public final class Dynamics {
             isForced |= each.isForced();
         }
         double parts = isMoving && isForced ? seconds / SLICE : 1;
-        return (int) Math.ceil(Math.min(MOST_SLICES, Math.max(parts, seconds * turning / TURN)));
+        double turns = Math.min(seconds * turning / TURN, MOST_TURNS * Math.max(1, seconds * SLICE / 0.25));
+        return (int) Math.ceil(Math.min(MOST_SLICES, Math.max(parts, turns)));
     }
 
     /** Lets all go on for a part of a step, in which drives, damping and floors act once. */

@@ -114,6 +114,25 @@ class UnhinderedTest {
         assertThat(Decay.kept(1e30)).isZero();
     }
 
+    /** However long a step, it is divided into parts of 1/16 s. */
+    @Test
+    void aLongStepIsThatManyShortOnes() {
+        String[] ends = new String[2];
+        double[] seconds = {100, 1.0 / 16};
+        for (int k = 0; k < 2; k++) {
+            Geometry world = new Geometry(4000, 5, 4000, Dimension.PLANAR, Accuracy.EXACT);
+            world.addObject(new CylinderObject(new Point(0, 0, 0), 0.3, 1).moveable("cart"));
+            Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+            dynamics.add("cart", Body.of(20, 1));
+            dynamics.drive("cart", new DifferentialDrive(0.5, 1, 0.5).driving(0.7, 20));
+            for (double time = 0; time < 100; time += seconds[k]) {
+                dynamics.advance(seconds[k]);
+            }
+            ends[k] = world.getObject("cart").toString();
+        }
+        assertThat(ends[0]).isEqualTo(ends[1]);
+    }
+
     @Test
     void theyAllocateNothing() {
         double[] sum = new double[1];
