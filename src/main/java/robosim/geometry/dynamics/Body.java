@@ -117,7 +117,7 @@ public record Body(
         if (shape.kind() == GeometryObject.Kind.SPHERE || shape.pose().isUpright()) {
             return body;
         }
-        double[] moments = Inertia.moments(shape, body);
+        double[] moments = Inertia.moments(shape, 0, body.inertia(), 0);
         return body.withInertia(moments[0], moments[1], moments[2]);
     }
 
@@ -235,6 +235,27 @@ public record Body(
                 floorFriction,
                 Quantity.positive("aboutX", aboutX),
                 Quantity.positive("aboutZ", aboutZ));
+    }
+
+    /** The moments of a solid of a shape that has this body, about its own axes. */
+    double[] moments(GeometryObject shape) {
+        return Inertia.moments(shape, inertiaX, inertia, inertiaZ);
+    }
+
+    /** Whether all three moments were given. */
+    boolean hasMoments() {
+        return inertiaX > 0 && inertiaZ > 0;
+    }
+
+    /** The moment about the vertical; the rotation of its object stands in places from an index on, row by row. */
+    double aboutVertical(double[] places, int at) {
+        if (!hasMoments()) {
+            return inertia;
+        }
+        double x = places[at + 3];
+        double y = places[at + 4];
+        double z = places[at + 5];
+        return inertiaX * x * x + inertia * y * y + inertiaZ * z * z;
     }
 
     /** This body with one moment of inertia, about the vertical. */

@@ -325,7 +325,7 @@ public final class Dynamics {
         for (int b = 0; b < order.size() && hasMoments; b++) {
             int at = objects.place(stepper.id(b)) + ROTATION;
             BodyState each = order.get(b);
-            double inertia = Inertia.aboutVertical(each.body, objects.places(), at);
+            double inertia = each.body.aboutVertical(objects.places(), at);
             if (inertia != each.acting.inertia()) {
                 each.acting = each.body.about(inertia);
             }
@@ -409,7 +409,7 @@ public final class Dynamics {
             int id = carrier.mover(each.name);
             moved.add(id);
             order.add(each);
-            hasMoments |= Inertia.hasAll(each.body);
+            hasMoments |= each.body.hasMoments();
             table.put(id, each.body.surface());
             stepper.add(id, each.body.mass(), each.body.inertia());
         }

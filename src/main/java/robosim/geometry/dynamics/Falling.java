@@ -85,7 +85,7 @@ final class Falling {
             int b = space.add(
                     id,
                     body.mass(),
-                    Inertia.moments(object, body),
+                    body.moments(object),
                     object.kind() == GeometryObject.Kind.SPHERE,
                     Inertia.reach(object));
             double turn = body.maxTurn();

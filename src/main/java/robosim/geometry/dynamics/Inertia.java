@@ -21,34 +21,21 @@ final class Inertia {
         };
     }
 
-    /** The moments of a body of a shape about its own axes, three numbers. */
-    static double[] moments(GeometryObject object, Body body) {
+    /**
+     * The moments of a body of a shape about its own axes, three numbers.
+     *
+     * @param x that about the own X; 0 for what follows from the shape and from that about the own Y
+     * @param z likewise
+     */
+    static double[] moments(GeometryObject object, double x, double y, double z) {
         double[] unit = gyrationSquares(object);
-        double scale = unit[1] > 0 ? body.inertia() / unit[1] : 0;
-        double[] all = {unit[0] * scale, body.inertia(), unit[2] * scale};
-        all[0] = body.inertiaX() > 0 ? body.inertiaX() : all[0];
-        all[2] = body.inertiaZ() > 0 ? body.inertiaZ() : all[2];
+        double scale = unit[1] > 0 ? y / unit[1] : 0;
+        double[] all = {x > 0 ? x : unit[0] * scale, y, z > 0 ? z : unit[2] * scale};
         double most = Math.max(all[0], Math.max(all[1], all[2]));
         for (int axis = 0; axis < 3; axis++) {
             all[axis] = Math.max(all[axis], LEAST * most);
         }
         return all;
-    }
-
-    /** The moment of a body about the vertical; the rotation of its object stands in places from an index on, row by row. */
-    static double aboutVertical(Body body, double[] places, int at) {
-        if (!hasAll(body)) {
-            return body.inertia();
-        }
-        double x = places[at + 3];
-        double y = places[at + 4];
-        double z = places[at + 5];
-        return body.inertiaX() * x * x + body.inertia() * y * y + body.inertiaZ() * z * z;
-    }
-
-    /** Whether all three moments of a body were given. */
-    static boolean hasAll(Body body) {
-        return body.inertiaX() > 0 && body.inertiaZ() > 0;
     }
 
     /** The squares of the radii of gyration about the own axes: the moments of a unit of mass. */

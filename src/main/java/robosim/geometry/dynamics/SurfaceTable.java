@@ -2,7 +2,6 @@ package robosim.geometry.dynamics;
 
 import java.util.HashMap;
 import java.util.Map;
-import robosim.geometry.dynamics.Surface.Mixing;
 import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.objects.ObjectTable;
 
@@ -15,8 +14,8 @@ final class SurfaceTable implements Surfaces {
     private final Map<String, Given> given = new HashMap<>();
 
     private final Surface ground;
-    private Mixing restitutions = Mixing.GEOMETRIC_MEAN;
-    private Mixing frictions = Mixing.GEOMETRIC_MEAN;
+    private Surface.Mixing restitutions = Surface.Mixing.GEOMETRIC_MEAN;
+    private Surface.Mixing frictions = Surface.Mixing.GEOMETRIC_MEAN;
 
     /**
      * A surface of an object.
@@ -30,7 +29,7 @@ final class SurfaceTable implements Surfaces {
     }
 
     /** Sets how the numbers of two surfaces make those of their contact. */
-    void mix(Mixing ofRestitution, Mixing ofFriction) {
+    void mix(Surface.Mixing ofRestitution, Surface.Mixing ofFriction) {
         restitutions = ofRestitution;
         frictions = ofFriction;
     }

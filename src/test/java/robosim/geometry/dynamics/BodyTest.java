@@ -216,12 +216,12 @@ class BodyTest {
     @Test
     void eachMomentIsGivenByItself() {
         BoxObject box = new BoxObject(new Point(), 1, 2, 3);
-        double[] solid = Inertia.moments(box, Body.ofMass(box, 12));
+        double[] solid = Body.ofMass(box, 12).moments(box);
         assertThat(solid).containsExactly(new double[] {13, 10, 5}, within(1e-12));
         Body given = new Body(12, 10, Surface.SMOOTH, 0, 0, 9, 9, 0, 0, 6);
-        assertThat(Inertia.moments(box, given)).containsExactly(new double[] {13, 10, 6}, within(1e-12));
+        assertThat(given.moments(box)).containsExactly(new double[] {13, 10, 6}, within(1e-12));
         given = new Body(12, 10, Surface.SMOOTH, 0, 0, 9, 9, 0, 14, 0);
-        assertThat(Inertia.moments(box, given)).containsExactly(new double[] {14, 10, 5}, within(1e-12));
+        assertThat(given.moments(box)).containsExactly(new double[] {14, 10, 5}, within(1e-12));
     }
 
     @Test

@@ -91,7 +91,7 @@ class FallingProofTest {
         for (String name : dynamics.names()) {
             Body body = dynamics.body(name);
             GeometryObject object = world.getObject(name);
-            double[] moments = Inertia.moments(object, body);
+            double[] moments = body.moments(object);
             SpatialVelocity v = dynamics.spatialVelocity(name);
             double[] r = object.pose().rotation();
             double turning = 0;

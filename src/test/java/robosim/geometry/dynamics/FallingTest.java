@@ -376,14 +376,14 @@ class FallingTest {
         double[] rod = moments(new CapsuleObject(new Point(), 1e-3, 6), 1);
         assertThat(rod[0]).isCloseTo(3, within(3e-3));
         Body given = Body.of(3, 1).withInertia(4, 5, 6);
-        assertThat(Inertia.moments(new BoxObject(new Point(), 1, 1, 1), given)).containsExactly(4, 5, 6);
+        assertThat(given.moments(new BoxObject(new Point(), 1, 1, 1))).containsExactly(4, 5, 6);
         // Where one moment is given, the others follow from the shape.
         Body one = Body.of(3, 20);
-        assertThat(Inertia.moments(new BoxObject(new Point(), 1, 2, 3), one)).containsExactly(26, 20, 10);
+        assertThat(one.moments(new BoxObject(new Point(), 1, 2, 3))).containsExactly(26, 20, 10);
     }
 
     private static double[] moments(GeometryObject shape, double mass) {
-        return Inertia.moments(shape, Body.ofMass(shape, mass));
+        return Body.ofMass(shape, mass).moments(shape);
     }
 
     @Test
