@@ -16,6 +16,12 @@ final class SequentialImpulses {
 
     private static final int MOST_ROUNDS = 200;
 
+    /** What static friction holds slides more slowly, m/s. */
+    private static final double SLIP = 1e-5;
+
+    /** So often contacts are found to slide that were not. */
+    private static final int MOST_SLIPS = 4;
+
     /** Impulses that change a velocity by less than so many m/s no longer count. */
     private static final double SMALL = 1e-9;
 
@@ -89,7 +95,25 @@ final class SequentialImpulses {
         if (atEnd) {
             traction.prepare(contacts, wheel, isOff, driven, seconds);
         }
-        for (int round = 0; any && round < MOST_ROUNDS; round++) {
+        if (any) {
+            iterate(contacts, atEnd);
+        }
+        for (int k = 0; any && k < MOST_SLIPS && slips(contacts, atEnd); k++) {
+            iterate(contacts, atEnd);
+        }
+        for (int k = 0; k < contacts.count; k++) {
+            if (!isOff[k]) {
+                contacts.impulse[k] += pushed[k];
+            }
+        }
+        if (atEnd) {
+            traction.finish();
+        }
+    }
+
+    /** Gives impulses until they change nothing any more. */
+    private void iterate(Contacts contacts, boolean atEnd) {
+        for (int round = 0; round < MOST_ROUNDS; round++) {
             double most = 0;
             for (int at = 0; at < contacts.count; at++) {
                 int k = order[at];
@@ -105,14 +129,19 @@ final class SequentialImpulses {
                 break;
             }
         }
-        for (int k = 0; k < contacts.count; k++) {
-            if (!isOff[k]) {
-                contacts.impulse[k] += pushed[k];
+    }
+
+    /** Lets those slide that static friction has not held; whether there are any. */
+    private boolean slips(Contacts c, boolean atEnd) {
+        boolean any = false;
+        for (int k = 0; k < c.count; k++) {
+            boolean isHeld = !isOff[k] && wheel[k] < 0 && pushed[k] > 0 && friction[k] > slides[k];
+            if (isHeld && slidesBy(c, k, atEnd) > SLIP) {
+                friction[k] = slides[k];
+                any = true;
             }
         }
-        if (atEnd) {
-            traction.finish();
-        }
+        return any;
     }
 
     /**
@@ -196,7 +225,7 @@ final class SequentialImpulses {
         double sliding = surfaces.mixFriction(
                 Math.max(floor, surfaces.slidingFriction(own)), Math.max(otherFloor, surfaces.slidingFriction(other)));
         slides[k] = sliding;
-        friction[k] = wheel[k] >= 0 || slidesBy(c, k) <= STICK ? still : sliding;
+        friction[k] = wheel[k] >= 0 || slidesBy(c, k, false) <= STICK ? still : sliding;
     }
 
     /** A body's own friction with a floor, where the contact is below it, which may make that one of its wheels. */
@@ -209,9 +238,9 @@ final class SequentialImpulses {
         return isWheel || traction.carries(c.normal, 3 * k, sign) ? body.floorFriction : 0;
     }
 
-    private double slidesBy(Contacts c, int k) {
-        double s = speed(c, k, tangents, 6 * k, false);
-        double t = speed(c, k, tangents, 6 * k + 3, false);
+    private double slidesBy(Contacts c, int k, boolean atEnd) {
+        double s = speed(c, k, tangents, 6 * k, atEnd);
+        double t = speed(c, k, tangents, 6 * k + 3, atEnd);
         return Math.sqrt(s * s + t * t);
     }
 

@@ -407,10 +407,13 @@ final class FrontToBack {
         isBehind[b] = other >= 0 && bodies.lightness[other] > 0 && !bodies.isStill(other);
         double[] places = carrier.objects.places();
         int at = carrier.objects.place(id);
-        double lacking = Math.hypot(dx - (places[at] - fromX), dz - (places[at + 2] - fromZ));
+        double lacking = length(dx - (places[at] - fromX), dz - (places[at + 2] - fromZ));
         double turning = Math.abs(by) * bodies.size[b];
         double least = MOST_GAPS * Math.max(gap, 0x1p-42 * (Math.abs(fromX) + Math.abs(fromZ)));
-        isBlocked[b] =
-                !isThere && lacking + turning > Math.max(least, (1 - LEAST_SHARE) * (Math.hypot(dx, dz) + turning));
+        isBlocked[b] = !isThere && lacking + turning > Math.max(least, (1 - LEAST_SHARE) * (length(dx, dz) + turning));
+    }
+
+    private static double length(double x, double z) {
+        return Math.sqrt(x * x + z * z);
     }
 }

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.proof;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -93,6 +94,30 @@ class CrestTest {
             last = now;
         }
         assertThat(highest).isGreaterThan(-1.72); // it has been on the roof
+    }
+
+    /** What static friction cannot hold slides at once, by sliding friction; what it can hold stays. */
+    @ParameterizedTest
+    @CsvSource({"1, 2", "0.1, 2", "5, 1", "-0.1, 2", "-1, 1"})
+    void aBlockOnASlopeSlidesBySlidingFriction(double above, double seconds) {
+        double angle = Math.atan(0.5) + Math.toRadians(above);
+        double c = Math.cos(angle);
+        double s = Math.sin(angle);
+        double[] rotation = {c, -s, 0, s, c, 0, 0, 0, 1};
+        Geometry hall = new Geometry(400, 400, 400, Dimension.SPATIAL, Accuracy.EXACT);
+        hall.addObject(new BoxObject(new Point(0, 0, 0), 100, 2, 20).oriented(rotation));
+        double up = 1.1 + 1e-8;
+        BoxObject block = new BoxObject(new Point(-s * up, c * up, 0), 1, 0.2, 1);
+        hall.addObject(block.oriented(rotation).moveable("block"));
+        Surface surface = new Surface(0, 0.5, 0.4);
+        Dynamics dynamics = new Dynamics(hall, surface);
+        dynamics.add("block", Body.ofMass(block, 2).withSurface(surface));
+        dynamics.step(seconds);
+        Point at = hall.getObject("block").center();
+        double acceleration = above < 0 ? 0 : Body.GRAVITY * (s - 0.4 * c);
+        assertThat(Math.hypot(at.x() + s * up, at.y() - c * up))
+                .isCloseTo(0.5 * acceleration * seconds * seconds, within(above < 0 ? 1e-6 : 2e-8));
+        assertThat(dynamics.spatialVelocity("block").speed()).isCloseTo(acceleration * seconds, within(2e-8));
     }
 
     /** Up a ramp of boxes, over a sill and off the end of a stage. */
