@@ -276,7 +276,7 @@ class ReplayCommandTest extends CommandRun {
         assertThat(err.toString()).contains("--record-bytes must be at least 1");
         assertThat(run("connect", "localhost", 5555, "--record", folder.resolve("no/where")))
                 .isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("in a folder that can be written to");
+        assertThat(err.toString()).contains("in a folder that exists; create the folder first");
     }
 
     @Test

@@ -157,7 +157,11 @@ class RaysFromSurfacesTest {
         }
         Pose pose = Pose.of(start, 0);
         SenseOptions options = SenseOptions.range(0, FAR);
-        RayPattern pattern = RayPattern.of(directions);
+        double[] sensedWays = directions.clone();
+        for (int k = 1; world.dimension() == Dimension.PLANAR && k < sensedWays.length; k += 3) {
+            sensedWays[k] = 0; // a pattern that looks up or down sees heights
+        }
+        RayPattern pattern = RayPattern.of(sensedWays);
         world.castRays(rays, RAYS, batch);
         world.sense(pose, pattern, options, sensed);
         Snapshot snapshot = world.snapshot();

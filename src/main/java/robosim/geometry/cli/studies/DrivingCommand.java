@@ -341,9 +341,11 @@ public final class DrivingCommand implements Callable<Integer> {
         }
         if (!run.stopped().isEmpty()) {
             out.println("stopped, since their motion could not be decided: " + String.join(", ", run.stopped()));
+        }
+        if (planar || !isSpatial) {
             PlanOverlaps.of(
                             read,
-                            run.stopped(),
+                            run.tracks().keySet(),
                             planar ? "drive without --planar" : "make the world one with dimension=\"SPATIAL\"")
                     .forEach(out::println);
         }
