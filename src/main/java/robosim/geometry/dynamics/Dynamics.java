@@ -495,6 +495,7 @@ public final class Dynamics {
             boolean isFree = each.drive == null;
             each.begin(places, objects.place(stepper.id(b)) + HEADING, seconds);
             stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
+            stepper.setDriven(b, !isFree);
             stepper.setSlowing(b, isFree ? each.acting.slowing() : 0, isFree ? each.acting.spinSlowing() : 0);
         }
         stepper.run(seconds, table, pushes);

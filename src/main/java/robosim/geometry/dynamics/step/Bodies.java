@@ -41,6 +41,9 @@ final class Bodies {
     /** The greatest distance of any of its points from the centre. */
     double[] size = new double[FIRST];
 
+    /** Whether a drive pushes the body, so that it keeps no momentum. */
+    boolean[] isDriven = new boolean[FIRST];
+
     int[] firstPiece = new int[FIRST];
     int[] pieces = new int[FIRST];
 
@@ -66,6 +69,7 @@ final class Bodies {
             ownLightness = Arrays.copyOf(ownLightness, room);
             ownEase = Arrays.copyOf(ownEase, room);
             size = Arrays.copyOf(size, room);
+            isDriven = Arrays.copyOf(isDriven, room);
             firstPiece = Arrays.copyOf(firstPiece, room);
             pieces = Arrays.copyOf(pieces, room);
             changes = Arrays.copyOf(changes, room);

@@ -235,17 +235,17 @@ final class CollisionPrediction {
         if (missing <= 0.5 * gap || light == 0 || distance <= deepest(pair)) {
             return false;
         }
-        if (lightB > 0 && bodies.lightness[a] > 0) {
+        if (lightB > 0 && bodies.lightness[a] > 0 && !bodies.isDriven[a] && !bodies.isDriven[b]) {
             putApart(pair, distance, missing);
             return true;
         }
-        // One of the two does not move.
-        double byA = bodies.lightness[a] > 0 ? missing : 0;
+        double byA = missing * (bodies.lightness[a] / light);
         bodies.x[a] += byA * impact.separation.nx;
         bodies.z[a] += byA * impact.separation.nz;
         if (lightB > 0) {
-            bodies.x[b] -= missing * impact.separation.nx;
-            bodies.z[b] -= missing * impact.separation.nz;
+            double byB = missing * (lightB / light);
+            bodies.x[b] -= byB * impact.separation.nx;
+            bodies.z[b] -= byB * impact.separation.nz;
         }
         return true;
     }

@@ -128,6 +128,11 @@ public final class PlanarStepper {
         bodies.w[b] = w;
     }
 
+    /** Sets whether a drive pushes a body. */
+    public void setDriven(int b, boolean isDriven) {
+        bodies.isDriven[b] = isDriven;
+    }
+
     /** Sets by how much the floor slows a body, m/s^2 and rad/s^2. */
     public void setSlowing(int b, double slowing, double spinSlowing) {
         floor.set(b, slowing, spinSlowing);

@@ -180,7 +180,7 @@ final class SeparationProof {
         double share = other < 0 || light == 0 ? 1 : bodies.ownLightness[body] / light;
         double rest = share - 1;
         if (isMissingAtEnd) {
-            if (other >= 0) {
+            if (other >= 0 && !bodies.isDriven[body] && !bodies.isDriven[other]) {
                 turnAlong(body, other);
             }
             return shift(legs, body, share * missing) && (other < 0 || shift(legs, other, rest * missing));
