@@ -202,6 +202,46 @@ class NoTrapTest {
         }
     }
 
+    /** A lying cylinder that has stopped at a wall with a point of its rim is free to tip where that only recedes. */
+    @Test
+    void aRimThatOnlyRecedesIsFreeToTip() {
+        SplittableRandom random = new SplittableRandom(43);
+        int receding = 0;
+        for (int k = 0; k < Effort.cases(400, 100); k++) {
+            Geometry world = new Geometry(100, 100, 100);
+            double radius = random.nextDouble(0.1, 0.4);
+            double half = random.nextDouble(0.1, 0.5);
+            world.addObject(new BoxObject(new Point(0, 0, 0.5), 20, 8, 1));
+            world.addObject(new CylinderObject(new Point(0, 0, -1.5), radius, 2 * half)
+                    .turned(90, random.nextDouble(360))
+                    .moveable("m"));
+            double share = world.moveGlobal("m", new Move(0, 0, 3, 0, 0)).fraction();
+            assertThat(world.moveGlobal("m", new Move(0, 0, 3 * share, 0, 0)).allowed())
+                    .isTrue();
+            double degrees = random.nextDouble(-60, 60);
+            double[] axes = world.getObject("m").rotation();
+            double start = reach(radius, half, axes[7]);
+            boolean recedes = true;
+            for (int part = 1; part <= 100; part++) {
+                double angle = Math.toRadians(0.01 * part * degrees);
+                double along = StrictMath.cos(angle) * axes[7] + StrictMath.sin(angle) * axes[8];
+                recedes &= reach(radius, half, along) < start;
+            }
+            if (recedes) {
+                receding++;
+                assertThat(world.move("m", new Move(0, 0, 0, degrees, 0)).allowed())
+                        .as("%s tipped by %s", world.getObject("m"), degrees)
+                        .isTrue();
+            }
+        }
+        assertThat(receding).isGreaterThan(Effort.cases(100, 25));
+    }
+
+    /** How far a cylinder extends along a direction that has a cosine with its axis. */
+    private static double reach(double radius, double half, double cosine) {
+        return radius * Math.sqrt(Math.max(0, 1 - cosine * cosine)) + half * Math.abs(cosine);
+    }
+
     /** Where a turn is blocked from a stop, every longer turn the same way is too: the whole arc counts, not only its end. */
     @ParameterizedTest
     @EnumSource(Dimension.class)

@@ -288,7 +288,7 @@ final class TurnBody {
             if (above > 2 * e) {
                 continue;
             }
-            end = Math.min(end, rims ? rimRising(m, e) : TurningPolygon.rising(a[m], b[m], e));
+            end = Math.min(end, rims ? rimRising(m, e, floor) : TurningPolygon.rising(a[m], b[m], e));
         }
         if (!(end > 0)) {
             return 0;
@@ -321,8 +321,9 @@ final class TurnBody {
      * ahead, c being the sine of the tilt, and rises slower by at most r psi; no point's path bends by more than its
      * distance d from the axis. So the least is raised by at least v t - (pi^2 r / (8 c) + d / 2) t^2. A cap that lies flat, or
      * almost, has no such point. But no rim reaches further by more than r t times the sine between its axis and the turn's.
+     * Where the rim neither rises nor falls at first, a bound of its reach that touches it tells which it does then.
      */
-    private double rimRising(int m, double e) {
+    private double rimRising(int m, double e, double floor) {
         double tilt = rim.at(1, 0);
         double swing = Math.sqrt(a[m] * a[m] + b[m] * b[m]) + radius * Math.sqrt(sa * sa + sb * sb);
         if (swing <= e) {
@@ -336,7 +337,16 @@ final class TurnBody {
             double least = speed - e - ROUNDOFF * radius * (1 + 1 / tilt) / tilt;
             end = sure(least, Math.PI * Math.PI * radius / (8 * tilt) + bend);
         }
-        return end > 0 ? end : sure(b[m] - e - radius * turning() * (1 + ROUNDOFF), bend);
+        end = end > 0 ? end : sure(b[m] - e - radius * turning() * (1 + ROUNDOFF), bend);
+        for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+            rim.bound(bound, 0);
+            double p = a[m] - radius * rim.cosine;
+            double q = b[m] - radius * rim.sine;
+            if (k[m] + p - radius * rim.constant > floor - e) {
+                end = Math.max(end, TurningPolygon.rising(p, q, e));
+            }
+        }
+        return end;
     }
 
     /** How long something rises that begins with at least a speed and slows down by at most so much. */
