@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -15,6 +17,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
@@ -143,6 +146,41 @@ class SeparateTest {
     }
 
     /** Between two walls that it touches exactly. */
+    /** Surfaces that cross each other: the way out leads through triangles that the robot touches, and no others. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void aMeshComesOutOfAMesh(Dimension dimension) {
+        SplittableRandom random = new SplittableRandom(17);
+        int touching = 0;
+        for (int k = 0; k < Effort.cases(40, 10); k++) {
+            Geometry world = new Geometry(30, 30, 30, dimension, Accuracy.EXACT);
+            Point at =
+                    new Point(random.nextDouble(-0.9, 0.9), random.nextDouble(-0.5, 0.5), random.nextDouble(-0.9, 0.9));
+            world.addObject(cube().turned(0, random.nextDouble(360)).movedTo(at));
+            MeshObject robot = cube().turned(0, random.nextDouble(360)).moveable("robot");
+            if (!world.testObject(robot)) {
+                continue;
+            }
+            touching++;
+            world.addObjectUnchecked(robot);
+            Point by = world.separate("robot", 4);
+            assertThat(by).as("%s in %s", robot, world.objects()).isNotNull();
+            assertThat(Math.abs(by.x()) + Math.abs(by.y()) + Math.abs(by.z())).isLessThan(3);
+        }
+        assertThat(touching).isGreaterThan(Effort.cases(20, 5));
+    }
+
+    private static MeshObject cube() {
+        List<Point> corners = new ArrayList<>();
+        for (int k = 0; k < 8; k++) {
+            corners.add(new Point((k & 1) - 0.5, (k >> 1 & 1) - 0.5, (k >> 2) - 0.5));
+        }
+        return new MeshObject(corners, new int[][] {
+            {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+            {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}
+        });
+    }
+
     @Test
     void aWedgedRobotIsFreed() {
         Geometry world = new Geometry(20, 20, 20, Dimension.PLANAR, Accuracy.EXACT);

@@ -421,7 +421,7 @@ public final class Motion {
         standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
         NearPairs pairs = search().near(view, candidates, standing, 0);
         for (int k = 0; k < pairs.count(); k++) {
-            if (pairs.gap(k) > 0 && pairs.isHit(k) && !pairs.isFromInside(k)) {
+            if (pairs.gap(k) > 0 && pairs.isHit(k) && !pairs.isTouched(k) && !pairs.isFromInside(k)) {
                 return false;
             }
         }

@@ -192,6 +192,19 @@ final class NearPairs {
         return alone.free(own, 0, other, 0) != Double.POSITIVE_INFINITY;
     }
 
+    /** Whether any piece of the mover touches the other's piece at the start. */
+    boolean isTouched(int k) {
+        for (int each = 0; each < count; each++) {
+            if (gaps[each] == 0
+                    && objects[each] == objects[k]
+                    && leaves[each] == leaves[k]
+                    && pieces[each] == pieces[k]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /**
      * Whether the mover starts within the other's leaf, which is a mesh, and so may leave it through faces that it does not
      * touch: inside a solid one, or in the plane over any.
