@@ -280,6 +280,20 @@ class SpatialDriveTest {
         assertThat(world.getObject("cart").center().x()).isCloseTo(0, within(1e-9));
     }
 
+    /** The border may be touched, so a body may begin on it or against its walls with no gap at all. */
+    @Test
+    void aBodyThatBeginsExactlyOnTheBorderMoves() {
+        for (double height : new double[] {1, 4, 20, 1000}) {
+            Geometry world = new Geometry(20, height, 20);
+            Dynamics dynamics = cart(
+                    world,
+                    new BoxObject(new Point(0, 0.25 - height / 2, 9.75), 0.5, 0.5, 0.5),
+                    new DifferentialDrive(0.4, 1, 2).driving(0.5, 0));
+            run(dynamics, world, 1);
+            assertThat(world.getObject("cart").center().x()).isGreaterThan(0.3);
+        }
+    }
+
     @Test
     void aStepAllocatesNothingOnceItHasRun() {
         Geometry world = FallingTest.floor();

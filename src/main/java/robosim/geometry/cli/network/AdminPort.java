@@ -30,7 +30,9 @@ import robosim.geometry.net.GeometryServer;
  * connections, any of which can be ended. It has threads of its own and waits for no session.
  */
 final class AdminPort implements AutoCloseable {
-    private static final int THREADS = 4;
+    /** As many requests may be unfinished without delaying others. */
+    private static final int THREADS = 64;
+
     private static final Pattern END = Pattern.compile("/connections/(\\d{1,18})/end");
 
     /** What a browser sends as the host of this port; a page of another site that resolves to this machine sends its own. */
@@ -100,7 +102,8 @@ final class AdminPort implements AutoCloseable {
 
     private static boolean isFromElsewhere(HttpExchange exchange) {
         String host = exchange.getRequestHeaders().getFirst("Host");
-        boolean isOther = host != null && !HOSTS.contains(host.replaceFirst(":\\d+$", ""));
+        boolean isOther =
+                host != null && !HOSTS.contains(host.replaceFirst(":\\d+$", "").toLowerCase(Locale.ROOT));
         return isOther || exchange.getRequestHeaders().containsKey("Origin");
     }
 

@@ -8,6 +8,7 @@ import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.motion.Placer;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.model.Pose;
 
 /**
  * Moves rigid bodies in space by slices of time: impulses where they touch, then gravity against what holds them, and then
@@ -29,6 +30,7 @@ public final class SpatialStepper {
     private static final double[] SIDES = {1, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1, 0, 0, -1, 0};
 
     private final Placer placer;
+    private final double[] behind = new double[Pose.PLACE];
     private final double[] gravity;
     private final List<RigidBody> bodies = new ArrayList<>();
     private final EnergyBudget budget;
@@ -222,19 +224,24 @@ public final class SpatialStepper {
 
     /**
      * Parts a body from what others have put it in contact with, by as much as bodies rest apart: no direction separates what
-     * touches, so it could never be carried.
+     * touches, so it could never be carried. The border of the world counts too, although it may be touched.
      */
     private void loosen(RigidBody body) {
         double g = RigidBody.length(gravity, 0);
-        if (!placer.isFree(body.id, body.place)) {
-            way.lift(
-                    body,
-                    g > 0 ? -APART * gravity[0] / g : 0,
-                    g > 0 ? -APART * gravity[1] / g : APART,
-                    g > 0 ? -APART * gravity[2] / g : 0);
+        loosen(body, g > 0 ? -gravity[0] / g : 0, g > 0 ? -gravity[1] / g : 1, g > 0 ? -gravity[2] / g : 0);
+        for (int side = 0; side < SIDES.length; side += 3) {
+            loosen(body, SIDES[side], SIDES[side + 1], SIDES[side + 2]);
         }
-        for (int side = 0; side < SIDES.length && !placer.isFree(body.id, body.place); side += 3) {
-            way.lift(body, APART * SIDES[side], APART * SIDES[side + 1], APART * SIDES[side + 2]);
+    }
+
+    /** Moves a body along a direction if it touches anything, or hardly more than touches what is behind it. */
+    private void loosen(RigidBody body, double x, double y, double z) {
+        System.arraycopy(body.place, 0, behind, 0, Pose.PLACE);
+        behind[0] -= TurningSweep.GAP / 2 * x;
+        behind[1] -= TurningSweep.GAP / 2 * y;
+        behind[2] -= TurningSweep.GAP / 2 * z;
+        if (!placer.isFree(body.id, body.place) || !placer.isFree(body.id, behind)) {
+            way.lift(body, APART * x, APART * y, APART * z);
         }
     }
 

@@ -1,6 +1,7 @@
 package robosim.geometry.scenario.drive;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -84,6 +85,8 @@ public final class WorldLoading implements InitBundle.Loader {
                 Files.write(file, each.getValue());
             }
             return read(load, place, inside(place, load.file()));
+        } catch (FileSystemException e) {
+            throw new IOException("the files cannot be kept as they are named: " + shown(place, e.getMessage()), e);
         } finally {
             remove(place);
         }
@@ -138,7 +141,10 @@ public final class WorldLoading implements InitBundle.Loader {
 
     /** Words without the folder in which the files are here, of which a peer knows nothing. */
     private static String shown(Path root, @Nullable String words) {
-        return String.valueOf(words).replace(root.toAbsolutePath() + "/", "").replace(root + "/", "");
+        return String.valueOf(words)
+                .replace(root.toAbsolutePath() + "/", "")
+                .replace(root + "/", "")
+                .replace(root.toString(), "the folder of the world");
     }
 
     private static WorldSettings settings(World world, @Nullable WorldSettings given) {
