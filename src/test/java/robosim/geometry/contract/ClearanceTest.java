@@ -124,6 +124,38 @@ class ClearanceTest {
         assertThat(close).isGreaterThan(kept / 10);
     }
 
+    /** A robot with a round nose at the clearance before a wall may turn: the nose only recedes. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void aNoseAtTheClearanceMayTurnAway(Dimension dimension) {
+        SplittableRandom random = new SplittableRandom(53 + dimension.ordinal());
+        int turned = 0;
+        for (int k = 0; k < Effort.cases(200, 50); k++) {
+            double heading = random.nextInt(3) == 0 ? 90 * random.nextInt(4) : random.nextDouble(360);
+            GeometryObject nose = k % 2 == 0
+                    ? new CylinderObject(new Point(0.2, 0, 0), 0.2, 0.4)
+                    : new SphereObject(new Point(0.2, 0, 0), 0.2);
+            GeometryObject robot = new ObjectGroup(List.of(new BoxObject(new Point(-0.1, 0, 0), 0.3, 0.4, 0.3), nose))
+                    .turned(0, heading)
+                    .moveable("robot");
+            double[] axes = robot.rotation();
+            Point wall = new Point(2 * axes[0], 0, 2 * axes[6]);
+            Geometry world = world(dimension, robot, new BoxObject(wall, 1, 4, 8).turned(0, heading));
+            double clearance = random.nextDouble(1e-3, 0.1);
+            world.moveToContact("robot", new Move(3, 0, 0, 0, 0), clearance);
+            assertThat(world.getProximity("robot", 9)).isBetween(clearance, clearance * 1.001);
+            double degrees = random.nextDouble(-60, 60);
+            double free = world.moveAndSlide("robot", new Move(0, 0, 0, 0, degrees), clearance, 4)
+                    .turnFraction();
+            assertThat(free)
+                    .as("%s turned by %s, %s before a wall", robot, degrees, clearance)
+                    .isEqualTo(1);
+            assertThat(world.getProximity("robot", 9)).isGreaterThanOrEqualTo(clearance);
+            turned++;
+        }
+        assertThat(turned).isGreaterThan(40);
+    }
+
     private static Geometry world(Dimension dimension, GeometryObject robot, GeometryObject post) {
         Geometry world = new Geometry(20, 20, 20, dimension, Accuracy.EXACT);
         assertThat(world.addObjectUnchecked(robot)).isTrue();

@@ -6,6 +6,9 @@ import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.StartContacts;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * How far a leg of a motion may go so that the mover keeps a clearance from everything that it would hit or pass by.
@@ -25,6 +28,9 @@ final class ClearanceSearch {
 
     private static final int TURN_STEPS = 1000;
 
+    /** A gap is just the clearance if it exceeds it by no more than this share. */
+    private static final double LITTLE = 0x1p-10;
+
     /** What a direction may be off, and a motion along it go across. */
     private static final double ALONG = 0x1p-44;
 
@@ -38,6 +44,8 @@ final class ClearanceSearch {
     private final ObjectTable objects;
     private final NearPairs pairs;
     private final double[] contact = new double[6];
+    private final double[] bounds = new double[6];
+    private final LeafColumn wall = new LeafColumn(1);
 
     /** Normals, and how far along them the pieces extend that are nearer than the clearance. */
     private double[] planes = new double[4 * PLANE];
@@ -205,11 +213,23 @@ final class ClearanceSearch {
         return -ahead();
     }
 
-    /** Conservative advancement (Mirtich 1996): by steps in none of which the gap can be used up. */
+    /**
+     * Conservative advancement (Mirtich 1996): by steps in none of which the gap can be used up. From just the clearance these
+     * would not get anywhere, so there a turn first goes as far as its piece stays beyond a plane.
+     */
     private double ofTurn(int k, double limit) {
         double path = leg.longestPath();
         double free = 0;
         double gap = pairs.gap(k);
+        if (gap - clearance <= LITTLE * clearance) {
+            double beyond = beyondPlane(k);
+            if (beyond >= limit) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double there = beyond > 0 ? pairs.gap(k, beyond) : 0;
+            free = there >= clearance ? beyond : 0;
+            gap = there >= clearance ? there : gap;
+        }
         for (int step = 0; step < TURN_STEPS; step++) {
             double next = free + SHORTER * (gap - clearance) / path;
             if (next >= limit) {
@@ -225,5 +245,46 @@ final class ClearanceSearch {
             free = next;
         }
         return free;
+    }
+
+    /** How far the mover's piece of a pair may turn beside the plane that is as far from the other's piece as the clearance. */
+    private double beyondPlane(int k) {
+        pairs.contact(k, 0, contact);
+        double nx = contact[3];
+        double ny = contact[4];
+        double nz = contact[5];
+        double level = pairs.level(k, contact, 3) + clearance;
+        double size = 0;
+        leg.atStart.bounds(0, leg.atStart.size(), bounds);
+        for (int axis = 0; axis < 3; axis++) {
+            double pivot = leg.start[axis];
+            size += 2 * Math.max(Math.abs(bounds[axis] - pivot), Math.abs(bounds[3 + axis] - pivot));
+        }
+        // Any two directions that complete the normal: a wall as large as all that the mover may reach.
+        boolean isSteep = Math.abs(ny) > 0.5;
+        double length = isSteep ? Math.sqrt(ny * ny + nz * nz) : Math.sqrt(nx * nx + nz * nz);
+        double ux = isSteep ? 0 : -nz / length;
+        double uy = isSteep ? nz / length : 0;
+        double uz = isSteep ? -ny / length : nx / length;
+        double back = level - size - (nx * leg.start[0] + ny * leg.start[1] + nz * leg.start[2]);
+        wall.clear();
+        wall.append(1);
+        wall.setKind(0, LeafKind.BOX);
+        axis(0, nx, ny, nz, size);
+        axis(1, ux, uy, uz, size);
+        axis(2, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux, size);
+        double[] row = wall.rows();
+        row[0] = leg.start[0] + back * nx;
+        row[1] = leg.start[1] + back * ny;
+        row[2] = leg.start[2] + back * nz;
+        return pairs.free(k, wall);
+    }
+
+    private void axis(int column, double x, double y, double z, double half) {
+        double[] row = wall.rows();
+        row[3 + column] = half;
+        row[Leaf.ROTATION + column] = x;
+        row[Leaf.ROTATION + 3 + column] = y;
+        row[Leaf.ROTATION + 6 + column] = z;
     }
 }

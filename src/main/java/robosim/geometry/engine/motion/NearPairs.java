@@ -192,6 +192,13 @@ final class NearPairs {
         return alone.free(own, 0, other, 0) != Double.POSITIVE_INFINITY;
     }
 
+    /** The free share of the leg, a turn, of the mover's piece of a pair beside a single leaf. */
+    double free(int k, LeafColumn leaf) {
+        own.setPiece(leg.atStart, ownLeaves[k], ownPieces[k]);
+        leg.turnBy(1);
+        return leg.sweep.free(own, 0, leaf, 0);
+    }
+
     /** Whether any piece of the mover touches the other's piece at the start. */
     boolean isTouched(int k) {
         for (int each = 0; each < count; each++) {
