@@ -12,10 +12,7 @@ public final class PlanarStepper {
     /** Most times that the velocity of a body changes in one go; then it is held until the end. */
     private static final int MOST_CHANGES = 48;
 
-    /** After so many of these it bounces no more: a light body between two heavy ones that close in would bounce ever faster. */
-    private static final int MOST_BOUNCES = 24;
-
-    /** For so many seconds a body that another one is in the way of keeps its velocity; then it stops. */
+    /** For so many seconds a body blocked by another one keeps its velocity; then it stops. */
     private static final double LONGEST_WAIT = 0.25;
 
     /** Collisions within so much of the time are solved together. */
@@ -305,7 +302,7 @@ public final class PlanarStepper {
             approach = Math.min(approach, island.pair[c] == hit ? island.parting(c) : 0);
         }
         boolean isSlow = approach > -CollisionPrediction.SLOW;
-        boolean isSolved = met.settle(touches, bounces());
+        boolean isSolved = met.settle(touches, true);
         meetings.apart(now);
         for (int k = 0; k < island.bodyCount; k++) {
             int body = island.bodyList[isSwapped && k < 2 ? 1 - k : k];
@@ -324,16 +321,6 @@ public final class PlanarStepper {
             meetings.pause(hit, now, met.isChanged(hit));
         }
         again(hit, now);
-    }
-
-    /** Whether none of those that meet has bounced too often in this time. */
-    private boolean bounces() {
-        for (int k = 0; k < island.bodyCount; k++) {
-            if (bodies.changes[island.bodyList[k]] >= MOST_BOUNCES) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Expects the next collisions of those whose velocities have changed. */
