@@ -338,13 +338,9 @@ final class TurnBody {
             end = sure(least, Math.PI * Math.PI * radius / (8 * tilt) + bend);
         }
         end = end > 0 ? end : sure(b[m] - e - radius * turning() * (1 + ROUNDOFF), bend);
-        for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
-            rim.bound(bound, 0);
-            double p = a[m] - radius * rim.cosine;
-            double q = b[m] - radius * rim.sine;
-            if (k[m] + p - radius * rim.constant > floor - e) {
-                end = Math.max(end, TurningPolygon.rising(p, q, e));
-            }
+        rim.bound(1, 0);
+        if (k[m] + a[m] - radius * (rim.cosine + rim.constant) > floor - e) {
+            end = Math.max(end, TurningPolygon.rising(a[m] - radius * rim.cosine, b[m] - radius * rim.sine, e));
         }
         return end;
     }
