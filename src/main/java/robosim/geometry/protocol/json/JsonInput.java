@@ -7,6 +7,7 @@ import com.fasterxml.jackson.core.JsonStreamContext;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
+import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -406,13 +407,16 @@ final class JsonInput implements Closeable {
             throw refused("must be a string of base64 (got: " + kind() + ")");
         }
         Base64Sink bytes = new Base64Sink(stride * most);
+        String tooMuch = "must have at most " + (long) stride * most + " bytes in base64 (got: more)";
         try {
             parser.getText(bytes);
+        } catch (StreamConstraintsException e) {
+            throw problems.unreadable(tooMuch);
         } catch (JsonProcessingException e) {
             throw problems.noJson(e);
         }
         if (bytes.isFull()) {
-            throw refused("must have at most " + (long) stride * most + " bytes in base64 (got: more)");
+            throw refused(tooMuch);
         }
         if (!bytes.isWhole()) {
             throw refused("must be base64, with its padding and nothing else (got: other characters)");

@@ -471,4 +471,18 @@ class MessageChannelTest {
                     .hasMessageEndingWith(place + ": Connection reset");
         }
     }
+
+    /** Slightly too large, the message can still be read to its end; far too large, it cannot. */
+    @Test
+    void aFileThatIsTooLargeIsRefusedByItsOwnLimit() throws IOException {
+        String reason = "line 2, at /files/a: must have at most 25165824 bytes in base64 (got: more)";
+        assertThat(channel(load((24 << 20) + 3)).read()).isNull();
+        assertThat(lines().get(1)).contains(reason, "\"continues\":true");
+        MessageChannel channel = channel(load(26 << 20));
+        assertThatThrownBy(channel::read).hasMessageContaining(reason);
+    }
+
+    private static String load(int bytes) {
+        return HELLO + "{\"type\":\"load\",\"file\":\"a\",\"files\":{\"a\":\"" + "AAAA".repeat(bytes / 3) + "\"}}\n";
+    }
 }
