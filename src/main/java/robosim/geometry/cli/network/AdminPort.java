@@ -30,7 +30,7 @@ import robosim.geometry.net.GeometryServer;
  * connections, any of which can be ended. It has threads of its own and waits for no session.
  */
 final class AdminPort implements AutoCloseable {
-    /** As many requests may be unfinished without delaying others. */
+    /** Most requests at a time. Each that is unfinished takes a thread until its time is up, and must not delay a health check. */
     private static final int THREADS = 64;
 
     private static final Pattern END = Pattern.compile("/connections/(\\d{1,18})/end");
