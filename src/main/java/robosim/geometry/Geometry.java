@@ -3,14 +3,24 @@ package robosim.geometry;
 import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.World;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.motion.FreePlaces;
+import robosim.geometry.engine.motion.Motion;
+import robosim.geometry.engine.motion.Slide;
+import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.Ray;
+import robosim.geometry.model.RayPattern;
+import robosim.geometry.model.SenseOptions;
 import robosim.geometry.narrow.Scratch;
 
 /**
@@ -67,17 +77,14 @@ import robosim.geometry.narrow.Scratch;
  * <p>A bad argument throws an {@code IllegalArgumentException} whose message names the argument and its value; after
  * any exception the world is unchanged. A world may be used by one thread at a time.
  */
-public final class Geometry extends GeometryQueries {
-    static {
-        Carrier.open(world -> ((Geometry) world).moves.carrier());
-    }
+public final class Geometry {
+    private static final Point CENTER = new Point();
 
-    private final double width;
-    private final double height;
-    private final double length;
-    private final Dimension dimension;
-    private final Accuracy accuracy;
-    private final GeometryMoves moves;
+    private final World engine;
+    private final ObjectRegistry registry;
+    private final ObjectTable objects;
+    private final AccuracyView view;
+    private final double[] vector = new double[6];
     private @Nullable ObjectSearch search;
     private WorkLimit workLimit = WorkLimit.none();
 
@@ -123,38 +130,45 @@ public final class Geometry extends GeometryQueries {
             Accuracy accuracy,
             @Nullable SharedIndex shared,
             Scratch scratch) {
-        super(width, height, length, dimension, accuracy, shared, scratch);
-        this.width = width;
-        this.height = height;
-        this.length = length;
-        this.dimension = dimension;
-        this.accuracy = accuracy;
-        moves = new GeometryMoves(dimension, registry, motion, scratch);
+        engine = new World(width, height, length, dimension, accuracy, shared, scratch);
+        registry = engine.registry;
+        objects = engine.objects;
+        view = engine.view;
+    }
+
+    /**
+     * What this world wraps: for the other packages of this module, whose modules alone can use it.
+     *
+     * @hidden
+     */
+    @SuppressWarnings({"exports", "InvalidBlockTag"}) // users of the module cannot see the type
+    public World engine() {
+        return engine;
     }
 
     /** Extent along X in world units. */
     public double width() {
-        return width;
+        return engine.width;
     }
 
     /** Extent along Y in world units. */
     public double height() {
-        return height;
+        return engine.height;
     }
 
     /** Extent along Z in world units. */
     public double length() {
-        return length;
+        return engine.length;
     }
 
     /** Whether heights count. */
     public Dimension dimension() {
-        return dimension;
+        return engine.dimension;
     }
 
     /** What stands for an object in queries that name no accuracy. */
     public Accuracy accuracy() {
-        return accuracy;
+        return view.accuracy;
     }
 
     /**
@@ -209,7 +223,7 @@ public final class Geometry extends GeometryQueries {
     public boolean placeObject(String name, Point center, double heading) {
         registry.begin("placeObject");
         int id = registry.mover(name);
-        return registry.place(id, center, heading) || places().stand(view, id, center, heading);
+        return registry.place(id, center, heading) || engine.places().stand(view, id, center, heading);
     }
 
     /** The object with a given name, at its present place. */
@@ -224,7 +238,7 @@ public final class Geometry extends GeometryQueries {
 
     /** Which objects are where: in the way of an addition or a placement, in a box, nearest. */
     public ObjectSearch search() {
-        ObjectSearch made = search == null ? new ObjectSearch(registry, scratch) : search;
+        ObjectSearch made = search == null ? new ObjectSearch(engine) : search;
         search = made;
         return made;
     }
@@ -261,7 +275,8 @@ public final class Geometry extends GeometryQueries {
      */
     public boolean simpleMove(String name, double x, double y, double z) {
         registry.begin("simpleMove");
-        return moves.straight(registry.mover(name), x, y, z);
+        int id = registry.mover(name);
+        return engine.translateOwn(id, Checks.coordinate("x", x), Checks.coordinate("y", y), Checks.coordinate("z", z));
     }
 
     /**
@@ -272,7 +287,7 @@ public final class Geometry extends GeometryQueries {
      */
     public boolean simpleTurn(String name, double degrees) {
         registry.begin("simpleTurn");
-        return moves.turn(registry.mover(name), degrees);
+        return engine.turn(registry.mover(name), Checks.angle("degrees", degrees));
     }
 
     /**
@@ -285,7 +300,7 @@ public final class Geometry extends GeometryQueries {
      */
     public MoveResult move(String name, Move move) {
         registry.begin("move");
-        return moves.own(registry.mover(name), Checks.present("move", move));
+        return result(engine.moveOwn(registry.mover(name), Checks.present("move", move)));
     }
 
     /**
@@ -296,7 +311,7 @@ public final class Geometry extends GeometryQueries {
      */
     public MoveResult moveGlobal(String name, Move move) {
         registry.begin("moveGlobal");
-        return moves.global(registry.mover(name), Checks.present("move", move));
+        return result(engine.moveGlobal(registry.mover(name), Checks.present("move", move)));
     }
 
     /**
@@ -311,7 +326,11 @@ public final class Geometry extends GeometryQueries {
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
         registry.begin("moveToContact");
-        return moves.toContact(registry.mover(name), Checks.present("move", move), clearance);
+        int id = registry.mover(name);
+        Checks.present("move", move);
+        MoveResult result = result(engine.motion.attemptOwn(view, id, move, Checks.clearance(clearance)));
+        engine.motion.commit();
+        return result;
     }
 
     /**
@@ -339,7 +358,17 @@ public final class Geometry extends GeometryQueries {
      */
     public SlideResult moveAndSlide(String name, Move move, SlideOptions options) {
         registry.begin("moveAndSlide");
-        return moves.sliding(registry.mover(name), Checks.present("move", move), Checks.present("options", options));
+        int id = registry.mover(name);
+        objects.toWorld(id, Checks.present("move", move).x(), move.y(), move.z(), vector);
+        Slide slide = engine.slide();
+        slide.set(
+                Checks.present("options", options).clearance(),
+                options.bends(),
+                options.stepHeight(),
+                options.maxSlope(),
+                options.snap());
+        slide.make(view, id, vector, move.rx(), move.ry());
+        return SlideResult.of(slide, objects);
     }
 
     /**
@@ -353,7 +382,267 @@ public final class Geometry extends GeometryQueries {
      */
     public @Nullable Point separate(String name, double max) {
         registry.begin("separate");
-        return moves.separate(registry.mover(name), Checks.size("max", max));
+        int id = registry.mover(name);
+        return engine.separate(id, Checks.size("max", max), vector) ? new Point(vector[0], vector[1], vector[2]) : null;
+    }
+
+    private MoveResult result(boolean allowed) {
+        if (allowed) {
+            return new MoveResult(true, 1, 1, null, null, null);
+        }
+        Motion motion = engine.motion;
+        motion.contact(vector);
+        int obstacle = motion.obstacle();
+        return new MoveResult(
+                false,
+                motion.fraction(),
+                motion.turnFraction(),
+                obstacle >= 0 ? objects.present(obstacle) : null,
+                new Point(vector[0], vector[1], vector[2]),
+                new Point(vector[3], vector[4], vector[5]));
+    }
+
+    /**
+     * Distance from the ray's start to the nearest surface within its beam. With an opening angle above 0 the beam is a
+     * cone, and the result is the distance of the nearest point of any object within it.
+     *
+     * @param min   blind range, world units; a nearer echo is reported as {@code min} and still hides what is behind it
+     * @param max   range, world units, {@code min <= max}; may be infinite
+     * @param width full opening angle in degrees, from 0 (a line) up to, not including, 180
+     * @return world units in {@code [min, max]}, or {@code +Infinity} if nothing echoes; {@code min} if the ray starts
+     *     inside a solid
+     * @throws IllegalArgumentException naming the argument that is NaN or out of range; in PLANAR also for a vertical ray
+     */
+    public double getRayDistance(Ray ray, double min, double max, double width) {
+        registry.begin("getRayDistance");
+        return engine.beams.distance(view, ray, min, max, width, -1);
+    }
+
+    /** Distance along a ray at a given accuracy. */
+    public double getRayDistance(Ray ray, double min, double max, double width, Accuracy accuracy) {
+        registry.begin("getRayDistance");
+        return engine.beams.distance(registry.at(accuracy), ray, min, max, width, -1);
+    }
+
+    /** Distance along a ray to the nearest object, ignoring the one of a given name. */
+    public double getRayDistance(Ray ray, double min, double max, double width, String ignored) {
+        registry.begin("getRayDistance");
+        return engine.beams.distance(view, ray, min, max, width, registry.known(ignored));
+    }
+
+    /**
+     * Distance that a sonar at the centre of a moveable object measures; the object itself does not echo.
+     *
+     * @param x forward component of the direction in the object's own frame
+     * @param z component to the right
+     */
+    public double getSonarDistance(String name, double x, double z, double min, double max, double width) {
+        registry.begin("getSonarDistance");
+        int id = registry.mover(name);
+        Checks.coordinate("x", x);
+        Checks.coordinate("z", z);
+        if (x == 0 && z == 0) {
+            throw new IllegalArgumentException("direction must not be zero (got: x " + x + ", z " + z + ")");
+        }
+        return engine.beams.sonar(view, id, 0, 0, 0, x, 0, z, min, max, width);
+    }
+
+    /**
+     * Distance that a sonar measures along a ray given in a moveable object's own frame; the object itself does not
+     * echo.
+     */
+    public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
+        registry.begin("getSonarDistance");
+        int id = registry.mover(name);
+        Point from = Checks.present("mount", mount).start();
+        Point to = mount.direction();
+        return engine.beams.sonar(view, id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
+    }
+
+    /**
+     * The smallest distance between an object and any other. To the bit, it is the minimum of the distances to each
+     * other object alone; its error is within 2<sup>-43</sup> of the distance and of the sizes of the two.
+     *
+     * @param max range, world units; may be infinite
+     * @return 0 in contact, {@code +Infinity} if nothing is within {@code max}
+     */
+    public double getProximity(String name, double max) {
+        registry.begin("getProximity");
+        int id = registry.known(name);
+        Checks.range(0, max);
+        return engine.proximity.of(view, id, max);
+    }
+
+    /**
+     * What a ray hits first within a range; null if it hits nothing. A ray that starts inside a solid hits it at
+     * distance 0. In PLANAR the hit point keeps the height of the ray's start.
+     */
+    public @Nullable RayHit castRay(Ray ray, double max) {
+        registry.begin("castRay");
+        double distance = engine.beams.cast(view, ray, max, vector);
+        return distance == Double.POSITIVE_INFINITY
+                ? null
+                : new RayHit(
+                        distance,
+                        new Point(
+                                engine.beams.point(0, distance),
+                                engine.beams.point(1, distance),
+                                engine.beams.point(2, distance)),
+                        new Point(vector[0], vector[1], vector[2]),
+                        objects.present(engine.beams.hit()));
+    }
+
+    /**
+     * A scan: rays from the centre of a moveable object in its own horizontal plane. Ray k points {@code firstDegrees +
+     * k * stepDegrees} counter-clockwise from forward. In a PLANAR world, that of a tipped object looks up or down and sees
+     * heights, as {@link #sense} describes.
+     *
+     * @param count number of rays; at least 0
+     * @return one distance per ray, as {@link #getRayDistance} returns it with a width of 0
+     */
+    public double[] scan(String name, double firstDegrees, double stepDegrees, int count, double min, double max) {
+        double[] distances = new double[Checks.count(count)];
+        scan(name, firstDegrees, stepDegrees, min, max, distances);
+        return distances;
+    }
+
+    /** A scan into a given array, with as many rays as the array has elements. */
+    public void scan(String name, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
+        scan(name, CENTER, firstDegrees, stepDegrees, min, max, out);
+    }
+
+    /**
+     * A scan from a sensor that is not at the object's centre.
+     *
+     * @param mount the sensor's position in the object's own frame
+     */
+    public void scan(
+            String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
+        registry.begin("scan");
+        Checks.present("mount", mount);
+        engine.sensor.scan(registry.mover(name), mount, firstDegrees, stepDegrees, min, max, out);
+    }
+
+    /**
+     * All beams of a sensor that is mounted on a moveable object. Each distance is, to the bit, that of
+     * {@link #getSonarDistance(String, Ray, double, double, double)} along {@code new Ray(mount.center(), d)}, where d is
+     * the beam's direction turned by the rotation of the mount. A {@link #scan} is a {@link RayPattern#fan}.
+     *
+     * <p>In a PLANAR world, sonars (beams with a width) and level lasers measure in the plane. A sensor that looks up or
+     * down, as cameras and lidars with elevation do, sees the objects with their heights: its answers are those of a SPATIAL
+     * world with the same objects. A laser is level if its {@linkplain RayPattern#isLevel pattern} is and if it stands
+     * upright to 2<sup>-16</sup>.
+     *
+     * @param mount   where the sensor is and which way it faces, in the object's own frame
+     * @param options a world answers on the calling thread alone, whatever the number of threads: see
+     *                {@link Snapshot#sense}
+     * @param out     takes the answers
+     */
+    public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        registry.begin("sense");
+        int id = registry.mover(Checks.present("name", name));
+        engine.sensor.frame().mounted(id, Checks.present("mount", mount));
+        sense(pattern, options, out);
+    }
+
+    /**
+     * All beams of a sensor that nothing carries. Each distance is, to the bit, that of {@link #getRayDistance} from the
+     * sensor's place, and each object and normal that of {@link #castRay}. In a PLANAR world, a sensor that looks up or down
+     * sees heights: see above.
+     *
+     * @param sensor where it is and which way it faces
+     */
+    public void sense(Pose sensor, RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        registry.begin("sense");
+        engine.sensor.frame().at(Checks.present("sensor", sensor));
+        sense(pattern, options, out);
+    }
+
+    private void sense(RayPattern pattern, SenseOptions options, SenseBuffer out) {
+        Checks.present("pattern", pattern);
+        Checks.present("options", options);
+        engine.sensor.senseAll(pattern, options, Checks.present("out", out).echoes());
+    }
+
+    /**
+     * What many rays meet first that begin anywhere: mirrored rays, or the echoes of a sensor that moves while it measures.
+     * Each answer is, to the bit, that of {@link #castRay} with a range of its own.
+     *
+     * @param rays  seven numbers each: X, Y and Z of its start, X, Y and Z of its direction, of any length but zero, and its
+     *              range, which may be infinite
+     * @param count how many rays there are, from the beginning of the array
+     * @param out   takes the answers
+     */
+    public void castRays(double[] rays, int count, SenseBuffer out) {
+        registry.begin("castRays");
+        engine.rays.check(rays, count);
+        engine.rays.cast(view, rays, count, Checks.present("out", out).echoes());
+    }
+
+    /**
+     * Tells for many rays whether each is free: whether it meets nothing within its range. Each bit is set where {@link
+     * #castRay} would return null; it is found sooner than what is met first. Two points see each other where the ray from
+     * one to the other, with their distance as its range, is free.
+     *
+     * @param rays  as in {@link #castRays}
+     * @param count how many rays there are, from the beginning of the array
+     * @param free  takes the answers as in {@link #freePoses}
+     * @return how many are free
+     */
+    public int freeRays(double[] rays, int count, long[] free) {
+        return freeRays(rays, count, -1, free);
+    }
+
+    /**
+     * The same, ignoring the object of a given name.
+     *
+     * @throws IllegalArgumentException if there is no object of that name
+     */
+    public int freeRays(double[] rays, int count, String ignored, long[] free) {
+        return freeRays(rays, count, registry.known(Checks.present("ignored", ignored)), free);
+    }
+
+    private int freeRays(double[] rays, int count, int ignored, long[] free) {
+        registry.begin("freeRays");
+        engine.rays.check(rays, count);
+        FreePlaces.checkRoom(count, free);
+        return engine.rays.free(view, rays, count, ignored, free);
+    }
+
+    /**
+     * Finds for many poses of a moveable object whether it could be there. Nothing is moved. A pose keeps how the object is
+     * tipped now: the object is turned about the vertical until its heading is that of the pose. Each bit is set if the object
+     * would be within the world and touch nothing there, apart from itself and from what it stands on: where the object is now,
+     * a plane may separate it from a piece that it touches, such as a floor. Pieces that lie wholly behind that plane do not
+     * count at a pose that is on the other side of it, or on it, as for moves. So a robot on a floor may be anywhere on that
+     * floor. Enclosures of coarser accuracies have no such planes.
+     *
+     * @param poses four numbers each: X, Y and Z of the centre, and the heading in degrees
+     * @param free  bit {@code k % 64} of element {@code k / 64} is the answer for pose k, the layout of
+     *              {@link java.util.BitSet#valueOf(long[])}; the other bits of the last element are cleared
+     * @return how many poses are free
+     */
+    public int freePoses(String name, double[] poses, long[] free) {
+        registry.begin("freePoses");
+        int id = registry.mover(name);
+        return engine.places().poses(view, id, poses, 0, FreePlaces.check("poses", poses, FreePlaces.POSE, free), free);
+    }
+
+    /**
+     * Finds for many edges, each a straight move from one pose to another, whether a moveable object could make them. Nothing
+     * is moved. Each bit is set if the first pose is free as in {@link #freePoses} and {@link Geometry#moveGlobal} would move
+     * the object from there by the differences of the coordinates, and in place turn it by that of the headings: a turn of 350
+     * degrees is not one of -10. An edge that begins where the object is, with the numbers of its centre and heading, is free
+     * exactly if that move is. The path is swept, not sampled.
+     *
+     * @param edges eight numbers each: X, Y, Z and heading at the first pose, then at the second
+     * @param free  takes the answers as in {@link #freePoses}
+     * @return how many edges are free
+     */
+    public int freeEdges(String name, double[] edges, long[] free) {
+        registry.begin("freeEdges");
+        int id = registry.mover(name);
+        return engine.places().edges(view, id, edges, 0, FreePlaces.check("edges", edges, FreePlaces.EDGE, free), free);
     }
 
     /**
@@ -400,7 +689,7 @@ public final class Geometry extends GeometryQueries {
     /** As in {@code SPATIAL EXACT world of 20.0 x 5.0 x 20.0 with 113 objects, 8 of them moveable}. */
     @Override
     public String toString() {
-        return dimension + " " + accuracy + " world of " + width + " x " + height + " x " + length + " with "
+        return dimension() + " " + accuracy() + " world of " + width() + " x " + height() + " x " + length() + " with "
                 + objects.ids().count() + " objects, " + objects.moverCount() + " of them moveable";
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.World;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.TouchQuery;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -13,7 +14,6 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.narrow.Scratch;
 
 /**
  * Questions about which objects of a world are where: what is in the way of an addition or a placement, what meets a box,
@@ -42,11 +42,11 @@ public final class ObjectSearch {
     private final TouchQuery touching;
     private final NearestQuery nearest;
 
-    ObjectSearch(ObjectRegistry registry, Scratch scratch) {
-        this.registry = registry;
-        objects = registry.objects;
-        touching = new TouchQuery(registry, scratch);
-        nearest = new NearestQuery(objects, scratch);
+    ObjectSearch(World world) {
+        registry = world.registry;
+        objects = world.objects;
+        touching = world.touching();
+        nearest = world.nearest();
     }
 
     /**

@@ -59,7 +59,7 @@ public final class Snapshot implements Serializable {
     private final transient long time;
 
     /** Who answers questions about this snapshot itself. */
-    private final transient Crew crew = new Crew(this::toGeometry);
+    private final transient WorldCopies copies = new WorldCopies(this::toGeometry);
 
     private Snapshot(Settings settings, SharedIndex statics, GeometryObject[] movers, long[] arrivals, long time) {
         width = settings.width;
@@ -206,12 +206,12 @@ public final class Snapshot implements Serializable {
      * thread that has been at work for it at once.
      */
     public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
-        crew.sense(Checks.present("name", name), Checks.present("mount", mount), pattern, options, out);
+        copies.sense(Checks.present("name", name), Checks.present("mount", mount), pattern, options, out);
     }
 
     /** All beams of a sensor that nothing carries; the same for a place in the world. */
     public void sense(Pose sensor, RayPattern pattern, SenseOptions options, SenseBuffer out) {
-        crew.sense(null, Checks.present("sensor", sensor), pattern, options, out);
+        copies.sense(null, Checks.present("sensor", sensor), pattern, options, out);
     }
 
     /**
@@ -219,12 +219,12 @@ public final class Snapshot implements Serializable {
      * thread; safe to call from many threads at once, each with a buffer of its own.
      */
     public void castRays(double[] rays, int count, SenseBuffer out) {
-        crew.castRays(rays, count, out);
+        copies.castRays(rays, count, out);
     }
 
     /** Tells for many rays whether each meets nothing within its range, as {@link Geometry#freeRays} does; the same holds. */
     public int freeRays(double[] rays, int count, long[] free) {
-        return crew.freeRays(world -> world.freeRays(rays, count, free));
+        return copies.freeRays(world -> world.freeRays(rays, count, free));
     }
 
     /**
@@ -233,7 +233,7 @@ public final class Snapshot implements Serializable {
      * @throws IllegalArgumentException if there is no object of that name
      */
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
-        return crew.freeRays(world -> world.freeRays(rays, count, ignored, free));
+        return copies.freeRays(world -> world.freeRays(rays, count, ignored, free));
     }
 
     /**
@@ -244,7 +244,7 @@ public final class Snapshot implements Serializable {
      * @return how many poses are free
      */
     public int freePoses(String name, double[] poses, int threads, long[] free) {
-        return crew.free(Crew.Places.POSES, name, poses, threads, free);
+        return copies.free(WorldCopies.Places.POSES, name, poses, threads, free);
     }
 
     /**
@@ -254,7 +254,7 @@ public final class Snapshot implements Serializable {
      * @return how many edges are free
      */
     public int freeEdges(String name, double[] edges, int threads, long[] free) {
-        return crew.free(Crew.Places.EDGES, name, edges, threads, free);
+        return copies.free(WorldCopies.Places.EDGES, name, edges, threads, free);
     }
 
     /** The serialized form of a snapshot. */

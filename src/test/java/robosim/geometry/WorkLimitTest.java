@@ -36,11 +36,16 @@ class WorkLimitTest {
 
     /** All that a world is: its objects in order, and the places of those that move, with their rounding errors. */
     private static String state(Geometry world) {
-        int movers = world.objects.moverCount();
+        int movers = world.engine().objects.moverCount();
         double[] places = new double[movers * Pose.PLACE];
-        int[] ids = world.objects.moverIds().toArray();
+        int[] ids = world.engine().objects.moverIds().toArray();
         for (int k = 0; k < movers; k++) {
-            System.arraycopy(world.objects.places(), world.objects.place(ids[k]), places, k * Pose.PLACE, Pose.PLACE);
+            System.arraycopy(
+                    world.engine().objects.places(),
+                    world.engine().objects.place(ids[k]),
+                    places,
+                    k * Pose.PLACE,
+                    Pose.PLACE);
         }
         long[] bits =
                 Arrays.stream(places).mapToLong(Double::doubleToRawLongBits).toArray();

@@ -109,7 +109,14 @@ public class PeerScene {
         ItemVisitor visitor = item -> {
             int at = (Integer) item;
             double distance = PlanarRay.distance(
-                    from.x(), from.z(), way.x(), way.z(), leaves.kind(at), leaves.rows(), at * Leaf.STRIDE, scratch);
+                    from.x(),
+                    from.z(),
+                    way.x(),
+                    way.z(),
+                    leaves.kind(at),
+                    leaves.rows(),
+                    at * Leaf.STRIDE,
+                    scratch.ray);
             nearest = Math.min(nearest, distance);
         };
         tree.query(swept, visitor);

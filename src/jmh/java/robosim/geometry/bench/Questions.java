@@ -169,14 +169,14 @@ public final class Questions {
         return switch (family.subject()) {
             case OVERLAP ->
                 (planar
-                                ? PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch)
-                                : SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch))
+                                ? PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap)
+                                : SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap))
                         ? 1
                         : 0;
             case DISTANCE ->
                 planar
-                        ? PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch)
-                        : SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch);
+                        ? PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance)
+                        : SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
             case RAY -> ray(pairs.start, pairs.way, kindA, a);
             case CONE -> cone(pairs.start, pairs.way, kindA, a);
             case TRANSLATION -> translation(pairs.way, kindA, a, kindB, b);
@@ -199,8 +199,8 @@ public final class Questions {
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
         return family.planar()
-                ? PlanarRay.distance(o[0], o[2], d[0], d[2], kind, row, 0, scratch)
-                : SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
+                ? PlanarRay.distance(o[0], o[2], d[0], d[2], kind, row, 0, scratch.ray)
+                : SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
     }
 
     private double cone(double[] o, double[] d, LeafKind kind, double[] row) {
@@ -208,22 +208,35 @@ public final class Questions {
         double cos = StrictMath.cos(half);
         double sin = StrictMath.sin(half);
         return family.planar()
-                ? PlanarCone.distance(o[0], o[2], d[0], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch)
+                ? PlanarCone.distance(
+                        o[0], o[2], d[0], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch.cone)
                 : SpatialCone.distance(
-                        o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch);
+                        o[0],
+                        o[1],
+                        o[2],
+                        d[0],
+                        d[1],
+                        d[2],
+                        cos,
+                        sin,
+                        kind,
+                        row,
+                        0,
+                        Double.POSITIVE_INFINITY,
+                        scratch.cone);
     }
 
     private double translation(double[] d, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         return family.planar()
-                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch)
-                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
+                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep)
+                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
     }
 
     private double turn(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double degrees = 720 * angle - 360;
         return family.planar()
-                ? PlanarTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch)
-                : SpatialTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch);
+                ? PlanarTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch.turn)
+                : SpatialTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch.turn);
     }
 
     /** The largest of the numbers that a distance is computed from. */

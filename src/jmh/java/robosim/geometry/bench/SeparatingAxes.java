@@ -27,7 +27,7 @@ public final class SeparatingAxes {
     private final double[] b = new double[PAIRS * Leaf.STRIDE];
     private final MovingAxes moving = new MovingAxes();
     private final PolytopePolytope polytopes = new PolytopePolytope();
-    private final PlanarScratch s = new Scratch();
+    private final PlanarScratch s = new Scratch().planar;
 
     private interface Test {
         boolean touch(int at);

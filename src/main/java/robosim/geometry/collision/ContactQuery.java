@@ -53,8 +53,8 @@ public final class ContactQuery {
 
     private ContactQuery() {
         Scratch scratch = new Scratch();
-        pairs = new ContactPairs(scratch);
-        nearest = new NearestPairs(scratch);
+        pairs = new ContactPairs(scratch.distance);
+        nearest = new NearestPairs(scratch.overlap);
     }
 
     /**

@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.step.PlanarStepper;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.World;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
@@ -54,12 +54,6 @@ import robosim.geometry.model.Twist;
  * }</pre>
  */
 public final class Dynamics {
-    /** Where the heading is in a place of the world. */
-    private static final int HEADING = 12;
-
-    /** Where the rotation is. */
-    private static final int ROTATION = 3;
-
     /** Drives, damping and the floor's friction are worked out anew after so many seconds at most. */
     private static final double SLICE = 1.0 / 16;
 
@@ -76,7 +70,7 @@ public final class Dynamics {
 
     private final Geometry world;
     private final Map<String, BodyState> bodies = new LinkedHashMap<>();
-    private final Carrier carrier;
+    private final World engine;
     private final ObjectTable objects;
     private final PlanarStepper stepper;
     private final SurfaceTable table;
@@ -133,11 +127,11 @@ public final class Dynamics {
             throw new IllegalArgumentException(
                     "world must be SPATIAL where gravity is given (got: " + world.dimension() + ")");
         }
-        carrier = Carrier.of(world);
-        objects = carrier.objects;
-        stepper = new PlanarStepper(world, world.width(), world.length());
+        engine = world.engine();
+        objects = engine.objects;
+        stepper = new PlanarStepper(engine);
         table = new SurfaceTable(ground);
-        falling = falls ? new Falling(world, carrier, table, gravity) : null;
+        falling = falls ? new Falling(engine, table, gravity) : null;
         pauseBy(() -> {});
     }
 
@@ -237,7 +231,7 @@ public final class Dynamics {
 
     /** Where the heading of a body is among the places. */
     private int heading(String name) {
-        return objects.place(objects.find(name)) + HEADING;
+        return objects.place(objects.find(name)) + ObjectTable.HEADING;
     }
 
     /**
@@ -306,7 +300,7 @@ public final class Dynamics {
 
     private void pauseBy(Runnable between) {
         betweenParts = () -> {
-            carrier.take();
+            engine.take();
             between.run();
         };
         stepper.pausing(betweenParts);
@@ -328,18 +322,18 @@ public final class Dynamics {
 
     /** Moves everything by a time in seconds, and tells nothing; {@link #last} tells it. */
     public void advance(double seconds) {
-        if (isKept || isPausing || carrier.isLimited()) {
+        if (isKept || isPausing || engine.isLimited()) {
             asOne(() -> {
                 go(seconds);
                 return null;
             });
             return;
         }
-        carrier.begin("a step"); // allocates nothing, unlike the above
+        engine.begin("a step"); // allocates nothing, unlike the above
         try {
             go(seconds);
         } finally {
-            carrier.end();
+            engine.end();
         }
     }
 
@@ -352,7 +346,7 @@ public final class Dynamics {
      * @return what {@code changes} returns
      */
     public <T extends @Nullable Object> T together(Supplier<T> changes) {
-        carrier.begin("a step");
+        engine.begin("a step");
         @Nullable Kept kept = new Kept();
         isKept = true;
         try {
@@ -364,7 +358,7 @@ public final class Dynamics {
             if (kept != null) {
                 kept.undo();
             }
-            carrier.end();
+            engine.end();
         }
     }
 
@@ -376,20 +370,20 @@ public final class Dynamics {
             }
             return step.get();
         }
-        if (isPausing || carrier.isLimited()) {
+        if (isPausing || engine.isLimited()) {
             return together(step);
         }
-        carrier.begin("a step");
+        engine.begin("a step");
         try {
             return step.get();
         } finally {
-            carrier.end();
+            engine.end();
         }
     }
 
     /** What was before a step that may be ended. */
     private final class Kept {
-        private final double[] places = carrier.places();
+        private final double[] places = engine.placesOfMovers();
         private final List<BodyState> states = new ArrayList<>(bodies.size());
         private final List<BodyState> inOrder = List.copyOf(order);
         private final boolean wasStale = isStale;
@@ -406,7 +400,7 @@ public final class Dynamics {
         }
 
         void undo() {
-            carrier.putBack(places);
+            engine.putBack(places);
             bodies.clear();
             states.forEach(each -> bodies.put(each.name, each));
             table.undo();
@@ -448,7 +442,7 @@ public final class Dynamics {
     /** Works out how bodies with three moments resist a turn about the vertical, as they are tipped now. */
     private void takeInertia() {
         for (int b = 0; b < order.size() && hasMoments; b++) {
-            int at = objects.place(stepper.id(b)) + ROTATION;
+            int at = objects.place(stepper.id(b)) + ObjectTable.ROTATION;
             BodyState each = order.get(b);
             double inertia = each.body.aboutVertical(objects.places(), at);
             if (inertia != each.acting.inertia()) {
@@ -476,7 +470,7 @@ public final class Dynamics {
         double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            if (each.begin(places, objects.place(stepper.id(b)) + HEADING, seconds)) {
+            if (each.begin(places, objects.place(stepper.id(b)) + ObjectTable.HEADING, seconds)) {
                 isMoving = true;
                 turning = Math.max(turning, stepper.isRound(b) ? 0 : each.turning());
             }
@@ -493,7 +487,7 @@ public final class Dynamics {
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
             boolean isFree = each.drive == null;
-            each.begin(places, objects.place(stepper.id(b)) + HEADING, seconds);
+            each.begin(places, objects.place(stepper.id(b)) + ObjectTable.HEADING, seconds);
             stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
             stepper.setDriven(b, !isFree);
             stepper.setSlowing(b, isFree ? each.acting.slowing() : 0, isFree ? each.acting.spinSlowing() : 0);
@@ -502,7 +496,7 @@ public final class Dynamics {
         places = objects.places();
         boolean isPressing = false;
         for (int b = 0; b < order.size(); b++) {
-            int at = objects.place(stepper.id(b)) + HEADING;
+            int at = objects.place(stepper.id(b)) + ObjectTable.HEADING;
             boolean presses = order.get(b).end(stepper.vx(b), stepper.vz(b), stepper.w(b), places, at);
             stepper.press(b, presses);
             isPressing |= presses;
@@ -533,7 +527,7 @@ public final class Dynamics {
         each.vx = stepper.vx(b);
         each.vz = stepper.vz(b);
         each.w = stepper.w(b);
-        int at = objects.place(stepper.id(b)) + HEADING;
+        int at = objects.place(stepper.id(b)) + ObjectTable.HEADING;
         boolean isPushed = each.push(objects.places(), at, Degrees.toDegrees(angle), round);
         stepper.setVelocity(b, each.vx, each.vz, each.w);
         return isPushed;
@@ -552,7 +546,7 @@ public final class Dynamics {
         Set<Integer> moved = new HashSet<>();
         for (BodyState each : bodies.values()) {
             betweenParts.run();
-            int id = carrier.mover(each.name);
+            int id = engine.mover(each.name);
             moved.add(id);
             order.add(each);
             hasMoments |= each.body.hasMoments();
@@ -566,11 +560,11 @@ public final class Dynamics {
 
     /** What happened in the last step. */
     public StepResult last() {
-        carrier.begin("last");
+        engine.begin("last");
         try {
             return tellLast();
         } finally {
-            carrier.end();
+            engine.end();
         }
     }
 

@@ -3,10 +3,9 @@ package robosim.geometry.dynamics;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.space.Driver;
 import robosim.geometry.dynamics.space.SpatialStepper;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.World;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
@@ -16,7 +15,7 @@ import robosim.geometry.model.Twist;
 
 /** What {@link Dynamics} does in a SPATIAL world: its bodies, as {@link SpatialStepper} has them. */
 final class Falling {
-    private final Carrier carrier;
+    private final World world;
     private final SpatialStepper space;
     private final SurfaceTable table;
     private final List<BodyState> order = new ArrayList<>();
@@ -29,15 +28,15 @@ final class Falling {
     private List<BodyState> keptOrder = List.of();
     private boolean hasBegun;
 
-    Falling(Geometry world, Carrier carrier, SurfaceTable table, Point gravity) {
-        this.carrier = carrier;
+    Falling(World world, SurfaceTable table, Point gravity) {
+        this.world = world;
         this.table = table;
-        if (!SpatialStepper.isExact(carrier)) {
+        if (!world.isExact()) {
             throw new IllegalArgumentException(
                     "world must have the accuracy EXACT where heights count (got: " + world.accuracy() + ")");
         }
         double[] pull = {gravity.x(), gravity.y(), gravity.z()};
-        space = new SpatialStepper(carrier, world.width(), world.height(), world.length(), pull);
+        space = new SpatialStepper(world, pull);
         space.driveBy(this::next);
     }
 
@@ -78,7 +77,7 @@ final class Falling {
     }
 
     void advance(Map<String, BodyState> bodies, boolean isStale, double seconds) {
-        if (isStale || changes != carrier.objects.changes()) {
+        if (isStale || changes != world.objects.changes()) {
             build(bodies);
         }
         for (int b = 0; b < order.size(); b++) {
@@ -93,14 +92,14 @@ final class Falling {
     }
 
     private void build(Map<String, BodyState> bodies) {
-        ObjectTable objects = carrier.objects;
+        ObjectTable objects = world.objects;
         changes = objects.changes();
         bodies.values().removeIf(each -> !each.isThere(objects));
         space.clear();
         order.clear();
         table.begin(objects);
         for (BodyState each : bodies.values()) {
-            int id = carrier.mover(each.name);
+            int id = world.mover(each.name);
             GeometryObject object = objects.value(id);
             Body body = each.body;
             table.put(id, body.surface());

@@ -16,7 +16,7 @@ public final class Attitude {
     /** Number of doubles that store one attitude. */
     public static final int STRIDE = 11;
 
-    private static final int HEADING = 9;
+    public static final int HEADING = 9;
 
     private Attitude() {}
 

@@ -155,7 +155,7 @@ public final class Cast {
         if (isSolid && enough >= 0) {
             return anyOfSolid(column, leaf, limit);
         }
-        if (isSolid && inside.holds(column, leaf, ox, oy, oz, s)) {
+        if (isSolid && inside.holds(column, leaf, ox, oy, oz, s.leaf)) {
             return 0;
         }
         return surface(column, leaf, limit);
@@ -167,32 +167,32 @@ public final class Cast {
         if (crossed <= limit || crossed == Double.POSITIVE_INFINITY) {
             return crossed;
         }
-        return PointInMesh.holds(column, leaf, ox, oy, oz, s) ? 0 : crossed;
+        return PointInMesh.holds(column, leaf, ox, oy, oz, s.leaf) ? 0 : crossed;
     }
 
     private double surface(LeafColumn column, int leaf, double limit) {
         nearest = Double.POSITIVE_INFINITY;
-        s.outer.open(column, leaf);
+        s.leaf.outer.open(column, leaf);
         if (dimension == Dimension.SPATIAL && !cone) {
             startMeshRay(column, leaf);
-            s.meshRay.find(column.mesh(leaf), limit, judge);
+            s.mesh.meshRay.find(column.mesh(leaf), limit, judge);
             return nearest;
         }
         takeUnit();
         if (dimension == Dimension.SPATIAL) {
-            s.meshSight.startCone(column, leaf, ox, oy, oz, ux, uy, uz, halfCos);
+            s.mesh.meshSight.startCone(column, leaf, ox, oy, oz, ux, uy, uz, halfCos);
         } else if (cone) {
-            s.meshSight.startSector(column, leaf, ox, oz, ux, uz, halfCos);
+            s.mesh.meshSight.startSector(column, leaf, ox, oz, ux, uz, halfCos);
         } else {
-            s.meshSight.startLine(column, leaf, ox, oz, ux, uz);
+            s.mesh.meshSight.startLine(column, leaf, ox, oz, ux, uz);
         }
-        s.meshSight.find(column.mesh(leaf), limit, judge);
+        s.mesh.meshSight.find(column.mesh(leaf), limit, judge);
         return nearest;
     }
 
     private double grid(LeafColumn column, int leaf, double limit) {
         takeUnit();
-        GridWalk walk = s.cells(LeafKind.UPRIGHT_BOX);
+        GridWalk walk = s.leaf.cells(LeafKind.UPRIGHT_BOX);
         if (cone) {
             walk.startCone(column, leaf, ox, oz, ux, uz, halfSin);
         } else {
@@ -200,7 +200,7 @@ public final class Cast {
         }
         double best = Double.POSITIVE_INFINITY;
         for (int cell = nextCell(walk, limit); cell >= 0; cell = nextCell(walk, Math.min(limit, best))) {
-            walk.corners(cell, s.triangleA, 0);
+            walk.corners(cell, s.leaf.triangleA, 0);
             double distance = cell(walk, best);
             if (distance < best || (distance == best && cell < triangle)) {
                 best = distance;
@@ -216,14 +216,14 @@ public final class Cast {
         int face = cone || !isModerate() ? -1 : isFlat ? walk.face() : walk.face(oy, uy);
         if (face >= 0) {
             double distance = isFlat
-                    ? RayRectangle.side(ox, oz, dx, dz, s.triangleA, 0, face == 0)
-                    : SpatialRay.uprightFace(ox, oy, oz, dx, dy, dz, s.triangleA, 0, face, s);
+                    ? RayRectangle.side(ox, oz, dx, dz, s.leaf.triangleA, 0, face == 0)
+                    : SpatialRay.uprightFace(ox, oy, oz, dx, dy, dz, s.leaf.triangleA, 0, face, s.ray);
             // Only a small distance may have been spoiled by what underflowed.
             if (distance > UnderflowScaling.SMALL) {
                 return distance;
             }
         }
-        return convex(LeafKind.UPRIGHT_BOX, s.triangleA, 0, limit);
+        return convex(LeafKind.UPRIGHT_BOX, s.leaf.triangleA, 0, limit);
     }
 
     /** Whether the direction is of a length at which nothing overflows or underflows. */
@@ -239,10 +239,10 @@ public final class Cast {
     /** Starts the search of a mesh; a direction that is of unit length but for some roundings is taken as it is. */
     private void startMeshRay(LeafColumn column, int leaf) {
         if (Math.abs(dx * dx + dy * dy + dz * dz - 1) <= 0x1p-50) {
-            s.meshRay.start(column, leaf, ox, oy, oz, dx, dy, dz);
+            s.mesh.meshRay.start(column, leaf, ox, oy, oz, dx, dy, dz);
         } else {
             takeUnit();
-            s.meshRay.start(column, leaf, ox, oy, oz, ux, uy, uz);
+            s.mesh.meshRay.start(column, leaf, ox, oy, oz, ux, uy, uz);
         }
     }
 
@@ -269,8 +269,8 @@ public final class Cast {
 
     private double judge(int place) {
         s.work.take();
-        s.outer.corners(place, s.triangleA, 0);
-        double distance = convex(LeafKind.TRIANGLE, s.triangleA, 0, nearest);
+        s.leaf.outer.corners(place, s.leaf.triangleA, 0);
+        double distance = convex(LeafKind.TRIANGLE, s.leaf.triangleA, 0, nearest);
         if (distance < nearest || (distance == nearest && isLower(place))) {
             nearest = distance;
             triangle = place;
@@ -280,7 +280,7 @@ public final class Cast {
     }
 
     private boolean isLower(int place) {
-        return triangle >= 0 && s.outer.triangle(place) < s.outer.triangle(triangle);
+        return triangle >= 0 && s.leaf.outer.triangle(place) < s.leaf.outer.triangle(triangle);
     }
 
     private double convex(LeafKind kind, double[] row, int at, double limit) {
@@ -291,14 +291,14 @@ public final class Cast {
 
     /** The distance of the leaf that is scaled up. */
     private double scaled(LeafKind kind) {
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         return m.down(convex(m.up(ox), height(m.up(oy)), m.up(oz), kind, m.a, 0, Double.POSITIVE_INFINITY));
     }
 
     /** Whether a leaf is scaled up, with the start and another length. */
     private boolean isTakenUp(double more, LeafKind kind, double[] row, int at) {
         double largest = Math.max(more, VectorMath.largest(ox, height(oy), oz));
-        return s.scaling.take(dimension, largest, kind, row, at);
+        return s.leaf.scaling.take(dimension, largest, kind, row, at);
     }
 
     /** A height where heights count, else 0. */
@@ -309,12 +309,12 @@ public final class Cast {
     private double convex(double x, double y, double z, LeafKind kind, double[] row, int at, double limit) {
         if (dimension == Dimension.PLANAR) {
             return cone
-                    ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, limit, s)
-                    : PlanarRay.distance(x, z, dx, dz, kind, row, at, s);
+                    ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, limit, s.cone)
+                    : PlanarRay.distance(x, z, dx, dz, kind, row, at, s.ray);
         }
         return cone
-                ? SpatialCone.distance(x, y, z, dx, dy, dz, halfCos, halfSin, kind, row, at, limit, s)
-                : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
+                ? SpatialCone.distance(x, y, z, dx, dy, dz, halfCos, halfSin, kind, row, at, limit, s.cone)
+                : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s.ray);
     }
 
     /** Where what gave the last answer is found again: the position of a mesh's triangle, a grid's cell; -1 for none. */
@@ -335,8 +335,8 @@ public final class Cast {
         if (kind.isGrid()) {
             return piece;
         }
-        s.outer.open(column, leaf);
-        return s.outer.triangle(piece);
+        s.leaf.outer.open(column, leaf);
+        return s.leaf.outer.triangle(piece);
     }
 
     /**
@@ -377,9 +377,9 @@ public final class Cast {
         int at = column.at(leaf);
         if (kind.isGrid()) {
             distance(column, leaf, Double.POSITIVE_INFINITY);
-            s.cells(LeafKind.UPRIGHT_BOX).corners(triangle, s.triangleA, 0);
+            s.leaf.cells(LeafKind.UPRIGHT_BOX).corners(triangle, s.leaf.triangleA, 0);
             kind = LeafKind.UPRIGHT_BOX;
-            row = s.triangleA;
+            row = s.leaf.triangleA;
             at = 0;
         } else if (kind.isMesh()) {
             if (piece < 0) { // inside a solid mesh
@@ -388,17 +388,17 @@ public final class Cast {
                 out[2] = -uz;
                 return;
             }
-            s.outer.open(column, leaf);
-            s.outer.corners(piece, s.triangleA, 0);
+            s.leaf.outer.open(column, leaf);
+            s.leaf.outer.corners(piece, s.leaf.triangleA, 0);
             kind = LeafKind.TRIANGLE;
-            row = s.triangleA;
+            row = s.leaf.triangleA;
             at = 0;
         }
         if (isFarFromOrigin || !isTakenUp(distance, kind, row, at)) {
             normals.at(px, py, pz, distance, ux, uy, uz, kind, row, at, out, dimension);
             return;
         }
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         double far = m.up(distance);
         px = m.up(ox) + far * ux;
         py = height(m.up(oy)) + far * uy;

@@ -146,10 +146,10 @@ final class ContactPlanes {
             return true;
         }
         int side = HeightIntervals.side(kindA, rows, at, kindB, rows, rest);
-        HeightIntervals.part(kindA, rows, at, -side, s.triangleC);
-        HeightIntervals.part(kindB, rows, rest, side, s.triangleD);
-        Penetration ways = s.penetration();
-        ways.planar(kindA, s.triangleC, 0, kindB, s.triangleD, 0);
+        HeightIntervals.part(kindA, rows, at, -side, s.overlap.triangleC);
+        HeightIntervals.part(kindB, rows, rest, side, s.overlap.triangleD);
+        Penetration ways = s.gjk.penetration();
+        ways.planar(kindA, s.overlap.triangleC, 0, kindB, s.overlap.triangleD, 0);
         return ways.proven() > 0;
     }
 

@@ -86,10 +86,10 @@ public final class Distance {
     /** Afterwards the other leaf's piece is in the first place, the cell in the second one. */
     private double grid(
             Dimension dimension, LeafColumn grid, int leaf, LeafKind kind, LeafColumn other, int k, double limit) {
-        GridWalk walk = s.cells(kind);
-        other.bounds(k, s.box);
-        walk.startNearest(grid, leaf, s.box);
-        double sizes = walk.sides() + sides(s.box);
+        GridWalk walk = s.leaf.cells(kind);
+        other.bounds(k, s.leaf.box);
+        walk.startNearest(grid, leaf, s.leaf.box);
+        double sizes = walk.sides() + sides(s.leaf.box);
         double best = Double.POSITIVE_INFINITY;
         int nearest = -1;
         int piece = -1;
@@ -109,32 +109,34 @@ public final class Distance {
     }
 
     private double convex(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (!s.scaling.take(dimension, kindA, a, i, kindB, b, j)) {
+        if (!s.leaf.scaling.take(dimension, kindA, a, i, kindB, b, j)) {
             return asStored(dimension, kindA, a, i, kindB, b, j);
         }
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         return m.down(asStored(dimension, kindA, m.a, 0, kindB, m.b, 0));
     }
 
     private double asStored(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return dimension == Dimension.PLANAR
-                ? PlanarDistance.between(kindA, a, i, kindB, b, j, s)
-                : SpatialDistance.between(kindA, a, i, kindB, b, j, s);
+                ? PlanarDistance.between(kindA, a, i, kindB, b, j, s.distance)
+                : SpatialDistance.between(kindA, a, i, kindB, b, j, s.distance);
     }
 
     private double mesh(
             Dimension dimension, LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, double limit) {
-        if (PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s)) {
+        if (PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s.leaf)) {
             return 0;
         }
-        LeafBounds.of(kind, row, at, s.box);
-        overMesh(dimension, mesh, leaf, s.box);
-        s.outer.startNearest(mesh, leaf, s.box);
-        double sizes = s.outer.size() + sides(s.box);
+        LeafBounds.of(kind, row, at, s.leaf.box);
+        overMesh(dimension, mesh, leaf, s.leaf.box);
+        s.leaf.outer.startNearest(mesh, leaf, s.leaf.box);
+        double sizes = s.leaf.outer.size() + sides(s.leaf.box);
         double best = Double.POSITIVE_INFINITY;
-        for (int t = s.outer.next(reach(limit, sizes)); t >= 0; t = s.outer.next(reach(Math.min(limit, best), sizes))) {
-            s.outer.corners(t, s.triangleA, 0);
-            double distance = convex(dimension, LeafKind.TRIANGLE, s.triangleA, 0, kind, row, at);
+        for (int t = s.leaf.outer.next(reach(limit, sizes));
+                t >= 0;
+                t = s.leaf.outer.next(reach(Math.min(limit, best), sizes))) {
+            s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+            double distance = convex(dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, kind, row, at);
             if (distance < best || (distance == best && isLower(t))) {
                 best = distance;
                 triangleB = t;
@@ -164,37 +166,39 @@ public final class Distance {
     }
 
     private boolean isLower(int t) {
-        return triangleB >= 0 && s.outer.triangle(t) < s.outer.triangle(triangleB);
+        return triangleB >= 0 && s.leaf.outer.triangle(t) < s.leaf.outer.triangle(triangleB);
     }
 
     private boolean areLower(int t, int u) {
         if (triangleA < 0) {
             return false;
         }
-        int order = Integer.compare(s.outer.triangle(t), s.outer.triangle(triangleA));
-        return order < 0 || (order == 0 && s.inner.triangle(u) < s.inner.triangle(triangleB));
+        int order = Integer.compare(s.leaf.outer.triangle(t), s.leaf.outer.triangle(triangleA));
+        return order < 0 || (order == 0 && s.leaf.inner.triangle(u) < s.leaf.inner.triangle(triangleB));
     }
 
     private double meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
-        if ((PointInMesh.counts(dimension, a, i) && PointInMesh.holdsMesh(a, i, b, j, s))
-                || (PointInMesh.counts(dimension, b, j) && PointInMesh.holdsMesh(b, j, a, i, s))) {
+        if ((PointInMesh.counts(dimension, a, i) && PointInMesh.holdsMesh(a, i, b, j, s.leaf))
+                || (PointInMesh.counts(dimension, b, j) && PointInMesh.holdsMesh(b, j, a, i, s.leaf))) {
             return 0;
         }
-        b.bounds(j, s.box);
-        overMesh(dimension, a, i, s.box);
-        s.outer.startNearest(a, i, s.box);
-        double sizes = s.outer.size() + sides(s.box);
+        b.bounds(j, s.leaf.box);
+        overMesh(dimension, a, i, s.leaf.box);
+        s.leaf.outer.startNearest(a, i, s.leaf.box);
+        double sizes = s.leaf.outer.size() + sides(s.leaf.box);
         double best = Double.POSITIVE_INFINITY;
-        for (int t = s.outer.next(reach(limit, sizes)); t >= 0; t = s.outer.next(reach(Math.min(limit, best), sizes))) {
-            s.outer.corners(t, s.triangleA, 0);
-            LeafBounds.of(LeafKind.TRIANGLE, s.triangleA, 0, s.triangleBox);
-            overMesh(dimension, b, j, s.triangleBox);
-            s.inner.startNearest(b, j, s.triangleBox);
+        for (int t = s.leaf.outer.next(reach(limit, sizes));
+                t >= 0;
+                t = s.leaf.outer.next(reach(Math.min(limit, best), sizes))) {
+            s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+            LeafBounds.of(LeafKind.TRIANGLE, s.leaf.triangleA, 0, s.leaf.triangleBox);
+            overMesh(dimension, b, j, s.leaf.triangleBox);
+            s.leaf.inner.startNearest(b, j, s.leaf.triangleBox);
             double left = reach(Math.min(limit, best), sizes);
-            for (int u = s.inner.next(left); u >= 0; u = s.inner.next(reach(Math.min(limit, best), sizes))) {
-                s.inner.corners(u, s.triangleB, 0);
-                double distance =
-                        convex(dimension, LeafKind.TRIANGLE, s.triangleA, 0, LeafKind.TRIANGLE, s.triangleB, 0);
+            for (int u = s.leaf.inner.next(left); u >= 0; u = s.leaf.inner.next(reach(Math.min(limit, best), sizes))) {
+                s.leaf.inner.corners(u, s.leaf.triangleB, 0);
+                double distance = convex(
+                        dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, LeafKind.TRIANGLE, s.leaf.triangleB, 0);
                 if (distance < best || (distance == best && areLower(t, u))) {
                     best = distance;
                     triangleA = t;
@@ -208,9 +212,9 @@ public final class Distance {
     /** In PLANAR, extends the box over the heights of the mesh, so that heights do not matter. */
     private void overMesh(Dimension dimension, LeafColumn mesh, int leaf, double[] box) {
         if (dimension == Dimension.PLANAR) {
-            mesh.bounds(leaf, s.meshBox);
-            box[1] = s.meshBox[1];
-            box[4] = s.meshBox[4];
+            mesh.bounds(leaf, s.leaf.meshBox);
+            box[1] = s.leaf.meshBox[1];
+            box[4] = s.leaf.meshBox[4];
         }
     }
 
@@ -235,10 +239,10 @@ public final class Distance {
                 rowA = piece.rows();
                 atA = 0;
             } else if (triangleA >= 0) {
-                s.outer.open(a, i);
-                s.outer.corners(triangleA, s.triangleA, 0);
+                s.leaf.outer.open(a, i);
+                s.leaf.outer.corners(triangleA, s.leaf.triangleA, 0);
                 kindA = LeafKind.TRIANGLE;
-                rowA = s.triangleA;
+                rowA = s.leaf.triangleA;
                 atA = 0;
             }
             if (kindB.isGrid()) {
@@ -247,10 +251,10 @@ public final class Distance {
                 rowB = otherPiece.rows();
                 atB = 0;
             } else if (triangleB >= 0) {
-                s.outer.open(b, j);
-                s.outer.corners(triangleB, s.triangleB, 0);
+                s.leaf.outer.open(b, j);
+                s.leaf.outer.corners(triangleB, s.leaf.triangleB, 0);
                 kindB = LeafKind.TRIANGLE;
-                rowB = s.triangleB;
+                rowB = s.leaf.triangleB;
                 atB = 0;
             }
             if (kindA.isMesh() || kindB.isMesh()) {
@@ -258,7 +262,7 @@ public final class Distance {
                 return;
             }
         }
-        ConvexContact.between(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s);
+        ConvexContact.between(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s.distance);
     }
 
     /** The largest of n.x over the points x of a convex leaf, to rounding; heights do not count in PLANAR. */

@@ -171,7 +171,7 @@ public final class MotionContact {
     private void find(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         current = -1;
         boolean isFlat = dimension == Dimension.PLANAR;
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         if (m.take(dimension, kindA, a, i, kindB, b, j)) {
             closing.find(isFlat, kindA, m.a, 0, kindB, m.b, 0);
             gap = m.down(closing.gap());
@@ -185,7 +185,7 @@ public final class MotionContact {
 
     /** Writes the contact point of the pair, which depends on the normal if they are side to side. */
     private void place(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        ConvexContact.along(dimension, closing.isLevel(), kindA, a, i, kindB, b, j, point, s);
+        ConvexContact.along(dimension, closing.isLevel(), kindA, a, i, kindB, b, j, point, s.distance);
         if (closing.isLevel()) {
             point[1] = closing.middle();
         }
@@ -257,7 +257,7 @@ public final class MotionContact {
         int at = pair * PAIR;
         LeafKind kindA = kinds[2 * pair];
         LeafKind kindB = kinds[2 * pair + 1];
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         boolean flat = dimension == Dimension.PLANAR;
         double error;
         if (m.take(dimension, kindA, rows, at, kindB, rows, at + Leaf.STRIDE)) {

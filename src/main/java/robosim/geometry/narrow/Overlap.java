@@ -39,7 +39,7 @@ public final class Overlap {
         if (kindB.isMesh()) {
             return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), s);
         }
-        return ConvexOverlap.test(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s);
+        return ConvexOverlap.test(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s.overlap);
     }
 
     /**
@@ -47,7 +47,7 @@ public final class Overlap {
      */
     private static boolean disc(LeafKind kindA, double[] a, int i, LeafKind kindB, LeafColumn b, int j, Scratch s) {
         int sure = sure(a[i], a[i + 2], a[i + Leaf.SIZE], b.uprightRows(), LeafColumn.uprightAt(j));
-        return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s) : sure < 0;
+        return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s.overlap) : sure < 0;
     }
 
     /**
@@ -73,15 +73,15 @@ public final class Overlap {
     private static boolean grid(
             Dimension dimension, LeafColumn grid, int leaf, LeafKind kind, LeafColumn other, int k, Scratch s) {
         if (!kind.hasPieces()) {
-            int plain = s.plainCells.compare(dimension, kind, other.rows(k), other.at(k), 0, 0, 0, grid, leaf);
+            int plain = s.planar.plainCells.compare(dimension, kind, other.rows(k), other.at(k), 0, 0, 0, grid, leaf);
             if (plain != PlainCells.UNSURE) {
                 return plain == PlainCells.MET;
             }
         }
-        GridWalk walk = s.cells(kind);
-        other.bounds(k, s.box);
-        widen(dimension, s.box);
-        walk.startBox(grid, leaf, s.box);
+        GridWalk walk = s.leaf.cells(kind);
+        other.bounds(k, s.leaf.box);
+        widen(dimension, s.leaf.box);
+        walk.startBox(grid, leaf, s.leaf.box);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
             if (test(dimension, other, k, walk.piece(cell, kind), 0, s)) {
                 return true;
@@ -92,24 +92,24 @@ public final class Overlap {
 
     private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         if (dimension == Dimension.PLANAR) {
-            return s.pairs().touch(dimension, a, i, b, j);
+            return s.mesh.pairs().touch(dimension, a, i, b, j);
         }
-        return s.meshPairs().touch(a, i, b, j)
-                || (PointInMesh.counts(dimension, a, i) && PointInMesh.holdsMesh(a, i, b, j, s))
-                || (PointInMesh.counts(dimension, b, j) && PointInMesh.holdsMesh(b, j, a, i, s));
+        return s.mesh.meshPairs().touch(a, i, b, j)
+                || (PointInMesh.counts(dimension, a, i) && PointInMesh.holdsMesh(a, i, b, j, s.leaf))
+                || (PointInMesh.counts(dimension, b, j) && PointInMesh.holdsMesh(b, j, a, i, s.leaf));
     }
 
     private static boolean mesh(
             Dimension dimension, LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, Scratch s) {
-        bounds(dimension, kind, row, at, s.box);
-        s.outer.startBox(mesh, leaf, s.box);
-        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
-            s.outer.corners(t, s.triangleA, 0);
-            if (ConvexOverlap.test(dimension, LeafKind.TRIANGLE, s.triangleA, 0, kind, row, at, s)) {
+        bounds(dimension, kind, row, at, s.leaf.box);
+        s.leaf.outer.startBox(mesh, leaf, s.leaf.box);
+        for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
+            s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+            if (ConvexOverlap.test(dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, kind, row, at, s.overlap)) {
                 return true;
             }
         }
-        return PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s);
+        return PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s.leaf);
     }
 
     /** The bounds of a leaf, over all heights in PLANAR. */
@@ -132,6 +132,7 @@ public final class Overlap {
     public static boolean isDeep(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         return !a.kind(i).hasPieces()
                 && !b.kind(j).hasPieces()
-                && ConvexOverlap.isDeep(dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s);
+                && ConvexOverlap.isDeep(
+                        dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s.overlap);
     }
 }

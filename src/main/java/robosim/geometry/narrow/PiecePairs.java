@@ -43,10 +43,10 @@ final class PiecePairs {
         }
         b.bounds(j, other);
         widen(dimension, other);
-        s.outer.startBox(a, i, other);
-        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
-            s.outer.corners(t, s.triangleA, 0);
-            if (anyOf(dimension, LeafKind.TRIANGLE, s.triangleA, 0, t, b, j, visitor)) {
+        s.leaf.outer.startBox(a, i, other);
+        for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
+            s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+            if (anyOf(dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, t, b, j, visitor)) {
                 return true;
             }
         }
@@ -64,10 +64,10 @@ final class PiecePairs {
         if (kindB.isGrid()) {
             return anyCell(kind, row, at, t, b, j, visitor);
         }
-        s.inner.startBox(b, j, own);
-        for (int u = s.inner.next(0); u >= 0; u = s.inner.next(0)) {
-            s.inner.corners(u, s.triangleB, 0);
-            if (visitor.visit(kind, row, at, t, LeafKind.TRIANGLE, s.triangleB, 0, u)) {
+        s.leaf.inner.startBox(b, j, own);
+        for (int u = s.leaf.inner.next(0); u >= 0; u = s.leaf.inner.next(0)) {
+            s.leaf.inner.corners(u, s.leaf.triangleB, 0);
+            if (visitor.visit(kind, row, at, t, LeafKind.TRIANGLE, s.leaf.triangleB, 0, u)) {
                 return true;
             }
         }
@@ -75,7 +75,7 @@ final class PiecePairs {
     }
 
     private boolean anyCell(LeafKind kind, double[] row, int at, int t, LeafColumn grid, int leaf, Visitor visitor) {
-        GridWalk walk = s.cells(kind);
+        GridWalk walk = s.leaf.cells(kind);
         walk.startBox(grid, leaf, own);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
             LeafColumn box = walk.piece(cell, kind);

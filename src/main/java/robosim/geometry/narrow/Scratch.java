@@ -1,6 +1,35 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Work;
 import robosim.geometry.narrow.cone.ConeScratch;
+import robosim.geometry.narrow.distance.DistanceScratch;
+import robosim.geometry.narrow.gjk.GjkScratch;
+import robosim.geometry.narrow.leaf.LeafScratch;
+import robosim.geometry.narrow.mesh.MeshScratch;
+import robosim.geometry.narrow.overlap.OverlapScratch;
+import robosim.geometry.narrow.planar.PlanarScratch;
+import robosim.geometry.narrow.ray.RayScratch;
+import robosim.geometry.narrow.sat.SatScratch;
+import robosim.geometry.narrow.sweep.SweepScratch;
+import robosim.geometry.narrow.turn.TurnScratch;
 
-/** The working memory of all kernels. One for each owner of queries; never shared between threads. */
-public final class Scratch extends ConeScratch {}
+/**
+ * The working memory of all kernels, so that a query allocates nothing: one object for each package, which holds those of the
+ * packages that it imports. One for each owner of queries; never shared between threads.
+ */
+public final class Scratch {
+    public final LeafScratch leaf = new LeafScratch();
+    public final PlanarScratch planar = new PlanarScratch(leaf);
+    public final GjkScratch gjk = new GjkScratch(planar, leaf);
+    public final SatScratch sat = new SatScratch(gjk, leaf);
+    public final OverlapScratch overlap = new OverlapScratch(sat, gjk, planar, leaf);
+    public final RayScratch ray = new RayScratch(overlap, planar, leaf);
+    public final DistanceScratch distance = new DistanceScratch(ray, overlap, sat, gjk, planar, leaf);
+    public final SweepScratch sweep = new SweepScratch(distance, overlap, sat, gjk, leaf);
+    public final TurnScratch turn = new TurnScratch(sweep, overlap, gjk, planar, leaf);
+    public final MeshScratch mesh = new MeshScratch(turn, distance, overlap, leaf);
+    public final ConeScratch cone = new ConeScratch(ray, planar, leaf);
+
+    /** Counts what the kernels do. */
+    public final Work work = leaf.work;
+}

@@ -103,7 +103,7 @@ public final class StartContacts {
         if (kindA.isEnclosure() || kindB.isEnclosure()) {
             return false; // rounded outward, so that what touches overlaps
         }
-        if (!touch(kindA, a, i, kindB, b, j) || ConvexOverlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
+        if (!touch(kindA, a, i, kindB, b, j) || ConvexOverlap.isDeep(dimension, kindA, a, i, kindB, b, j, s.overlap)) {
             return false; // no plane separates a deep overlap
         }
         if (count == planes.length) {
@@ -199,7 +199,7 @@ public final class StartContacts {
         if (count == 0) {
             return false;
         }
-        HullOverlap hulls = s.hulls();
+        HullOverlap hulls = s.gjk.hulls();
         hulls.clear(dimension == Dimension.PLANAR);
         hulls.above(kind, from, at);
         hulls.above(kindTo, to, atTo);
@@ -351,7 +351,7 @@ public final class StartContacts {
     }
 
     private boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        int known = dimension == Dimension.PLANAR ? 0 : HeightIntervals.touch(kindA, a, i, kindB, b, j, s);
-        return known == 0 ? ConvexOverlap.test(dimension, kindA, a, i, kindB, b, j, s) : known > 0;
+        int known = dimension == Dimension.PLANAR ? 0 : HeightIntervals.touch(kindA, a, i, kindB, b, j, s.overlap);
+        return known == 0 ? ConvexOverlap.test(dimension, kindA, a, i, kindB, b, j, s.overlap) : known > 0;
     }
 }

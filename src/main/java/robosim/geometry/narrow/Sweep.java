@@ -177,9 +177,9 @@ public final class Sweep {
             bounds(kind, column.rows(leaf), column.at(leaf), out);
             return;
         }
-        double[] box = s.meshBox;
+        double[] box = s.leaf.meshBox;
         column.bounds(leaf, box);
-        double[] row = s.triangleB; // the mesh's bounds, as a moving box
+        double[] row = s.leaf.triangleB; // the mesh's bounds, as a moving box
         boxRow(box, row);
         bounds(LeafKind.UPRIGHT_BOX, row, 0, out);
     }
@@ -190,13 +190,13 @@ public final class Sweep {
             bounds(column, leaf, out);
             return;
         }
-        column.bounds(leaf, s.meshBox);
+        column.bounds(leaf, s.leaf.meshBox);
         Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
         Arrays.fill(out, 3, 6, Double.NEGATIVE_INFINITY);
-        s.outer.startBox(column, leaf, s.meshBox);
-        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
-            s.outer.corners(t, s.triangleA, 0);
-            bounds(LeafKind.TRIANGLE, s.triangleA, 0, swept);
+        s.leaf.outer.startBox(column, leaf, s.leaf.meshBox);
+        for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
+            s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+            bounds(LeafKind.TRIANGLE, s.leaf.triangleA, 0, swept);
             for (int k = 0; k < 3; k++) {
                 out[k] = Math.min(out[k], swept[k]);
                 out[3 + k] = Math.max(out[3 + k], swept[3 + k]);
@@ -214,13 +214,13 @@ public final class Sweep {
             turnDiagonals(kind, column.rows(leaf), column.at(leaf), out4);
             return;
         }
-        double[] box = s.meshBox;
+        double[] box = s.leaf.meshBox;
         column.bounds(leaf, box);
         if (column.mesh(leaf).size() <= FEW) {
-            s.outer.startBox(column, leaf, box);
-            for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
-                s.outer.corners(t, s.triangleA, 0);
-                turnDiagonals(LeafKind.TRIANGLE, s.triangleA, 0, out4);
+            s.leaf.outer.startBox(column, leaf, box);
+            for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
+                s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+                turnDiagonals(LeafKind.TRIANGLE, s.leaf.triangleA, 0, out4);
             }
             return;
         }
@@ -228,12 +228,12 @@ public final class Sweep {
         out4[1] = Math.max(out4[1], Math.nextUp(box[3] + box[5]));
         out4[2] = Math.min(out4[2], Math.nextDown(box[0] - box[5]));
         out4[3] = Math.max(out4[3], Math.nextUp(box[3] - box[2]));
-        boxRow(box, s.triangleB);
-        turnDiagonals(LeafKind.UPRIGHT_BOX, s.triangleB, 0, out4);
+        boxRow(box, s.leaf.triangleB);
+        turnDiagonals(LeafKind.UPRIGHT_BOX, s.leaf.triangleB, 0, out4);
     }
 
     private void turnDiagonals(LeafKind kind, double[] row, int at, double[] out4) {
-        SweptBounds.turnDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s);
+        SweptBounds.turnDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s.turn);
     }
 
     private static void boxRow(double[] box, double[] row) {
@@ -246,7 +246,7 @@ public final class Sweep {
 
     private void bounds(LeafKind kind, double[] row, int at, double[] out) {
         if (turns) {
-            SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out, s);
+            SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out, s.turn);
         } else {
             SweptBounds.translation(kind, row, at, dx, dy, dz, out);
         }
@@ -330,17 +330,18 @@ public final class Sweep {
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
         // A moving mesh: each triangle whose path may hit the obstacle.
-        s.outer.startBox(a, i, reach(a, i));
-        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
-            s.outer.corners(t, s.triangleA, 0);
-            bounds(LeafKind.TRIANGLE, s.triangleA, 0, swept);
-            if (meets(swept, s.triangleBox)) {
+        s.leaf.outer.startBox(a, i, reach(a, i));
+        for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
+            s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+            bounds(LeafKind.TRIANGLE, s.leaf.triangleA, 0, swept);
+            if (meets(swept, s.leaf.triangleBox)) {
                 own = t;
                 int before = otherPiece;
                 double share = kindB.hasPieces()
-                        ? againstPieces(LeafKind.TRIANGLE, s.triangleA, 0, b, j)
-                        : piece(LeafKind.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
-                boolean isFirst = share < least || (share == least && ownPiece >= 0 && isLower(s.outer, t, ownPiece));
+                        ? againstPieces(LeafKind.TRIANGLE, s.leaf.triangleA, 0, b, j)
+                        : piece(LeafKind.TRIANGLE, s.leaf.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
+                boolean isFirst =
+                        share < least || (share == least && ownPiece >= 0 && isLower(s.leaf.outer, t, ownPiece));
                 if (share != Double.POSITIVE_INFINITY && isFirst) {
                     least = share;
                     ownPiece = t;
@@ -358,12 +359,12 @@ public final class Sweep {
      * mesh.
      */
     private double[] reach(LeafColumn a, int i) {
-        double[] box = s.box;
+        double[] box = s.leaf.box;
         if (turns) {
             a.bounds(i, box);
             widen(box);
         } else {
-            System.arraycopy(s.triangleBox, 0, box, 0, 6);
+            System.arraycopy(s.leaf.triangleBox, 0, box, 0, 6);
             double slack = margin + 0x1p-46 * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + size(box));
             box[0] -= Math.max(0, dx) + slack;
             box[1] -= Math.max(0, dy) + slack;
@@ -388,7 +389,7 @@ public final class Sweep {
     }
 
     private void obstacleBounds(LeafColumn b, int j) {
-        b.bounds(j, s.triangleBox);
+        b.bounds(j, s.leaf.triangleBox);
     }
 
     private boolean meets(double[] a, double[] b) {
@@ -408,17 +409,17 @@ public final class Sweep {
      * {@link PlainCells#compare}. Doubles do not always tell.
      */
     public int passesCells(LeafColumn a, int i, LeafColumn grid, int of) {
-        return s.plainCells.compare(dimension, a.kind(i), a.rows(i), a.at(i), dx, dy, dz, grid, of);
+        return s.planar.plainCells.compare(dimension, a.kind(i), a.rows(i), a.at(i), dx, dy, dz, grid, of);
     }
 
     private double againstGrid(LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
         if (!turns
                 && pairs == null
-                && s.plainCells.compare(dimension, kind, row, at, dx, dy, dz, grid, of) == PlainCells.PAST) {
+                && s.planar.plainCells.compare(dimension, kind, row, at, dx, dy, dz, grid, of) == PlainCells.PAST) {
             otherPiece = -1;
             return Double.POSITIVE_INFINITY;
         }
-        GridWalk walk = s.cells(kind);
+        GridWalk walk = s.leaf.cells(kind);
         startCells(walk, kind, row, at, grid, of);
         double least = Double.POSITIVE_INFINITY;
         int first = -1;
@@ -462,11 +463,11 @@ public final class Sweep {
         }
         double least = Double.POSITIVE_INFINITY;
         int first = -1;
-        s.inner.startBox(mesh, of, swept);
-        for (int t = s.inner.next(0); t >= 0; t = s.inner.next(0)) {
-            s.inner.corners(t, s.triangleB, 0);
-            double share = piece(kind, row, at, LeafKind.TRIANGLE, s.triangleB, 0, t, least);
-            if (share < least || (share == least && first >= 0 && isLower(s.inner, t, first))) {
+        s.leaf.inner.startBox(mesh, of, swept);
+        for (int t = s.leaf.inner.next(0); t >= 0; t = s.leaf.inner.next(0)) {
+            s.leaf.inner.corners(t, s.leaf.triangleB, 0);
+            double share = piece(kind, row, at, LeafKind.TRIANGLE, s.leaf.triangleB, 0, t, least);
+            if (share < least || (share == least && first >= 0 && isLower(s.leaf.inner, t, first))) {
                 least = share;
                 first = t;
             }
@@ -516,11 +517,11 @@ public final class Sweep {
 
     private boolean isTakenUp(double largest, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
-        return s.scaling.take(counted, largest, kindA, a, i, kindB, b, j);
+        return s.leaf.scaling.take(counted, largest, kindA, a, i, kindB, b, j);
     }
 
     private double scaled(double x, double y, double z, LeafKind kindA, LeafKind kindB) {
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
     }
 
@@ -529,11 +530,11 @@ public final class Sweep {
             double x, double y, double z, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (dimension == Dimension.PLANAR) {
             return turns
-                    ? PlanarTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
-                    : PlanarSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
+                    ? PlanarTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s.turn)
+                    : PlanarSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s.sweep);
         }
         return turns
-                ? SpatialTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
-                : SpatialSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
+                ? SpatialTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s.turn)
+                : SpatialSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s.sweep);
     }
 }

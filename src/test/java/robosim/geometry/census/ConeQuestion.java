@@ -39,17 +39,17 @@ final class ConeQuestion {
                 row,
                 0,
                 Double.POSITIVE_INFINITY,
-                scratch);
+                scratch.cone);
     }
 
     /** What the product answers for the ray along the cone's axis. */
     double ray() {
-        return SpatialRay.distance(apex[0], apex[1], apex[2], way[0], way[1], way[2], kind, row, 0, scratch);
+        return SpatialRay.distance(apex[0], apex[1], apex[2], way[0], way[1], way[2], kind, row, 0, scratch.ray);
     }
 
     /** The upper end of the product's bracket. */
     double upper() {
-        return SpatialCone.upperEnd(scratch);
+        return SpatialCone.upperEnd(scratch.cone);
     }
 
     /** To paste into a test. */

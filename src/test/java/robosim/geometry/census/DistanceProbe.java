@@ -17,7 +17,7 @@ final class DistanceProbe {
 
     private final Scratch scratch = new Scratch();
     private final Distance distance = new Distance(scratch);
-    private final NearestPairs nearest = new NearestPairs(scratch);
+    private final NearestPairs nearest = new NearestPairs(scratch.overlap);
 
     /**
      * Compares with the truth, which is in [low, high].

@@ -360,8 +360,8 @@ final class NearStart implements Kernel {
             return "";
         }
         double share = flat
-                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch)
-                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
+                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep)
+                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
         return share > 1 ? null : "moved by " + Arrays.toString(d) + ": " + share;
     }
 
@@ -391,9 +391,22 @@ final class NearStart implements Kernel {
         }
         double share = flat
                 ? PlanarTurnSweep.free(
-                        kindA, a, 0, pivot[0], pivot[1], pivot[2], w[0], w[1], w[2], degrees, kindB, b, 0, scratch)
+                        kindA, a, 0, pivot[0], pivot[1], pivot[2], w[0], w[1], w[2], degrees, kindB, b, 0, scratch.turn)
                 : SpatialTurnSweep.free(
-                        kindA, a, 0, pivot[0], pivot[1], pivot[2], w[0], w[1], w[2], degrees, kindB, b, 0, scratch);
+                        kindA,
+                        a,
+                        0,
+                        pivot[0],
+                        pivot[1],
+                        pivot[2],
+                        w[0],
+                        w[1],
+                        w[2],
+                        degrees,
+                        kindB,
+                        b,
+                        0,
+                        scratch.turn);
         return share > 1
                 ? null
                 : "turned about %s through %s by %s: %s"

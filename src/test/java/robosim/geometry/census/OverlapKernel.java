@@ -68,10 +68,10 @@ final class OverlapKernel implements Kernel {
         pairs.facing(typeA, random.nextInt(3), other, random.nextInt(3), signed);
         Body a = pairs.a;
         Body b = pairs.b;
-        scratch.uncertain = false;
-        boolean touch = SpatialOverlap.test(a.kind, a.row, 0, b.kind, b.row, 0, scratch);
-        boolean doubtful = scratch.uncertain;
-        boolean swapped = SpatialOverlap.test(b.kind, b.row, 0, a.kind, a.row, 0, scratch);
+        scratch.overlap.uncertain = false;
+        boolean touch = SpatialOverlap.test(a.kind, a.row, 0, b.kind, b.row, 0, scratch.overlap);
+        boolean doubtful = scratch.overlap.uncertain;
+        boolean swapped = SpatialOverlap.test(b.kind, b.row, 0, a.kind, a.row, 0, scratch.overlap);
         twin.find(a, b);
         double rounding = NearestTwin.rounding(a, b);
         Boolean truth = twin.low > rounding ? Boolean.FALSE : surelyMeet(a, b, DEEPER * rounding) ? Boolean.TRUE : null;

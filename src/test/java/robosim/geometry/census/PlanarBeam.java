@@ -97,7 +97,7 @@ final class PlanarBeam implements Kernel {
                 row,
                 0,
                 Double.POSITIVE_INFINITY,
-                scratch);
+                scratch.cone);
         String text = PlanarCases.paste(form, row) + " from " + PlanarCases.paste(apex) + " along "
                 + PlanarCases.paste(way) + ", half " + PlanarCases.paste(halfCos, halfSin);
         double size = twin.size() + Math.abs(apex[0]) + Math.abs(apex[1]);

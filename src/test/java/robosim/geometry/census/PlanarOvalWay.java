@@ -80,7 +80,7 @@ final class PlanarOvalWay implements Kernel {
                 PlanarCases.kind(places.formB),
                 places.b,
                 0,
-                scratch);
+                scratch.sweep);
         PlanarTwin one = PlanarTwin.of(places.formA, places.a);
         PlanarTwin two = PlanarTwin.of(places.formB, places.b);
         double size = one.size() + two.size();

@@ -91,8 +91,8 @@ final class PlanarPair implements Kernel {
     private Visit compare(double[] a, double[] b, PlanarTwin one, PlanarTwin two) {
         LeafKind kindA = PlanarCases.kind(formA);
         LeafKind kindB = PlanarCases.kind(formB);
-        boolean touch = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch);
-        double distance = PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch);
+        boolean touch = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
+        double distance = PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
         String text = PlanarCases.paste(formA, a) + " and " + PlanarCases.paste(formB, b);
         double size = one.size() + two.size();
         return hasOval()

@@ -83,7 +83,7 @@ final class PlanarSight implements Kernel {
 
     private Visit compare(Form form, double[] row, PlanarTwin twin, double[] start, double[] way) {
         double distance =
-                PlanarRay.distance(start[0], start[1], way[0], way[1], PlanarCases.kind(form), row, 0, scratch);
+                PlanarRay.distance(start[0], start[1], way[0], way[1], PlanarCases.kind(form), row, 0, scratch.ray);
         String text =
                 PlanarCases.paste(form, row) + " from " + PlanarCases.paste(start) + " along " + PlanarCases.paste(way);
         Twofold ux = Twofold.of(way[0]);

@@ -82,7 +82,7 @@ final class PlanarSpin implements Kernel {
                 PlanarCases.kind(places.formB),
                 places.b,
                 0,
-                scratch);
+                scratch.turn);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));
     }
 

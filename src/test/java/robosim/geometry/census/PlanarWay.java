@@ -85,7 +85,7 @@ final class PlanarWay implements Kernel {
                 PlanarCases.kind(places.formB),
                 places.b,
                 0,
-                scratch);
+                scratch.sweep);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));
     }
 

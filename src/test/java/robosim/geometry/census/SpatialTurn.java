@@ -53,7 +53,20 @@ final class SpatialTurn extends SpatialMotion {
     @Override
     double free() {
         return SpatialTurnSweep.free(
-                kindA, a, 0, origin[0], origin[1], origin[2], axis[0], axis[1], axis[2], degrees, kindB, b, 0, scratch);
+                kindA,
+                a,
+                0,
+                origin[0],
+                origin[1],
+                origin[2],
+                axis[0],
+                axis[1],
+                axis[2],
+                degrees,
+                kindB,
+                b,
+                0,
+                scratch.turn);
     }
 
     @Override

@@ -47,7 +47,7 @@ final class SpatialWay extends SpatialMotion {
 
     @Override
     double free() {
-        return SpatialSweep.translation(kindA, a, 0, way[0], way[1], way[2], kindB, b, 0, scratch);
+        return SpatialSweep.translation(kindA, a, 0, way[0], way[1], way[2], kindB, b, 0, scratch.sweep);
     }
 
     @Override

@@ -75,9 +75,9 @@ class GrazedCylinderTest {
                     row,
                     0,
                     Double.POSITIVE_INFINITY,
-                    s);
+                    s.cone);
             if (low < Double.POSITIVE_INFINITY && low > 1e-3) {
-                double high = SpatialCone.upperEnd(s);
+                double high = SpatialCone.upperEnd(s.cone);
                 assertThat(high - low)
                         .as("cylinder %s, towards %s, cosine %s", Arrays.toString(row), Arrays.toString(u), cos)
                         .isLessThanOrEqualTo(low * 0x1p-40);

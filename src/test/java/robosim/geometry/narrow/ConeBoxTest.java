@@ -62,7 +62,7 @@ class ConeBoxTest {
                                 row,
                                 0,
                                 Double.POSITIVE_INFINITY,
-                                scratch));
+                                scratch.cone));
             }
             LeafKind kind = k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX;
             double found = SpatialCone.distance(
@@ -78,7 +78,7 @@ class ConeBoxTest {
                     box,
                     0,
                     Double.POSITIVE_INFINITY,
-                    scratch);
+                    scratch.cone);
             String what = Arrays.toString(box) + " from " + Arrays.toString(apex) + " along " + Arrays.toString(u)
                     + ", half " + half;
             if (found > 0) { // else the apex is inside

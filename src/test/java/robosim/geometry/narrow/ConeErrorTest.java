@@ -48,7 +48,17 @@ class ConeErrorTest {
             String name = "half %s, %s %s".formatted(half, Arrays.toString(o) + Arrays.toString(d), kind)
                     + Arrays.toString(row);
             double answer = PlanarCone.distance(
-                    o[0], o[2], d[0], d[2], cos, StrictMath.sin(half), kind, row, 0, Double.POSITIVE_INFINITY, scratch);
+                    o[0],
+                    o[2],
+                    d[0],
+                    d[2],
+                    cos,
+                    StrictMath.sin(half),
+                    kind,
+                    row,
+                    0,
+                    Double.POSITIVE_INFINITY,
+                    scratch.cone);
             assertThat(Double.isInfinite(answer)).as(name + " truth " + truth).isEqualTo(truth == NEVER);
             if (truth == NEVER) {
                 silent++;

@@ -27,15 +27,15 @@ class HardMovesTest {
     private final SplittableRandom random = new SplittableRandom(20055);
 
     private double planar(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
-        return PlanarSweep.translation(kindA, a, 0, dx, 0, dz, kindB, b, 0, scratch);
+        return PlanarSweep.translation(kindA, a, 0, dx, 0, dz, kindB, b, 0, scratch.sweep);
     }
 
     private double spatial(LeafKind kindA, double[] a, double dx, double dy, double dz, LeafKind kindB, double[] b) {
-        return SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
+        return SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
     }
 
     private double turn(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
-        return PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
+        return PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch.turn);
     }
 
     @Test
@@ -182,7 +182,7 @@ class HardMovesTest {
                             LeafKind.UPRIGHT_BOX,
                             floor,
                             0,
-                            scratch))
+                            scratch.turn))
                     .isEqualTo(FREE);
         }
     }
@@ -390,11 +390,11 @@ class HardMovesTest {
             String text = Arrays.toString(a) + " past " + Arrays.toString(b);
             if (across == 2) {
                 double planar = PlanarSweep.translation(
-                        LeafKind.UPRIGHT_BOX, a, 0, 8, 0, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch);
+                        LeafKind.UPRIGHT_BOX, a, 0, 8, 0, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch.sweep);
                 assertThat(planar == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
             }
             for (LeafKind kind : new LeafKind[] {LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
-                double time = SpatialSweep.translation(kind, a, 0, 8, 0, 0, kind, b, 0, scratch);
+                double time = SpatialSweep.translation(kind, a, 0, 8, 0, 0, kind, b, 0, scratch.sweep);
                 assertThat(time == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
             }
             free += isFree ? 1 : 0;

@@ -19,7 +19,7 @@ class NearContactTest {
     private static final int PAIRS = Integer.getInteger("near.pairs", Effort.cases(400));
 
     private final Scratch scratch = new Scratch();
-    private final NearestPairs nearest = new NearestPairs(scratch);
+    private final NearestPairs nearest = new NearestPairs(scratch.overlap);
     private final LeafColumn columnA = new LeafColumn(1);
     private final LeafColumn columnB = new LeafColumn(1);
 
@@ -79,7 +79,7 @@ class NearContactTest {
                 for (int n = 0; n < PAIRS; n++) {
                     pairs.make(kindA, kindB, pairs.gap());
                     measure(Dimension.SPATIAL, pairs);
-                    double distance = SpatialDistance.between(kindA, pairs.a, 0, kindB, pairs.b, 0, scratch);
+                    double distance = SpatialDistance.between(kindA, pairs.a, 0, kindB, pairs.b, 0, scratch.distance);
                     double bound = 0x1p-44 * (nearest.high() + pairs.size);
                     // Of what is flat all around the answer is not the lower end of a bracket but its middle.
                     double above = isFlat(kindA) && isFlat(kindB) ? bound : 0;

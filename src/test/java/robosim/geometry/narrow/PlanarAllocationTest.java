@@ -35,13 +35,13 @@ class PlanarAllocationTest {
             LeafKind kind = Leaves.KINDS[k % 7];
             int m = (k * 31 + 5) % rows.length;
             LeafKind other = Leaves.KINDS[m % 7];
-            sum += PlanarOverlap.test(kind, rows[k], 0, other, rows[m], 0, scratch) ? 1 : 0;
-            sum += PlanarDistance.between(kind, rows[k], 0, other, rows[m], 0, scratch);
-            sum += Math.min(9, PlanarRay.distance(-3, 0.1, 1, 0, kind, rows[k], 0, scratch));
+            sum += PlanarOverlap.test(kind, rows[k], 0, other, rows[m], 0, scratch.overlap) ? 1 : 0;
+            sum += PlanarDistance.between(kind, rows[k], 0, other, rows[m], 0, scratch.distance);
+            sum += Math.min(9, PlanarRay.distance(-3, 0.1, 1, 0, kind, rows[k], 0, scratch.ray));
             sum += Math.min(
                     9,
                     PlanarCone.distance(
-                            -3, 0.1, 1, 0, 0.96, 0.28, kind, rows[k], 0, Double.POSITIVE_INFINITY, scratch));
+                            -3, 0.1, 1, 0, 0.96, 0.28, kind, rows[k], 0, Double.POSITIVE_INFINITY, scratch.cone));
         }
         return sum;
     }

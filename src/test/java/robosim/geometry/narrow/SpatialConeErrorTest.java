@@ -65,7 +65,7 @@ class SpatialConeErrorTest {
                     row,
                     0,
                     Double.POSITIVE_INFINITY,
-                    scratch);
+                    scratch.cone);
             assertThat(Double.isInfinite(answer)).as(name + " truth " + truth).isEqualTo(truth == NEVER);
             if (truth == NEVER) {
                 silent++;
@@ -124,7 +124,7 @@ class SpatialConeErrorTest {
                 row,
                 0,
                 Double.POSITIVE_INFINITY,
-                scratch);
+                scratch.cone);
         assertThat(truth.subtract(new BigDecimal(answer)).abs().doubleValue())
                 .isLessThanOrEqualTo(8 * Math.ulp(truth.doubleValue()));
     }
@@ -161,7 +161,7 @@ class SpatialConeErrorTest {
                     row,
                     0,
                     Double.POSITIVE_INFINITY,
-                    scratch);
+                    scratch.cone);
             double[] near = nearest(kind, o, row);
             double length = VectorMath.length(near[0], near[1], near[2]);
             double[] other = border(d, across, 1.5707963267948966);
@@ -249,7 +249,7 @@ class SpatialConeErrorTest {
                 kind,
                 row,
                 0,
-                scratch);
+                scratch.ray);
     }
 
     /** The unit direction that is turned away from d by an angle, towards another. */

@@ -286,7 +286,7 @@ class SpatialRayHardCasesTest {
     }
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
-        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
+        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
     }
 
     private static double[] box(double x, double y, double z, double hx, double hy, double hz) {

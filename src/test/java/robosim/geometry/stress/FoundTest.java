@@ -39,7 +39,7 @@ class FoundTest {
                 LeafKind.UPRIGHT_BOX,
                 box,
                 0,
-                new Scratch());
+                new Scratch().ray);
         assertThat(distance).isInfinite();
     }
 
@@ -66,7 +66,7 @@ class FoundTest {
             -0x1.cf599dded3e4p-5,
             0
         };
-        assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch()))
+        assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch().overlap))
                 .isTrue();
     }
 
@@ -96,7 +96,8 @@ class FoundTest {
             -0x1.9893b03d5784ap-1,
             0
         };
-        assertThat(SpatialOverlap.test(LeafKind.SPHERE, sphere, 0, LeafKind.CYLINDER, cylinder, 0, new Scratch()))
+        assertThat(SpatialOverlap.test(
+                        LeafKind.SPHERE, sphere, 0, LeafKind.CYLINDER, cylinder, 0, new Scratch().overlap))
                 .isFalse();
     }
 
@@ -130,7 +131,7 @@ class FoundTest {
         double[] disc = new double[16];
         disc[3] = 3;
         double distance = SpatialRay.distance(
-                1, -Double.MIN_VALUE, 1, 0, -3, 0, LeafKind.UPRIGHT_CYLINDER, disc, 0, new Scratch());
+                1, -Double.MIN_VALUE, 1, 0, -3, 0, LeafKind.UPRIGHT_CYLINDER, disc, 0, new Scratch().ray);
         assertThat(distance).isInfinite();
     }
 
@@ -148,7 +149,7 @@ class FoundTest {
         point[2] = 1.25 * unit;
         double[] square = {0.5 * unit, 0.5 * unit, -1.5 * unit, 0, 0, 0.25 * unit, 0, 1, 0, 1, 0, 0, 0, 0, -1, 0};
         double time = SpatialSweep.translation(
-                LeafKind.SPHERE, point, 0, 6 * unit, 6 * unit, -6 * unit, LeafKind.BOX, square, 0, new Scratch());
+                LeafKind.SPHERE, point, 0, 6 * unit, 6 * unit, -6 * unit, LeafKind.BOX, square, 0, new Scratch().sweep);
         assertThat(time).isEqualTo(0.5);
     }
 
@@ -163,7 +164,7 @@ class FoundTest {
         disc[2] = -1.5 * unit;
         disc[3] = unit;
         double time = PlanarSweep.translation(
-                LeafKind.TRIANGLE, side, 0, -3 * unit, 0, -2.5 * unit, LeafKind.SPHERE, disc, 0, new Scratch());
+                LeafKind.TRIANGLE, side, 0, -3 * unit, 0, -2.5 * unit, LeafKind.SPHERE, disc, 0, new Scratch().sweep);
         assertThat(time).isBetween(0.5, 1.0);
     }
 
@@ -174,7 +175,7 @@ class FoundTest {
         double[] disc = new double[16];
         for (int k = 1; k < 16; k++) {
             disc[3] = k / 8.0;
-            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.TRIANGLE, side, 0, new Scratch()))
+            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.TRIANGLE, side, 0, new Scratch().overlap))
                     .as("a disc of radius " + disc[3] + " under a side at 1")
                     .isEqualTo(disc[3] >= 1);
         }
@@ -209,7 +210,7 @@ class FoundTest {
                 LeafKind.TRIANGLE,
                 triangle,
                 0,
-                new Scratch());
+                new Scratch().ray);
         assertThat(distance).isCloseTo(1065.551483420977, within(4 * Math.ulp(1065.0)));
     }
 
@@ -242,7 +243,7 @@ class FoundTest {
                 LeafKind.BOX,
                 box,
                 0,
-                new Scratch());
+                new Scratch().ray);
         assertThat(distance).isCloseTo(1.5412229636509853, within(1e-15));
     }
 
@@ -273,7 +274,7 @@ class FoundTest {
         disc[2] = -3.3086614204348531E17;
         for (double radius : new double[] {0, 1, 1e3, 1e5, 1e6, 1e9}) {
             disc[3] = radius;
-            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch()))
+            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch().overlap))
                     .as("a disc of radius " + radius)
                     .isTrue();
         }

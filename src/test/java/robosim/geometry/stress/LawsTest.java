@@ -206,9 +206,9 @@ class LawsTest {
             if (!kindA.isVerticalPrism() || !kindB.isVerticalPrism()) {
                 return;
             }
-            assertThat(SpatialOverlap.test(kindA, level.a, 0, kindB, level.b, 0, scratch))
+            assertThat(SpatialOverlap.test(kindA, level.a, 0, kindB, level.b, 0, scratch.overlap))
                     .as(() -> family.call() + "\n" + level.paste())
-                    .isEqualTo(PlanarOverlap.test(kindA, level.a, 0, kindB, level.b, 0, scratch));
+                    .isEqualTo(PlanarOverlap.test(kindA, level.a, 0, kindB, level.b, 0, scratch.overlap));
         });
     }
 }

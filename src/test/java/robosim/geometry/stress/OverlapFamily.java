@@ -52,8 +52,8 @@ final class OverlapFamily extends Family {
     @Override
     int product(Case q, Scratch s) {
         boolean touch = planar
-                ? PlanarOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s)
-                : SpatialOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s);
+                ? PlanarOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s.overlap)
+                : SpatialOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s.overlap);
         return touch ? 1 : 0;
     }
 

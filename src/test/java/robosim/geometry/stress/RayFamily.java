@@ -32,8 +32,8 @@ final class RayFamily extends Family {
         double[] r = c.ray;
         LeafKind kind = OverlapFamily.kind(c.formB);
         double distance = planar
-                ? PlanarRay.distance(r[0], r[2], r[3], r[5], kind, c.b, 0, s)
-                : SpatialRay.distance(r[0], r[1], r[2], r[3], r[4], r[5], kind, c.b, 0, s);
+                ? PlanarRay.distance(r[0], r[2], r[3], r[5], kind, c.b, 0, s.ray)
+                : SpatialRay.distance(r[0], r[1], r[2], r[3], r[4], r[5], kind, c.b, 0, s.ray);
         return distance < Double.POSITIVE_INFINITY ? 1 : 0;
     }
 

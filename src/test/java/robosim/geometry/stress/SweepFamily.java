@@ -35,14 +35,14 @@ final class SweepFamily extends Family {
         double dy = c.ray[4];
         double dz = c.ray[5];
         boolean atOnce = planar
-                ? PlanarOverlap.test(kindA, c.a, 0, kindB, c.b, 0, s)
-                : SpatialOverlap.test(kindA, c.a, 0, kindB, c.b, 0, s);
+                ? PlanarOverlap.test(kindA, c.a, 0, kindB, c.b, 0, s.overlap)
+                : SpatialOverlap.test(kindA, c.a, 0, kindB, c.b, 0, s.overlap);
         if (atOnce) {
             return AT_ONCE;
         }
         double time = planar
-                ? PlanarSweep.translation(kindA, c.a, 0, dx, dy, dz, kindB, c.b, 0, s)
-                : SpatialSweep.translation(kindA, c.a, 0, dx, dy, dz, kindB, c.b, 0, s);
+                ? PlanarSweep.translation(kindA, c.a, 0, dx, dy, dz, kindB, c.b, 0, s.sweep)
+                : SpatialSweep.translation(kindA, c.a, 0, dx, dy, dz, kindB, c.b, 0, s.sweep);
         return time < Double.POSITIVE_INFINITY ? 1 : 0;
     }
 

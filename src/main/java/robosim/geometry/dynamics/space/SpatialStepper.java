@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import robosim.geometry.dynamics.step.ContactLog;
 import robosim.geometry.dynamics.step.Surfaces;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.World;
 import robosim.geometry.engine.motion.Placer;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Pose;
@@ -62,12 +62,13 @@ public final class SpatialStepper {
      *
      * @param gravity three numbers, m/s^2
      */
-    public SpatialStepper(Carrier carrier, double width, double height, double length, double[] gravity) {
-        placer = carrier.placer();
+    public SpatialStepper(World world, double[] gravity) {
+        placer = world.placer();
         now = new ContactLog(placer.objects);
         last = new ContactLog(placer.objects);
         older = new ContactLog(placer.objects);
-        NearbyPieces near = new NearbyPieces(placer, new double[] {width / 2, height / 2, length / 2});
+        NearbyPieces near =
+                new NearbyPieces(placer, new double[] {world.width / 2, world.height / 2, world.length / 2});
         way = new TurningSweep(placer, near);
         this.gravity = gravity.clone();
         budget = new EnergyBudget(bodies, this.gravity);
@@ -76,11 +77,6 @@ public final class SpatialStepper {
         detection = new ContactDetection(bodies, budget, near, contacts);
         impact = new TimeOfImpact(bodies, near);
         carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, this::tell);
-    }
-
-    /** Whether a world is one in which bodies can move. */
-    public static boolean isExact(Carrier carrier) {
-        return carrier.placer().isExact();
     }
 
     /** Forgets all bodies. */

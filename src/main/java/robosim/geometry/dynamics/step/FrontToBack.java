@@ -1,7 +1,7 @@
 package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.World;
 import robosim.geometry.exact.Degrees;
 
 /**
@@ -37,7 +37,7 @@ final class FrontToBack {
     /** Most others that one leg lets go first. */
     private static final int MOST_RETRIES = 4;
 
-    private final Carrier carrier;
+    private final World world;
     private final Bodies bodies;
     private final double gap;
 
@@ -81,8 +81,8 @@ final class FrontToBack {
 
     private int waiting;
 
-    FrontToBack(Carrier carrier, Scene scene, double gap) {
-        this.carrier = carrier;
+    FrontToBack(World world, Scene scene, double gap) {
+        this.world = world;
         bodies = scene.bodies;
         allAtOnce = new SimultaneousMotion(scene);
         this.gap = gap;
@@ -90,7 +90,7 @@ final class FrontToBack {
 
     /** Tells which objects of the world are bodies. */
     void know() {
-        int limit = carrier.objects.limit();
+        int limit = world.objects.limit();
         if (bodyOf.length < limit) {
             bodyOf = new int[2 * limit];
         }
@@ -146,7 +146,7 @@ final class FrontToBack {
         for (int b = 0; b < bodies.count; b++) {
             firstLeg[b] = legs.first[b];
         }
-        if (carrier.isExact()) {
+        if (world.isExact()) {
             carryAtOnce(end);
         } else {
             carryInTurns(order);
@@ -209,7 +209,7 @@ final class FrontToBack {
     private void put(int b, Legs of, double until) {
         int leg = of.last[b];
         double degrees = Degrees.toDegrees(of.angle[leg] - atAngle[b]);
-        carrier.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
+        world.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
         arrive(b, until, of.x[leg], of.z[leg], of.angle[leg]);
         if (until == legs.time[legs.last[b]]) {
             firstLeg[b] = -1;
@@ -334,21 +334,21 @@ final class FrontToBack {
         bodies.betweenParts.run();
         int id = bodies.id[b];
         boolean translates = dx != 0 || dz != 0;
-        if (!translates || carrier.translate(id, dx, 0, dz)) {
-            if (degrees == 0 || carrier.turn(id, degrees)) {
+        if (!translates || world.translate(id, dx, 0, dz)) {
+            if (degrees == 0 || world.turn(id, degrees)) {
                 return true;
             }
-            if (!translates || !carrier.translate(id, -dx, 0, -dz)) {
+            if (!translates || !world.translate(id, -dx, 0, -dz)) {
                 return false;
             }
         }
-        if (degrees == 0 || !translates || !carrier.turn(id, degrees)) {
+        if (degrees == 0 || !translates || !world.turn(id, degrees)) {
             return false;
         }
-        if (carrier.translate(id, dx, 0, dz)) {
+        if (world.translate(id, dx, 0, dz)) {
             return true;
         }
-        carrier.turn(id, -degrees);
+        world.turn(id, -degrees);
         return false;
     }
 
@@ -357,7 +357,7 @@ final class FrontToBack {
      * there is nobody who could.
      */
     private boolean letGo(int b, double until, double dx, double dz, double degrees) {
-        int obstacle = carrier.blocker(bodies.id[b], dx, 0, dz, degrees);
+        int obstacle = world.blocker(bodies.id[b], dx, dz, degrees);
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
         if (other < 0 || isOnWay[other] || isBlocked[other] || ++waiting > MOST_WAITING) {
             return false;
@@ -399,14 +399,14 @@ final class FrontToBack {
         double dx = legs.x[leg] - atX[b];
         double dz = legs.z[leg] - atZ[b];
         double by = legs.angle[leg] - atAngle[b];
-        double fromX = carrier.objects.places()[carrier.objects.place(id)];
-        double fromZ = carrier.objects.places()[carrier.objects.place(id) + 2];
-        boolean isThere = carrier.toContact(id, dx, 0, dz, Degrees.toDegrees(by), gap);
-        int obstacle = isThere ? -1 : carrier.obstacle();
+        double fromX = world.objects.places()[world.objects.place(id)];
+        double fromZ = world.objects.places()[world.objects.place(id) + 2];
+        boolean isThere = world.moveToContact(id, dx, dz, Degrees.toDegrees(by), gap);
+        int obstacle = isThere ? -1 : world.obstacle();
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
         isBehind[b] = other >= 0 && bodies.lightness[other] > 0 && !bodies.isStill(other);
-        double[] places = carrier.objects.places();
-        int at = carrier.objects.place(id);
+        double[] places = world.objects.places();
+        int at = world.objects.place(id);
         double lacking = length(dx - (places[at] - fromX), dz - (places[at + 2] - fromZ));
         double turning = Math.abs(by) * bodies.size[b];
         double least = MOST_GAPS * Math.max(gap, 0x1p-42 * (Math.abs(fromX) + Math.abs(fromZ)));

@@ -1,7 +1,7 @@
 package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.World;
 
 /**
  * Lets the bodies of a PLANAR world go on for a time: they move at constant speeds from one collision to the next, each with
@@ -67,9 +67,8 @@ public final class PlanarStepper {
     /** Whether a body had to be stopped. */
     boolean[] isStopped = new boolean[8];
 
-    public PlanarStepper(Object world, double width, double length) {
-        Carrier carrier = Carrier.of(world);
-        scene = new Scene(carrier, width, length);
+    public PlanarStepper(World world) {
+        scene = new Scene(world);
         bodies = scene.bodies;
         pieces = scene.pieces;
         floor = new FloorFriction(bodies);
@@ -78,10 +77,10 @@ public final class PlanarStepper {
         solver = meetings.solver;
         met = new Collisions(scene, pairs, meetings, floor);
         neighbours = new Neighbours(scene, pairs, meetings);
-        carrying = new FrontToBack(carrier, scene, CollisionPrediction.GAP);
-        touches = new ContactLog(carrier.objects);
-        before = new ContactLog(carrier.objects);
-        older = new ContactLog(carrier.objects);
+        carrying = new FrontToBack(world, scene, CollisionPrediction.GAP);
+        touches = new ContactLog(world.objects);
+        before = new ContactLog(world.objects);
+        older = new ContactLog(world.objects);
     }
 
     /** Runs something between two parts of each step. */

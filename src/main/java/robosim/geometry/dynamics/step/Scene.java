@@ -2,7 +2,7 @@ package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.World;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
@@ -13,11 +13,6 @@ import robosim.geometry.model.Pose;
 
 /** What there is in a world as a step sees it: bodies, and the pieces of these and of what stands still. */
 final class Scene {
-    /** Where the rotation begins in a place, and the heading. */
-    private static final int ROTATION = 3;
-
-    private static final int HEADING = 12;
-
     final Bodies bodies = new Bodies();
     final Pieces pieces = new Pieces();
 
@@ -33,7 +28,7 @@ final class Scene {
     /** The pieces of bodies come first. */
     int firstStill;
 
-    private final Carrier carrier;
+    private final World world;
     private final double halfX;
     private final double halfZ;
     private final Outlines outlines = new Outlines(pieces);
@@ -43,15 +38,15 @@ final class Scene {
     /** The columns of each body's rotation that a turn about the vertical keeps: its own Y. */
     private double[] upwards = new double[8];
 
-    Scene(Carrier carrier, double width, double length) {
-        this.carrier = carrier;
-        halfX = width / 2;
-        halfZ = length / 2;
+    Scene(World world) {
+        this.world = world;
+        halfX = world.width / 2;
+        halfZ = world.length / 2;
     }
 
     /** The height of the centre of a body's object. */
     double height(int id) {
-        return carrier.objects.places()[carrier.objects.place(id) + 1];
+        return world.objects.places()[world.objects.place(id) + 1];
     }
 
     /** The surfaces that the pieces were made with. */
@@ -61,7 +56,7 @@ final class Scene {
 
     /** Whether objects were added to the world or removed from it since the pieces were made. */
     boolean isOld() {
-        return changes != carrier.objects.changes();
+        return changes != world.objects.changes();
     }
 
     void forget() {
@@ -71,9 +66,9 @@ final class Scene {
     /** Makes all pieces anew; bodies have been told before, with their ids. */
     void build(Surfaces surfaces) {
         this.surfaces = surfaces;
-        changes = carrier.objects.changes();
+        changes = world.objects.changes();
         pieces.clear();
-        ObjectTable objects = carrier.objects;
+        ObjectTable objects = world.objects;
         upwards = new double[3 * Math.max(1, bodies.count)];
         for (int b = 0; b < bodies.count; b++) {
             bodies.betweenParts.run();
@@ -112,7 +107,7 @@ final class Scene {
     }
 
     private void outline(int b) {
-        ObjectTable objects = carrier.objects;
+        ObjectTable objects = world.objects;
         GeometryObject present = objects.present(bodies.id[b]);
         Pose pose = present.pose();
         int first = pieces.count;
@@ -137,7 +132,7 @@ final class Scene {
         }
         bodies.size[b] = size;
         double[] places = objects.places();
-        int at = objects.place(bodies.id[b]) + ROTATION;
+        int at = objects.place(bodies.id[b]) + ObjectTable.ROTATION;
         for (int row = 0; row < 3; row++) {
             upwards[3 * b + row] = places[at + 3 * row + 1];
         }
@@ -195,7 +190,7 @@ final class Scene {
 
     /** Takes the places of all bodies as the world has them; false where one has been tipped, so that its pieces are others. */
     boolean place() {
-        ObjectTable objects = carrier.objects;
+        ObjectTable objects = world.objects;
         double[] places = objects.places();
         for (int b = 0; b < bodies.count; b++) {
             int at = objects.place(bodies.id[b]);
@@ -206,15 +201,19 @@ final class Scene {
             bodies.changes[b] = 0;
             bodies.lightness[b] = bodies.ownLightness[b];
             bodies.ease[b] = bodies.ownEase[b];
-            int r = at + ROTATION;
+            int r = at + ObjectTable.ROTATION;
             for (int row = 0; row < 3; row++) {
                 if (upwards[3 * b + row] != places[r + 3 * row + 1]) {
                     return false;
                 }
             }
             boolean isUpright = places[r + 4] == 1;
-            double cos = isUpright ? places[r] : Degrees.cos(places[at + HEADING], places[at + HEADING + 1]);
-            double sin = isUpright ? places[r + 2] : Degrees.sin(places[at + HEADING], places[at + HEADING + 1]);
+            double cos = isUpright
+                    ? places[r]
+                    : Degrees.cos(places[at + ObjectTable.HEADING], places[at + ObjectTable.HEADING + 1]);
+            double sin = isUpright
+                    ? places[r + 2]
+                    : Degrees.sin(places[at + ObjectTable.HEADING], places[at + ObjectTable.HEADING + 1]);
             for (int k = 0; k < bodies.pieces[b]; k++) {
                 pieces.turn(bodies.firstPiece[b] + k, cos, sin);
             }

@@ -7,9 +7,11 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Move;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
@@ -18,7 +20,8 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
  * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a leg that is swept
- * in the world as it is. {@link #end()} is where the object would come to stand; {@code Geometry} then moves it there.
+ * in the world as it is. {@link #end()} is where the object would come to stand; {@link #commit} moves it there. A translation
+ * alone is first tried by {@link TranslationFastPath}, which finds most of them free, with the same verdict.
  *
  * <p>A leg is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
  * behind a plane of a contact at the start ({@link StartContacts}) counts for neither.
@@ -27,8 +30,8 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  * and the smaller share counts: enclosures that overlap at the start prove nothing about the objects in them.
  */
 public final class Motion {
-    static final int NOTHING = -1;
-    static final int BORDER = -2;
+    public static final int NOTHING = -1;
+    public static final int BORDER = -2;
 
     /** A share is taken back by so much first, then by twice as much each time. */
     private static final double FIRST_STEP = 0x1p-52;
@@ -72,9 +75,16 @@ public final class Motion {
     /** Made for the first motion with a clearance. */
     private @Nullable ClearanceSearch search;
 
+    /** Decides most straight moves; null until the first one. */
+    private @Nullable TranslationFastPath straight;
+
+    /** Whether the last motion was found free by {@link #straight}, which knows its end. */
+    private boolean isStraight;
+
     private final StartContacts standing;
     private final StopContact stop;
     private final Distance distance;
+    private final double[] vector = new double[3];
     private final double[] box = new double[6];
     private final double[] part = new double[6];
 
@@ -146,42 +156,65 @@ public final class Motion {
 
     /** The place at the end of what is free: of the whole motion where nothing blocks. */
     public double[] end() {
+        if (isStraight) {
+            int at = objects.place(id);
+            System.arraycopy(objects.places(), at, leg.end, 0, ObjectTable.PLACE);
+            ObjectTable.shift(leg.end, 0, straight().end());
+            isStraight = false;
+        }
         return leg.end;
     }
 
+    /** Moves the object to the end of what is free; returns true. */
+    public boolean commit() {
+        if (isStraight) {
+            registry.shift(id, straight().end());
+        } else {
+            registry.move(id, leg.end);
+        }
+        return true;
+    }
+
     /**
-     * Tries a motion by a displacement in the world's axes, then turns in degrees about the own axes or the world's.
+     * Tries a motion by a displacement in the world's axes, then turns in degrees about the world's axes.
      *
      * @param gap how far to stay from what blocks; 0 to stop just before contact
      * @return whether all of it is free; else {@link #end()} is the place before contact
      */
     public boolean attempt(
-            AccuracyView inView,
-            int mover,
-            double x,
-            double y,
-            double z,
-            double turnX,
-            double turnY,
-            boolean isGlobal,
-            double gap) {
+            AccuracyView inView, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
+        if (gap == 0 && turnX == 0 && turnY == 0 && ask(inView, mover, x, y, z) == TranslationFastPath.FREE) {
+            return true;
+        }
         begin(inView, mover, gap, true);
-        return attempt(x, y, z, turnX, turnY, isGlobal);
+        return attempt(x, y, z, turnX, turnY, true);
     }
 
     /** The same with a gap to the piece that blocks alone, and to no other: for bodies, which are near to much that they move along. */
-    boolean attemptBeside(AccuracyView inView, int mover, double x, double y, double z, double turnY, double gap) {
+    public boolean attemptBeside(
+            AccuracyView inView, int mover, double x, double y, double z, double turnY, double gap) {
         begin(inView, mover, gap, true);
         isBesideBlocker = true;
         return attempt(x, y, z, 0, turnY, true);
     }
 
     /** The same along the object's own axes, and about them. */
-    public boolean attemptOwn(
-            AccuracyView inView, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
+    public boolean attemptOwn(AccuracyView inView, int mover, Move move, double gap) {
+        if (gap == 0 && move.rx() == 0 && move.ry() == 0) {
+            objects.toWorld(mover, move.x(), move.y(), move.z(), vector);
+            if (ask(inView, mover, vector[0], vector[1], vector[2]) == TranslationFastPath.FREE) {
+                return true;
+            }
+        }
         begin(inView, mover, gap, true);
         leg.takeOwnAxes();
-        return attempt(x, y, z, turnX, turnY, false);
+        return attempt(move.x(), move.y(), move.z(), move.rx(), move.ry(), false);
+    }
+
+    /** Turns about the object's own axes through its centre. */
+    boolean attemptTurns(AccuracyView inView, int mover, double turnX, double turnY, double gap) {
+        begin(inView, mover, gap, true);
+        return attempt(0, 0, 0, turnX, turnY, false);
     }
 
     private boolean attempt(double x, double y, double z, double turnX, double turnY, boolean isGlobal) {
@@ -206,14 +239,54 @@ public final class Motion {
 
     /** Whether a displacement in the world's axes is free, and no more: {@link #end()} is only set where it is. */
     public boolean allows(AccuracyView inView, int mover, double x, double y, double z) {
+        int verdict = ask(inView, mover, x, y, z);
+        if (verdict != TranslationFastPath.UNKNOWN) {
+            return verdict == TranslationFastPath.FREE;
+        }
         begin(inView, mover, 0, false);
         return isFree(x, y, z, Leg.NO_TURN, 0);
     }
 
+    private int ask(AccuracyView inView, int mover, double x, double y, double z) {
+        int verdict = straight().ask(inView, mover, x, y, z);
+        isStraight = verdict == TranslationFastPath.FREE;
+        if (isStraight) {
+            id = mover;
+            obstacle = NOTHING;
+            fraction = 1;
+            turnFraction = 1;
+        }
+        return verdict;
+    }
+
+    private TranslationFastPath straight() {
+        TranslationFastPath made = straight == null ? new TranslationFastPath(objects, worldBounds, scratch) : straight;
+        straight = made;
+        return made;
+    }
+
     /** Whether a turn about the vertical through the centre is free, and no more. */
     public boolean allowsTurn(AccuracyView inView, int mover, double byDegrees) {
+        if (turnsInItself(inView, mover)) {
+            isStraight = false;
+            id = mover;
+            System.arraycopy(objects.places(), objects.place(mover), leg.end, 0, ObjectTable.PLACE);
+            Attitude.turnVertically(leg.end, ObjectTable.ROTATION, byDegrees);
+            return true;
+        }
         begin(inView, mover, 0, false);
         return isFree(0, 0, 0, Leg.VERTICAL, byDegrees);
+    }
+
+    /** Whether a turn about the vertical takes an object to the same points, to the bit: one upright disc about its centre. */
+    private boolean turnsInItself(AccuracyView inView, int mover) {
+        boolean isRound = switch (objects.value(mover).kind()) {
+            case CYLINDER, SPHERE, CAPSULE -> true;
+            case BOX, MESH, GROUP, GRID -> false;
+        };
+        return isRound
+                && inView.accuracy == Accuracy.EXACT
+                && Attitude.isUpright(objects.places(), objects.place(mover) + ObjectTable.ROTATION);
     }
 
     /**
@@ -232,6 +305,7 @@ public final class Motion {
 
     private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd, double[] places, int at) {
         isEndWanted = isToEnd;
+        isStraight = false;
         view = inView;
         id = mover;
         clearance = gap;

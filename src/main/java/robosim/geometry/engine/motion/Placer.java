@@ -35,7 +35,7 @@ public final class Placer {
     private final double[] triangle = new double[9];
     private final double[] bounds = new double[6];
 
-    Placer(ObjectRegistry registry, Motion motion) {
+    public Placer(ObjectRegistry registry, Motion motion) {
         meshes = new MeshWalk(registry.work);
         grids = new GridWalk(registry.work);
         this.registry = registry;
@@ -75,7 +75,7 @@ public final class Placer {
      */
     public double toContact(int id, double dx, double dy, double dz, double gap) {
         boolean all = motion.attemptBeside(registry.view, id, dx, dy, dz, 0, gap);
-        registry.move(id, motion.end());
+        motion.commit();
         return all ? 1 : motion.fraction();
     }
 

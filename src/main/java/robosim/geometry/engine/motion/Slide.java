@@ -157,8 +157,8 @@ public final class Slide {
     }
 
     private void turn(double turnX, double turnY) {
-        boolean free = motion.attempt(view, id, 0, 0, 0, turnX, turnY, false, clearance);
-        registry.move(id, motion.end());
+        boolean free = motion.attemptTurns(view, id, turnX, turnY, clearance);
+        motion.commit();
         if (!free) {
             turnFraction = motion.turnFraction();
             motion.contact(one);
@@ -348,8 +348,8 @@ public final class Slide {
 
     /** Moves the object by a displacement as far as that is free; whether it is all free. */
     private boolean advance(double[] way, double gap) {
-        boolean free = motion.attempt(view, id, way[0], way[1], way[2], 0, 0, false, gap);
-        registry.move(id, motion.end());
+        boolean free = motion.attempt(view, id, way[0], way[1], way[2], 0, 0, gap);
+        motion.commit();
         length += (free ? 1 : motion.fraction()) * size(way);
         return free;
     }

@@ -20,14 +20,14 @@ import robosim.geometry.narrow.planar.PlainCells;
  * Answers whether a straight move is free, and no more; the verdict is that of {@link Motion}. Most moves meet nothing, and
  * then there is no share and no contact to work out. Reads the world's own columns and places nothing before it is sure.
  */
-public final class TranslationFastPath {
+final class TranslationFastPath {
     /** A yes: {@link #end()} is where the object comes to stand. */
-    public static final int FREE = 1;
+    static final int FREE = 1;
 
     static final int BLOCKED = -1;
 
     /** Only {@link Motion} can tell. */
-    public static final int UNKNOWN = 0;
+    static final int UNKNOWN = 0;
 
     /** More than a place loses when it is stored, as a share of its coordinates. */
     private static final double STORED = 0x1p-47;
@@ -69,7 +69,7 @@ public final class TranslationFastPath {
     private boolean ownIsDisc;
 
     @SuppressWarnings("NullAway.Init") // a question sets its view
-    public TranslationFastPath(ObjectTable objects, WorldBounds worldBounds, Scratch scratch) {
+    TranslationFastPath(ObjectTable objects, WorldBounds worldBounds, Scratch scratch) {
         this.objects = objects;
         this.worldBounds = worldBounds;
         s = scratch;
@@ -78,12 +78,12 @@ public final class TranslationFastPath {
     }
 
     /** The centre at the end, and what it has lost; six numbers. */
-    public double[] end() {
+    double[] end() {
         return end;
     }
 
     /** Whether an object may go by a displacement in the world's axes. */
-    public int ask(AccuracyView inView, int mover, double x, double y, double z) {
+    int ask(AccuracyView inView, int mover, double x, double y, double z) {
         view = inView;
         own = inView.table(mover);
         id = mover;

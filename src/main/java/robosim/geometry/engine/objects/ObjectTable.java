@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.index.ArrayGrowth;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
@@ -15,6 +16,12 @@ import robosim.geometry.model.Pose;
 public final class ObjectTable {
     /** Number of doubles in a place, laid out by {@link Pose}. */
     public static final int PLACE = Pose.PLACE;
+
+    /** In a place, the index of its attitude. */
+    public static final int ROTATION = 3;
+
+    /** In a place, the index of the compensated heading of an upright object. */
+    public static final int HEADING = ROTATION + Attitude.HEADING;
 
     /** The bit that is set in the id of an object that this world shares with others: see {@link SharedObjectTable}. */
     public static final int SHARED = 1 << 29;
@@ -239,10 +246,14 @@ public final class ObjectTable {
 
     /** Sets the centre of a moveable object: six numbers, of which the last three are its rounding errors. */
     public void shift(int id, double[] centre) {
-        int at = place(id);
+        shift(places, place(id), centre);
+    }
+
+    /** The same for a place that begins at an element of an array. */
+    public static void shift(double[] place, int at, double[] centre) {
         for (int k = 0; k < 3; k++) {
-            places[at + k] = centre[k];
-            places[at + Pose.LOST + k] = centre[3 + k];
+            place[at + k] = centre[k];
+            place[at + Pose.LOST + k] = centre[3 + k];
         }
     }
 

@@ -100,6 +100,13 @@ public final class PatternSensor {
         frame.tell(out.place());
     }
 
+    /** Prepares, and answers all beams. */
+    public void senseAll(RayPattern pattern, SenseOptions options, Echoes out) {
+        prepare(pattern, options, out);
+        sense(pattern, options, out, 0, tiles(pattern, options));
+        finish(pattern, out);
+    }
+
     /** What the sensor sees of the world. */
     private AccuracyView view(RayPattern pattern, SenseOptions options) {
         if (registry.view.dimension == Dimension.SPATIAL) {

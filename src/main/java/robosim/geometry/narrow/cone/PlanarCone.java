@@ -60,7 +60,7 @@ public final class PlanarCone {
             uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
         }
         if (halfCos >= 1) { // narrower than a cosine can express: only its axis
-            return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
+            return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s.ray);
         }
         if (kind == LeafKind.UPRIGHT_BOX) {
             double known = plainBox(ox, oz, ux, uz, halfCos, halfSin, b, j, limit, s);
@@ -90,9 +90,9 @@ public final class PlanarCone {
             case PlainSectorBox.BEYOND -> Double.POSITIVE_INFINITY;
             case PlainSectorBox.HELD -> within(ox, oz, ux, uz, halfCos, halfSin, LeafKind.UPRIGHT_BOX, b, j, s);
             case PlainSectorBox.CROSSED -> {
-                flatten(LeafKind.UPRIGHT_BOX, b, j, s.flat);
+                flatten(LeafKind.UPRIGHT_BOX, b, j, s.leaf.flat);
                 double crossed =
-                        s.cones().polytope.flatEdge(cone, box.from(), box.to(), LeafKind.UPRIGHT_BOX, s.flat, 0);
+                        s.cones().polytope.flatEdge(cone, box.from(), box.to(), LeafKind.UPRIGHT_BOX, s.leaf.flat, 0);
                 yield crossed <= box.atMost() ? crossed : -1;
             }
             default -> -1;
@@ -115,7 +115,7 @@ public final class PlanarCone {
         // A miss by the exact shapes holds for the axis too; for a turned cylinder each is certified separately.
         boolean isCertain =
                 within == 0 || (within == Double.POSITIVE_INFINITY && kind.fromAbove() != LeafKind.FromAbove.OVAL);
-        return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s));
+        return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s.ray));
     }
 
     private static double within(
@@ -158,9 +158,9 @@ public final class PlanarCone {
         if (sector.isSurelyBeyond(mx, mz, r)) {
             return Double.POSITIVE_INFINITY;
         }
-        flatten(LeafKind.SPHERE, b, j, s.flat);
+        flatten(LeafKind.SPHERE, b, j, s.leaf.flat);
         s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
-        return ConeSphere.distance(s.cones().cone, s.flat, 0);
+        return ConeSphere.distance(s.cones().cone, s.leaf.flat, 0);
     }
 
     private static double polygon(
@@ -174,7 +174,7 @@ public final class PlanarCone {
             double[] b,
             int j,
             ConeScratch s) {
-        PlanarShape q = s.planarB;
+        PlanarShape q = s.planar.planarB;
         q.set(kind, b, j, ox, oz);
         if (!q.isTiny()) {
             int side = PointPolygon.side(q, FILTER * q.error);
@@ -191,13 +191,13 @@ public final class PlanarCone {
                 }
             }
         }
-        double axis = PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
+        double axis = PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s.ray);
         if (axis == 0) {
             return 0;
         }
-        flatten(kind, b, j, s.flat);
+        flatten(kind, b, j, s.leaf.flat);
         s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
-        return s.cones().polytope.flat(s.cones().cone, axis, kind, s.flat, 0);
+        return s.cones().polytope.flat(s.cones().cone, axis, kind, s.leaf.flat, 0);
     }
 
     /** The projection as a leaf of height 0 in the plane y = 0. */
@@ -267,11 +267,11 @@ public final class PlanarCone {
             double[] b,
             int j,
             ConeScratch s) {
-        PlanarShape apex = s.planarA;
-        PlanarShape q = s.planarB;
+        PlanarShape apex = s.planar.planarA;
+        PlanarShape q = s.planar.planarB;
         apex.point();
         q.set(kind, b, j, ox, oz);
-        PlanarBracket bracket = s.planarBracket;
+        PlanarBracket bracket = s.planar.planarBracket;
         bracket.find(apex, q, false);
         if (!bracket.isApart()) {
             return 0;

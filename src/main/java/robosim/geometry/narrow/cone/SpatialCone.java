@@ -50,7 +50,7 @@ public final class SpatialCone {
             }
             if (known == PlainConeBox.FOUND) {
                 double axis = box.isAxisNear()
-                        ? SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s)
+                        ? SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s.ray)
                         : Double.POSITIVE_INFINITY;
                 double near = s.cones().polytope.near(cone, box, axis, kind, row, j);
                 if (near >= 0) {
@@ -95,7 +95,7 @@ public final class SpatialCone {
                 && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
-        double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s);
+        double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s.ray);
         if (axis == 0 || !(halfSin > 0) || !(halfCos < 1)) {
             return axis; // or so narrow that its stored cosine is that of a line
         }

@@ -41,12 +41,12 @@ public final class ContactPoint {
         double rounding = bound(flat, kindA, a, i, kindB, b, j, out, s);
         if (flat && out[6] > FAR * rounding) {
             // For deep overlaps the middle of the way out may be in neither.
-            s.gjk.planar(kindA, a, i, kindB, b, j);
+            s.gjk.pair.planar(kindA, a, i, kindB, b, j);
             double x = out[0];
             double z = out[2];
             double before = out[6];
-            out[0] = 0.5 * s.gjk.ax() + 0.5 * s.gjk.bx();
-            out[2] = 0.5 * s.gjk.az() + 0.5 * s.gjk.bz();
+            out[0] = 0.5 * s.gjk.pair.ax() + 0.5 * s.gjk.pair.bx();
+            out[2] = 0.5 * s.gjk.pair.az() + 0.5 * s.gjk.pair.bz();
             bound(true, kindA, a, i, kindB, b, j, out, s);
             if (out[6] > before) {
                 out[0] = x;
@@ -75,10 +75,10 @@ public final class ContactPoint {
             out[axis] = Math.max(-MOST, Math.min(MOST, out[axis]));
         }
         double fromA = off(flat, kindA, a, i, out, s);
-        double rounding = s.gjk.error();
+        double rounding = s.gjk.pair.error();
         double fromB = off(flat, kindB, b, j, out, s);
         out[6] = Math.max(fromA, fromB);
-        return Math.max(rounding, s.gjk.error());
+        return Math.max(rounding, s.gjk.pair.error());
     }
 
     /** An upper bound of the distance from a leaf to the point at the beginning of an array. */
@@ -86,7 +86,7 @@ public final class ContactPoint {
         double[] sphere = s.witness;
         System.arraycopy(point, 0, sphere, 0, 3);
         sphere[Leaf.SIZE] = 0;
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.gjk.pair;
         if (flat) {
             gjk.planar(LeafKind.SPHERE, sphere, 0, kind, row, at);
         } else {

@@ -23,7 +23,7 @@ public final class ConvexContact {
             int j,
             double[] out,
             DistanceScratch s) {
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         if (m.take(dimension, kindA, a, i, kindB, b, j)) {
             storedContact(dimension, kindA, m.a, 0, kindB, m.b, 0, out, s);
             for (int axis = 0; axis < 3; axis++) {
@@ -51,7 +51,7 @@ public final class ConvexContact {
             int j,
             double[] out,
             DistanceScratch s) {
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         boolean isFlat = isLevel || dimension == Dimension.PLANAR;
         if (m.take(dimension, kindA, a, i, kindB, b, j)) {
             storedPoint(isFlat, kindA, m.a, 0, kindB, m.b, 0, out, s);

@@ -42,8 +42,8 @@ public final class PlanarContact {
     /** Writes the contact point alone, for a known unit normal from b towards a, the last three of six numbers. */
     public static void point(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
-        PlanarShape p = s.planarA;
-        PlanarShape q = s.planarB;
+        PlanarShape p = s.planar.planarA;
+        PlanarShape q = s.planar.planarB;
         double nx = out[3];
         double nz = out[5];
         double ox = PlanarShape.originX(kindA, a, i);
@@ -73,20 +73,20 @@ public final class PlanarContact {
 
     private static void ordered(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
-        PlanarShape p = s.planarA;
-        PlanarShape q = s.planarB;
+        PlanarShape p = s.planar.planarA;
+        PlanarShape q = s.planar.planarB;
         double ox = PlanarShape.originX(kindA, a, i);
         double oz = PlanarShape.originZ(kindA, a, i);
         p.set(kindA, a, i, ox, oz);
         q.set(kindB, b, j, ox, oz);
-        PlanarBracket bracket = s.planarBracket;
+        PlanarBracket bracket = s.planar.planarBracket;
         bracket.find(q, p, false);
         double nx = bracket.normalX;
         double nz = bracket.normalZ;
         if (!bracket.isApart()) {
-            leastPenetration(p, q, s.planarNormal);
-            nx = s.planarNormal[0];
-            nz = s.planarNormal[1];
+            leastPenetration(p, q, s.planar.planarNormal);
+            nx = s.planar.planarNormal[0];
+            nz = s.planar.planarNormal[1];
         }
         point(p, q, nx, nz, ox, oz, out);
         out[3] = nx + 0.0; // no -0.0
@@ -257,7 +257,7 @@ public final class PlanarContact {
 
     private static double height(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        double[] bounds = s.planarBounds;
+        double[] bounds = s.planar.planarBounds;
         LeafBounds.of(kindA, a, i, bounds);
         double least = bounds[1];
         double most = bounds[4];

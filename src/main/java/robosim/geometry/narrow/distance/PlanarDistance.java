@@ -50,7 +50,7 @@ public final class PlanarDistance {
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
         return switch (kindB.fromAbove()) {
             case DISC -> discPolygon(b, j, kindA, a, i, s);
-            case POLYGON -> PolygonPolygon.distance(kindA, a, i, kindB, b, j, s);
+            case POLYGON -> PolygonPolygon.distance(kindA, a, i, kindB, b, j, s.planar);
             case OVAL -> oval(kindA, a, i, kindB, b, j, s);
             case TRIANGLES, CELLS -> throw kindB.refused();
         };
@@ -61,15 +61,15 @@ public final class PlanarDistance {
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
         double ox = PlanarShape.originX(kindA, a, i);
         double oz = PlanarShape.originZ(kindA, a, i);
-        s.planarA.set(kindA, a, i, ox, oz);
-        s.planarB.set(kindB, b, j, ox, oz);
-        s.planarBracket.find(s.planarA, s.planarB, false);
-        return s.planarBracket.distance();
+        s.planar.planarA.set(kindA, a, i, ox, oz);
+        s.planar.planarB.set(kindB, b, j, ox, oz);
+        s.planar.planarBracket.find(s.planar.planarA, s.planar.planarB, false);
+        return s.planar.planarBracket.distance();
     }
 
     private static double discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, DistanceScratch s) {
         return kind == LeafKind.UPRIGHT_BOX && DiscRectangle.isSquare(b, j)
-                ? DiscRectangle.distance(disc[i], disc[i + 2], disc[i + 3], b, j, s)
-                : DiscPolygon.distance(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
+                ? DiscRectangle.distance(disc[i], disc[i + 2], disc[i + 3], b, j, s.planar)
+                : DiscPolygon.distance(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s.planar);
     }
 }

@@ -18,7 +18,7 @@ public final class SpatialContact {
      */
     public static void between(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
-        Penetration penetration = s.penetration();
+        Penetration penetration = s.gjk.penetration();
         penetration.spatial(kindA, a, i, kindB, b, j);
         point(penetration.bracket(), out);
         out[3] = penetration.nx(0);
@@ -29,8 +29,8 @@ public final class SpatialContact {
     /** Writes the point alone. */
     public static void point(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
-        s.gjk.spatial(kindA, a, i, kindB, b, j);
-        point(s.gjk, out);
+        s.gjk.pair.spatial(kindA, a, i, kindB, b, j);
+        point(s.gjk.pair, out);
     }
 
     private static void point(Gjk gjk, double[] out) {

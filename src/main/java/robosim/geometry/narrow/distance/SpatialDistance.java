@@ -42,9 +42,9 @@ public final class SpatialDistance {
 
     private static double bracketed(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.gjk.pair;
         double lower = gjk.spatial(kindA, a, i, kindB, b, j);
-        if (lower == 0 && SpatialOverlap.test(kindA, a, i, kindB, b, j, s)) {
+        if (lower == 0 && SpatialOverlap.test(kindA, a, i, kindB, b, j, s.overlap)) {
             return 0;
         }
         if (lower == 0) {

@@ -1,19 +1,28 @@
 package robosim.geometry.narrow.gjk;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.planar.PlanarScratch;
 
 /** The working memory of algorithms that use support functions. */
-public class GjkScratch extends PlanarScratch {
-    /** Distance and penetration of two leaves, in space or in the plane. */
-    public final Gjk gjk = new Gjk();
+public final class GjkScratch {
+    public final PlanarScratch planar;
+    public final LeafScratch leaf;
 
-    /** Works on the two leaves of the last query of {@link #gjk}. */
-    public final ExpandingPolytope hull = new ExpandingPolytope(gjk.first, gjk.second);
+    /** Distance and penetration of two leaves, in space or in the plane. */
+    public final Gjk pair = new Gjk();
+
+    /** Works on the two leaves of the last query of {@link #pair}. */
+    public final ExpandingPolytope hull = new ExpandingPolytope(pair.first, pair.second);
 
     // Large objects that not every world needs are created on first use.
     private @Nullable Penetration penetration;
     private @Nullable HullOverlap hulls;
+
+    public GjkScratch(PlanarScratch planar, LeafScratch leaf) {
+        this.planar = planar;
+        this.leaf = leaf;
+    }
 
     public Penetration penetration() {
         if (penetration == null) {

@@ -7,7 +7,7 @@ import robosim.geometry.exact.Work;
  * Working memory of kernels, so that a query allocates nothing; each package extends the scratch of the packages below.
  * One instance for each owner of queries, never shared between threads.
  */
-public class LeafScratch {
+public final class LeafScratch {
     /** Counts what the kernels do. */
     public final Work work = new Work();
 

@@ -75,7 +75,7 @@ public final class ContactPairs {
             push(first.root(), second.root());
         }
         while (depth > 0 && count < limit) {
-            s.work.take();
+            s.leaf.work.take();
             depth--;
             long p = stackA[depth];
             long q = stackB[depth];
@@ -181,7 +181,7 @@ public final class ContactPairs {
         int base = depth;
         push(a, b);
         while (depth > base && count < limit) {
-            s.work.take();
+            s.leaf.work.take();
             depth--;
             long p = stackA[depth];
             long q = stackB[depth];
@@ -199,23 +199,30 @@ public final class ContactPairs {
     private void test(long a, long b) {
         first.load(a);
         second.load(b);
-        s.uncertain = false;
-        if (ConvexOverlap.test(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
-            add(PartTree.part(a), first.triangle(a), PartTree.part(b), second.triangle(b), NO_SIDE, !s.uncertain);
+        s.overlap.uncertain = false;
+        if (ConvexOverlap.test(
+                dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s.overlap)) {
+            add(
+                    PartTree.part(a),
+                    first.triangle(a),
+                    PartTree.part(b),
+                    second.triangle(b),
+                    NO_SIDE,
+                    !s.overlap.uncertain);
         }
     }
 
     /** For two parts whose surfaces do not meet, finds whether one is inside the other. */
     private void findInside(int a, int b) {
         if (first.kindOf(a) == LeafKind.SOLID_MESH) {
-            int vertex = first.heldVertex(a, second, b, s);
+            int vertex = first.heldVertex(a, second, b, s.leaf);
             if (vertex >= 0) {
                 add(a, -1, b, second.triangleAt(b, vertex), FIRST_HOLDS, true);
                 return;
             }
         }
         if (second.kindOf(b) == LeafKind.SOLID_MESH) {
-            int vertex = second.heldVertex(b, first, a, s);
+            int vertex = second.heldVertex(b, first, a, s.leaf);
             if (vertex >= 0) {
                 add(a, first.triangleAt(a, vertex), b, -1, SECOND_HOLDS, true);
             }

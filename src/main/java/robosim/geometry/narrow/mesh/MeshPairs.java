@@ -108,8 +108,8 @@ public final class MeshPairs {
         TriangleMesh meshB = columnB.mesh(j);
         BoxTree a = meshA.tree();
         BoxTree b = meshB.tree();
-        s.outer.open(columnA, i);
-        s.inner.open(columnB, j);
+        s.leaf.outer.open(columnA, i);
+        s.leaf.inner.open(columnB, j);
         place(columnA.rows(), i * Leaf.STRIDE, a, columnB.rows(), j * Leaf.STRIDE, b);
         float[] nodesA = a.numbers();
         float[] nodesB = b.numbers();
@@ -120,7 +120,7 @@ public final class MeshPairs {
         int looked = 0;
         while (depth > 0) {
             if ((++looked & TOGETHER - 1) == 0) {
-                s.work.take(TOGETHER);
+                s.leaf.work.take(TOGETHER);
             }
             depth--;
             int p = stackA[depth];
@@ -132,7 +132,7 @@ public final class MeshPairs {
             if (countP > 0 && countQ > 0) {
                 double reach = size(nodesA, p) / a.scale() + size(nodesB, q) / b.scale();
                 if (leavesTouch(meshA, linkP, countP, meshB, linkQ, countQ, reach)) {
-                    s.work.take(looked & TOGETHER - 1);
+                    s.leaf.work.take(looked & TOGETHER - 1);
                     return true;
                 }
                 continue;
@@ -154,7 +154,7 @@ public final class MeshPairs {
             }
             pushAll(linkP, partsA, linkQ, partsB);
         }
-        s.work.take(looked & TOGETHER - 1);
+        s.leaf.work.take(looked & TOGETHER - 1);
         return false;
     }
 
@@ -336,9 +336,9 @@ public final class MeshPairs {
     }
 
     private boolean meet(int p, int q) {
-        s.outer.corners(p, s.triangleA, 0);
-        s.inner.corners(q, s.triangleB, 0);
-        return SpatialOverlap.test(LeafKind.TRIANGLE, s.triangleA, 0, LeafKind.TRIANGLE, s.triangleB, 0, s);
+        s.leaf.outer.corners(p, s.leaf.triangleA, 0);
+        s.leaf.inner.corners(q, s.leaf.triangleB, 0);
+        return SpatialOverlap.test(LeafKind.TRIANGLE, s.leaf.triangleA, 0, LeafKind.TRIANGLE, s.leaf.triangleB, 0, s);
     }
 
     /** Whether the current triangle of a is certainly on one side of the plane of one of b's. */

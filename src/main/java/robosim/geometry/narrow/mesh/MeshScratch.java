@@ -1,20 +1,35 @@
 package robosim.geometry.narrow.mesh;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.narrow.distance.DistanceScratch;
+import robosim.geometry.narrow.leaf.LeafScratch;
+import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.turn.TurnScratch;
 
 /** The working memory of meshes. */
-public class MeshScratch extends TurnScratch {
+public final class MeshScratch {
+    public final TurnScratch turn;
+    public final DistanceScratch distance;
+    public final OverlapScratch overlap;
+    public final LeafScratch leaf;
+
     public final MeshRay meshRay = new MeshRay();
     public final MeshSight meshSight = new MeshSight();
 
     private @Nullable MeshPairs meshPairs;
     private @Nullable ContactPairs pairs;
 
+    public MeshScratch(TurnScratch turn, DistanceScratch distance, OverlapScratch overlap, LeafScratch leaf) {
+        this.turn = turn;
+        this.distance = distance;
+        this.overlap = overlap;
+        this.leaf = leaf;
+    }
+
     /** Descends two meshes in space at once. */
     public MeshPairs meshPairs() {
         if (meshPairs == null) {
-            meshPairs = new MeshPairs(this);
+            meshPairs = new MeshPairs(overlap);
         }
         return meshPairs;
     }
@@ -22,7 +37,7 @@ public class MeshScratch extends TurnScratch {
     /** Descends the projections of two meshes at once. */
     public ContactPairs pairs() {
         if (pairs == null) {
-            pairs = new ContactPairs(this);
+            pairs = new ContactPairs(distance);
         }
         return pairs;
     }

@@ -107,7 +107,7 @@ public final class NearestPairs {
     /** Opens the nearest pair, measures it if both are leaves, or tests whether a point lies inside a solid mesh. */
     public void step() {
         steps++;
-        s.work.take();
+        s.leaf.work.take();
         queue.take();
         long a = queue.first;
         long b = queue.second;
@@ -143,7 +143,7 @@ public final class NearestPairs {
     private void measure(long a, long b) {
         first.load(a);
         second.load(b);
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.gjk.pair;
         double lower = flat
                 ? gjk.planar(first.kind, first.row, first.at, second.kind, second.row, second.at)
                 : gjk.spatial(first.kind, first.row, first.at, second.kind, second.row, second.at);
@@ -226,7 +226,7 @@ public final class NearestPairs {
 
     private void contain(int partA, int partB, int task) {
         certain |= task > 0
-                ? first.holds(partA, second, partB, task - 1, s)
-                : second.holds(partB, first, partA, -task - 1, s);
+                ? first.holds(partA, second, partB, task - 1, s.leaf)
+                : second.holds(partB, first, partA, -task - 1, s.leaf);
     }
 }

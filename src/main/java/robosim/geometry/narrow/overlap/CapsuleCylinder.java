@@ -16,19 +16,19 @@ final class CapsuleCylinder {
      * that no rounding matters, and where neither is found touching, and {@link OverlapScratch#uncertain} set.
      */
     static boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.gjk.pair;
         gjk.spatial(kindA, a, i, kindB, b, j);
-        s.hull.grow(Double.MIN_VALUE);
-        if (s.hull.lower() > 0) {
+        s.gjk.hull.grow(Double.MIN_VALUE);
+        if (s.gjk.hull.lower() > 0) {
             return true;
         }
         // The hull's own bound from above is that of the segment, without the radius.
         if (isBetween(gjk.nx(), gjk.ny(), gjk.nz(), kindA, a, i, kindB, b, j)
-                || isBetween(s.hull.x(), s.hull.y(), s.hull.z(), kindA, a, i, kindB, b, j)) {
+                || isBetween(s.gjk.hull.x(), s.gjk.hull.y(), s.gjk.hull.z(), kindA, a, i, kindB, b, j)) {
             return false;
         }
         // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
-        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
+        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.leaf.boundsA, s.leaf.boundsB)) {
             return false;
         }
         s.uncertain = true;

@@ -33,7 +33,7 @@ public final class ConvexOverlap {
             double[] b,
             int j,
             OverlapScratch s) {
-        HullOverlap hulls = s.hulls();
+        HullOverlap hulls = s.gjk.hulls();
         hulls.clear(dimension == Dimension.PLANAR);
         hulls.above(kindA, a, i);
         hulls.below(kindB, b, j);

@@ -59,7 +59,7 @@ public final class CylinderCylinder {
             EXACT.count();
             return new ExactCylinders(kindA, a, i, kindB, b, j).parallelTouch();
         }
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.gjk.pair;
         gjk.spatial(kindA, a, i, kindB, b, j);
         if (gjk.lower() > 0) {
             return false;
@@ -67,16 +67,16 @@ public final class CylinderCylinder {
         if (gjk.isDeep()) {
             return true;
         }
-        s.hull.grow(Double.MIN_VALUE);
-        if (s.hull.lower() > 0) {
+        s.gjk.hull.grow(Double.MIN_VALUE);
+        if (s.gjk.hull.lower() > 0) {
             return true;
         }
-        if (-s.hull.upper() > s.hull.error()) {
+        if (-s.gjk.hull.upper() > s.gjk.hull.error()) {
             return false; // the slab that GJK did not find
         }
         EXACT.count();
         ExactCylinders exact = new ExactCylinders(kindA, a, i, kindB, b, j);
-        if (exact.isApart(gjk.nx(), gjk.ny(), gjk.nz(), s.hull.x(), s.hull.y(), s.hull.z())) {
+        if (exact.isApart(gjk.nx(), gjk.ny(), gjk.nz(), s.gjk.hull.x(), s.gjk.hull.y(), s.gjk.hull.z())) {
             return false;
         }
         if (exact.haveInCommon(
@@ -84,7 +84,7 @@ public final class CylinderCylinder {
             return true;
         }
         // If bounds prove them apart, they are: otherwise an answer would depend on which tree was used.
-        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
+        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.leaf.boundsA, s.leaf.boundsB)) {
             return false;
         }
         s.uncertain = true;

@@ -1,11 +1,19 @@
 package robosim.geometry.narrow.overlap;
 
+import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
+import robosim.geometry.narrow.planar.PlanarScratch;
 import robosim.geometry.narrow.sat.SatScratch;
 
 /** The working memory of overlap tests. */
-public class OverlapScratch extends SatScratch {
+public final class OverlapScratch {
+    public final SatScratch sat;
+    public final GjkScratch gjk;
+    public final PlanarScratch planar;
+    public final LeafScratch leaf;
+
     /**
      * Whether a kernel has answered "touch" or 0 without a proof since this was last set to false.
      *
@@ -22,4 +30,11 @@ public class OverlapScratch extends SatScratch {
     public final double[] triangleC = new double[Leaf.STRIDE];
 
     public final double[] triangleD = new double[Leaf.STRIDE];
+
+    public OverlapScratch(SatScratch sat, GjkScratch gjk, PlanarScratch planar, LeafScratch leaf) {
+        this.sat = sat;
+        this.gjk = gjk;
+        this.planar = planar;
+        this.leaf = leaf;
+    }
 }

@@ -66,17 +66,17 @@ public final class PlanarOverlap {
     private static boolean polygons(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (!kindA.isBox() || !kindB.isBox()) {
-            return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
+            return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s.planar);
         }
         return kindB == LeafKind.UPRIGHT_BOX
-                ? RectangleRectangle.touch(a, i, b, j, s.fine)
-                : ZonogonZonogon.touch(kindA, a, i, kindB, b, j, s.fine);
+                ? RectangleRectangle.touch(a, i, b, j, s.planar.fine)
+                : ZonogonZonogon.touch(kindA, a, i, kindB, b, j, s.planar.fine);
     }
 
     private static boolean discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, OverlapScratch s) {
         return kind == LeafKind.UPRIGHT_BOX
-                ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j, s.fine)
-                : DiscPolygon.touch(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
+                ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j, s.planar.fine)
+                : DiscPolygon.touch(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s.planar);
     }
 
     private static boolean oval(
@@ -91,17 +91,17 @@ public final class PlanarOverlap {
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         double ox = PlanarShape.originX(kindA, a, i);
         double oz = PlanarShape.originZ(kindA, a, i);
-        s.planarA.set(kindA, a, i, ox, oz);
-        s.planarB.set(kindB, b, j, ox, oz);
-        s.planarBracket.find(s.planarA, s.planarB, true);
-        if (s.planarBracket.isApart()) {
+        s.planar.planarA.set(kindA, a, i, ox, oz);
+        s.planar.planarB.set(kindB, b, j, ox, oz);
+        s.planar.planarBracket.find(s.planar.planarA, s.planar.planarB, true);
+        if (s.planar.planarBracket.isApart()) {
             return false;
         }
         if (isDeep(kindA, a, i, kindB, b, j, s)) {
             return true;
         }
         // If bounds prove them apart, they are: otherwise an answer would depend on which tree was used.
-        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
+        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s.leaf.boundsA, s.leaf.boundsB)) {
             return false;
         }
         s.uncertain = true;
@@ -111,11 +111,11 @@ public final class PlanarOverlap {
     /** Whether the two certainly have a point in common, despite rounding. */
     private static boolean isDeep(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        s.gjk.planar(kindA, a, i, kindB, b, j);
-        if (s.gjk.isDeep()) {
+        s.gjk.pair.planar(kindA, a, i, kindB, b, j);
+        if (s.gjk.pair.isDeep()) {
             return true;
         }
-        s.hull.growPlanar(Double.MIN_VALUE);
-        return s.hull.lower() > 0;
+        s.gjk.hull.growPlanar(Double.MIN_VALUE);
+        return s.gjk.hull.lower() > 0;
     }
 }

@@ -47,7 +47,7 @@ public final class SpatialOverlap {
     private static boolean ordered(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (kindA.isPolytope() && kindB.isPolytope()) {
-            return s.polytopes.touch(kindA, a, i, kindB, b, j);
+            return s.sat.polytopes.touch(kindA, a, i, kindB, b, j);
         }
         if (kindA == LeafKind.SPHERE && kindB == LeafKind.SPHERE) {
             return spheres(a, i, b, j);
@@ -58,7 +58,7 @@ public final class SpatialOverlap {
         if (Filter.isDoubting() && !kindA.isEnclosure() && !kindB.isEnclosure()) {
             return exactly(kindA, a, i, kindB, b, j, s);
         }
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.gjk.pair;
         gjk.spatial(kindA, a, i, kindB, b, j);
         if (gjk.lower() > 0) {
             return false;

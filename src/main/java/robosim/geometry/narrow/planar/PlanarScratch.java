@@ -4,7 +4,9 @@ import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.narrow.leaf.LeafScratch;
 
 /** The working memory of planar kernels. */
-public class PlanarScratch extends LeafScratch {
+public final class PlanarScratch {
+    public final LeafScratch leaf;
+
     /** The projections of the two leaves of a planar query. */
     public final PlanarShape planarA = new PlanarShape();
 
@@ -19,4 +21,8 @@ public class PlanarScratch extends LeafScratch {
     public final double[] planarNormal = new double[3];
 
     public final double[] planarBounds = new double[6];
+
+    public PlanarScratch(LeafScratch leaf) {
+        this.leaf = leaf;
+    }
 }

@@ -39,7 +39,7 @@ public final class PlanarRay {
             case UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE ->
                 RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
-            case CYLINDER -> RayOval.distance(ox, oz, ux, uz, kind, b, j, s.planarB);
+            case CYLINDER -> RayOval.distance(ox, oz, ux, uz, kind, b, j, s.planar.planarB);
             case CAPSULE -> stadium(ox, oz, ux, uz, b, j, s);
             case BOX, TRIANGLE, PRISM -> RayPolygon.distance(ox, oz, ux, uz, kind, b, j, s);
             case MESH, SOLID_MESH, GRID -> throw kind.refused();

@@ -64,7 +64,7 @@ final class RayBox {
 
     static double inSlabs(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        RayInterval in = s.ray;
+        RayInterval in = s.interval;
         in.reset();
         int r = j + Leaf.ROTATION;
         double mx = ox - b[j];
@@ -162,7 +162,7 @@ final class RayBox {
 
     static double inUprightSlabs(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        RayInterval in = s.ray;
+        RayInterval in = s.interval;
         in.reset();
         if (!clipHeights(in, oy, b[j + 1], b[j + 4], dy)) {
             return Double.POSITIVE_INFINITY;

@@ -68,7 +68,7 @@ final class RayCylinder {
 
     static double inUprightBounds(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        RayInterval in = s.ray;
+        RayInterval in = s.interval;
         in.reset();
         if (!RayBox.clipHeights(in, oy, b[j + 1], b[j + 4], dy)) {
             return Double.POSITIVE_INFINITY;
@@ -187,7 +187,7 @@ final class RayCylinder {
         double mx = ox - b[j];
         double my = oy - b[j + 1];
         double mz = oz - b[j + 2];
-        RayInterval in = s.ray;
+        RayInterval in = s.interval;
         in.reset();
         // The heights: offset 1u, product 1u, sums 2u; the half height's product and the last difference 5u.
         double along = mx * ax + my * ay + mz * az;

@@ -24,7 +24,7 @@ final class RayPolygon {
 
     /** Distance in world units. Whether it hits is exact, except that octagons count as hit in doubtful cases. */
     static double distance(double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
-        PlanarShape q = s.planarB;
+        PlanarShape q = s.planar.planarB;
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);
         boolean isEnclosure = kind.isEnclosure();

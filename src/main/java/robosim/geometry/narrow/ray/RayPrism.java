@@ -21,7 +21,7 @@ final class RayPrism {
 
     static double distance(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        RayInterval in = s.ray;
+        RayInterval in = s.interval;
         in.reset();
         clip(in, b[j], b[j + 1], ox, 0, dx, 0, 0);
         clip(in, b[j + 2], b[j + 3], oz, 0, dz, 0, 1);

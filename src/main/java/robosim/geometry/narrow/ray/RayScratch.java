@@ -1,12 +1,24 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.DoubleDoubles;
+import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.overlap.OverlapScratch;
+import robosim.geometry.narrow.planar.PlanarScratch;
 
 /** The working memory of rays. */
-public class RayScratch extends OverlapScratch {
-    public final RayInterval ray = new RayInterval();
+public final class RayScratch {
+    public final OverlapScratch overlap;
+    public final PlanarScratch planar;
+    public final LeafScratch leaf;
+
+    public final RayInterval interval = new RayInterval();
     final PlainCylinderFace plainCylinder = new PlainCylinderFace();
     final DoubleDoubles capsuleEnds = new DoubleDoubles(RayCapsule.PAIRS_NEEDED);
     public final RayRefine refine = new RayRefine();
+
+    public RayScratch(OverlapScratch overlap, PlanarScratch planar, LeafScratch leaf) {
+        this.overlap = overlap;
+        this.planar = planar;
+        this.leaf = leaf;
+    }
 }

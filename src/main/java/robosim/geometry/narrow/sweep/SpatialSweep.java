@@ -32,7 +32,7 @@ public final class SpatialSweep {
             double[] b,
             int j,
             SweepScratch s) {
-        if (HeightIntervals.parts(kindA, a, i, dy, kindB, b, j, s)) {
+        if (HeightIntervals.parts(kindA, a, i, dy, kindB, b, j, s.overlap)) {
             return Double.POSITIVE_INFINITY;
         }
         if (kindA.isEnclosure() || kindB.isEnclosure()) {

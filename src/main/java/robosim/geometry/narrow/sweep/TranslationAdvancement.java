@@ -122,7 +122,8 @@ final class TranslationAdvancement {
     private static boolean isTouching(
             boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, SweepScratch s) {
         return isExact(planar, kindA, kindB)
-                && ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s);
+                && ConvexOverlap.test(
+                        planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.overlap);
     }
 
     /** Whether it is decided without rounding if two leaves touch. */
@@ -151,7 +152,7 @@ final class TranslationAdvancement {
             double[] b,
             int j,
             SweepScratch s) {
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.gjk.pair;
         double vy = planar ? 0 : dy;
         contact = false;
         isNear = false;
@@ -163,7 +164,7 @@ final class TranslationAdvancement {
         error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + AxisBody.TINY;
         double t = 0;
         for (int step = 0; step < MOST_STEPS; step++) {
-            s.work.take();
+            s.leaf.work.take();
             if (t > 1) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -230,7 +231,7 @@ final class TranslationAdvancement {
             int j,
             SweepScratch s) {
         contact = true;
-        Penetration ways = s.penetration();
+        Penetration ways = s.gjk.penetration();
         double depth = planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
         boolean isTouch = depth <= WORTH * error;
         return isAgainst(ways, isTouch, planar, kindA, a, i, dx, vy, dz, kindB, b, j) ? 0 : Double.POSITIVE_INFINITY;

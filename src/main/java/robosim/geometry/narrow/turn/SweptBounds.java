@@ -56,7 +56,7 @@ public final class SweptBounds {
         if (degrees == 0) {
             return;
         }
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
             extend(kind, row, at, px, py, pz, wx, wy, wz, degrees, out6, s);
             return;
@@ -133,7 +133,7 @@ public final class SweptBounds {
         if (degrees == 0) {
             return;
         }
-        UnderflowScaling m = s.scaling;
+        UnderflowScaling m = s.leaf.scaling;
         if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
             extendDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s);
             return;

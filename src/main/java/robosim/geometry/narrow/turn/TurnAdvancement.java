@@ -98,8 +98,8 @@ final class TurnAdvancement {
             double[] b,
             int j,
             TurnScratch s) {
-        Gjk gjk = s.gjk;
-        Penetration ways = s.penetration();
+        Gjk gjk = s.gjk.pair;
+        Penetration ways = s.gjk.penetration();
         double way = degrees < 0 ? -1 : 1;
         planar = inPlane;
         wx = way * axisX;
@@ -121,7 +121,7 @@ final class TurnAdvancement {
             t = fromContact(ways);
         }
         if (!isContact || t > 0) {
-            t = advance(kindA, a, i, px, py, pz, kindB, b, j, t, angle, depth, s);
+            t = advance(kindA, a, i, px, py, pz, kindB, b, j, t, angle, depth, s.gjk);
         }
         if (!TurningPolygon.covers(t, angle) && isNear && !(isContact && isTouching(kindA, a, i, kindB, b, j, s))) {
             double rising = fromNear(kindA, a, i, kindB, b, j);
@@ -130,7 +130,7 @@ final class TurnAdvancement {
             }
             if (t < STALLED) {
                 isPatient = true;
-                t = Math.max(t, advance(kindA, a, i, px, py, pz, kindB, b, j, Math.max(t, rising), angle, 0, s));
+                t = Math.max(t, advance(kindA, a, i, px, py, pz, kindB, b, j, Math.max(t, rising), angle, 0, s.gjk));
                 isPatient = false;
             }
         }
@@ -152,13 +152,13 @@ final class TurnAdvancement {
             double angle,
             double depth,
             GjkScratch s) {
-        Gjk gjk = s.gjk;
+        Gjk gjk = s.pair;
         Penetration ways = s.penetration();
         LeafKind kind = MovedLeaf.turnedKind(kindA);
         double t = from;
         double widest = 0;
         for (steps = 0; steps < MOST_STEPS; steps++) {
-            s.work.take();
+            s.leaf.work.take();
             if (TurningPolygon.covers(t, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -204,8 +204,9 @@ final class TurnAdvancement {
     private boolean isTouching(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, TurnScratch s) {
         return kindA.isEnclosure()
                 || kindB.isEnclosure()
-                || (ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s)
-                        && !s.uncertain);
+                || (ConvexOverlap.test(
+                                planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.overlap)
+                        && !s.overlap.uncertain);
     }
 
     /**

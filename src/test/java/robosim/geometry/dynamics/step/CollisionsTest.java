@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
-import robosim.geometry.engine.motion.Carrier;
+import robosim.geometry.engine.World;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -29,8 +29,8 @@ class CollisionsTest {
         for (int run = 0; run < 60; run++) {
             int count = random.nextInt(2, 10);
             Geometry world = new Geometry(3, 2, 3, Dimension.PLANAR, Accuracy.EXACT);
-            PlanarStepper stepper = new PlanarStepper(world, 3, 3);
-            Carrier carrier = Carrier.of(world);
+            PlanarStepper stepper = new PlanarStepper(world.engine());
+            World engine = world.engine();
             double speed = Math.pow(10, random.nextDouble(-3, 4));
             int bodies = 0;
             for (int k = 0; k < count; k++) {
@@ -39,7 +39,7 @@ class CollisionsTest {
                         ? new CylinderObject(c, 0.2, 1)
                         : new BoxObject(c, 0.5, 1, 0.2).turned(0, random.nextDouble(90));
                 if (world.addObject(shape.moveable("b" + k))) {
-                    stepper.add(carrier.mover("b" + k), 1, 0.02);
+                    stepper.add(engine.mover("b" + k), 1, 0.02);
                     bodies++;
                 }
             }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
-import robosim.geometry.engine.motion.Carrier;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.ObjectGroup;
@@ -26,7 +25,7 @@ class ContactLogTest {
         world.addObject(new ObjectGroup(List.of(box)).named("room"));
         world.addObject(box.movedTo(new Point(9, 0, 0)).named("pole"));
         world.addObject(new SphereObject(new Point(0, 0, 0), 1).moveable("ball"));
-        objects = Carrier.of(world).objects;
+        objects = world.engine().objects;
         ball = objects.find("ball");
         room = objects.find("room");
         pole = objects.find("pole");

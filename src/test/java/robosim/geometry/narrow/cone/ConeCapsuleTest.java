@@ -73,7 +73,7 @@ class ConeCapsuleTest {
                     radius = new BigDecimal(row[3]);
                 }
             }
-            if (SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch) < 1e300) {
+            if (SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray) < 1e300) {
                 continue; // the axis meets it, or starts in it: as exactly as for the ray
             }
             BigDecimal[] least = least(true);
@@ -246,7 +246,7 @@ class ConeCapsuleTest {
     private double cone(double[] o, double[] d, double cosine, LeafKind kind, double[] row) {
         double sine = Math.sqrt((1 - cosine) * (1 + cosine));
         return SpatialCone.distance(
-                o[0], o[1], o[2], d[0], d[1], d[2], cosine, sine, kind, row, 0, Double.POSITIVE_INFINITY, scratch);
+                o[0], o[1], o[2], d[0], d[1], d[2], cosine, sine, kind, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
     }
 
     private void take(double[] o, double[] d, double cosine, LeafKind kind, double[] row) {

@@ -94,7 +94,7 @@ class PlainConeBoxTest {
 
     private void compare(LeafKind kind, double[] row, double[] o, double[] d, double cos, SplittableRandom random) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
-        double all = SpatialCone.all(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch);
+        double all = SpatialCone.all(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch.cone);
         double near = near(o, d, cos, sin, kind, row, Double.POSITIVE_INFINITY);
         if (Double.doubleToLongBits(near) != Double.doubleToLongBits(all)) {
             assertThat(near).as(name(kind, row, o, d, cos)).isEqualTo(all);
@@ -116,7 +116,7 @@ class PlainConeBoxTest {
     }
 
     private double near(double[] o, double[] d, double cos, double sin, LeafKind kind, double[] row, double limit) {
-        return SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, limit, scratch);
+        return SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, limit, scratch.cone);
     }
 
     private void count(double[] o, double[] d, double cos, double[] row) {

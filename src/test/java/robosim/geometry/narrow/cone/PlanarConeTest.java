@@ -42,7 +42,7 @@ class PlanarConeTest {
                 row,
                 0,
                 Double.POSITIVE_INFINITY,
-                scratch);
+                scratch.cone);
     }
 
     private static boolean isCurved(LeafKind kind) {
@@ -105,7 +105,7 @@ class PlanarConeTest {
                 double at = aim - half + 2 * half * n / 400;
                 least = Math.min(
                         least,
-                        PlanarRay.distance(ox, oz, StrictMath.cos(at), StrictMath.sin(at), kind, row, 0, scratch));
+                        PlanarRay.distance(ox, oz, StrictMath.cos(at), StrictMath.sin(at), kind, row, 0, scratch.ray));
             }
             String text = PlanarRayTest.text(ox, oz, aim, half, kind, row);
             assertThat(distance).as(text).isLessThanOrEqualTo(least + 1e-12);
@@ -169,7 +169,7 @@ class PlanarConeTest {
                 row[corner] += times * dx;
                 row[corner + 2] += times * dz;
             }
-            double axis = PlanarRay.distance(0, 0, dx, dz, kind, row, 0, scratch);
+            double axis = PlanarRay.distance(0, 0, dx, dz, kind, row, 0, scratch.ray);
             for (double half : new double[] {1e-3, 1e-9, 1e-15, 1e-200}) {
                 double heard = PlanarCone.distance(
                         0,
@@ -182,7 +182,7 @@ class PlanarConeTest {
                         row,
                         0,
                         Double.POSITIVE_INFINITY,
-                        scratch);
+                        scratch.cone);
                 assertThat(heard)
                         .as("kind %s along (%s, %s), half angle %s: %s", kind, dx, dz, half, Arrays.toString(row))
                         .isLessThanOrEqualTo(axis * (1 + 0x1p-48));
@@ -219,7 +219,7 @@ class PlanarConeTest {
         // 3, 4, 5: the nearest corner is on an edge of the sector, but for the rounding of the cosine, which decides
         double[] far = triangle(4, 3, 5, 8, 0, 9);
         assertThat(PlanarCone.distance(
-                        0, 0, 1, 0, 0.8, 0.6, LeafKind.TRIANGLE, far, 0, Double.POSITIVE_INFINITY, scratch))
+                        0, 0, 1, 0, 0.8, 0.6, LeafKind.TRIANGLE, far, 0, Double.POSITIVE_INFINITY, scratch.cone))
                 .isInfinite(); // 0.8 is stored as a little more
         assertThat(PlanarCone.distance(
                         0,
@@ -232,7 +232,7 @@ class PlanarConeTest {
                         far,
                         0,
                         Double.POSITIVE_INFINITY,
-                        scratch))
+                        scratch.cone))
                 .isBetween(5 - 1e-15, 5 + 1e-15);
     }
 
@@ -269,7 +269,7 @@ class PlanarConeTest {
                 box,
                 0,
                 Double.POSITIVE_INFINITY,
-                scratch);
+                scratch.cone);
         double corner = 2.756099438844037991918081911386361370588574992677922998494749844508841E-11;
         assertThat(distance).isBetween(corner - 8 * Math.ulp(corner), corner + 8 * Math.ulp(corner));
     }

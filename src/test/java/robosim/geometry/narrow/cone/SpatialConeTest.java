@@ -298,7 +298,7 @@ class SpatialConeTest {
                         rows[i % 9],
                         0,
                         Double.POSITIVE_INFINITY,
-                        scratch);
+                        scratch.cone);
             }
             assertThat(sum).isBetween(10_000.0, 200_000.0);
         });
@@ -306,13 +306,13 @@ class SpatialConeTest {
     }
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
-        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
+        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
     }
 
     private double cone(double[] o, double[] d, double cos, LeafKind kind, double[] row) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         return SpatialCone.distance(
-                o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch);
+                o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
     }
 
     /** Random rays in the cone, the best of them led on by ever smaller steps. */

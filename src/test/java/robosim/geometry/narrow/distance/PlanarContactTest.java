@@ -17,7 +17,7 @@ class PlanarContactTest {
 
     private double[] between(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double[] out = new double[6];
-        PlanarContact.between(kindA, a, 0, kindB, b, 0, out, scratch);
+        PlanarContact.between(kindA, a, 0, kindB, b, 0, out, scratch.distance);
         return out;
     }
 

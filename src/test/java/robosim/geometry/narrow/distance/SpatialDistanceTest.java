@@ -44,13 +44,13 @@ class SpatialDistanceTest {
 
     private boolean check(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-        boolean touch = SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch);
-        double distance = SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch);
+        boolean touch = SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
+        double distance = SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
         double twin = Projections.distance(kindA, a, kindB, b, 1000);
-        assertThat(SpatialOverlap.test(kindB, b, 0, kindA, a, 0, scratch))
+        assertThat(SpatialOverlap.test(kindB, b, 0, kindA, a, 0, scratch.overlap))
                 .as(pair)
                 .isEqualTo(touch);
-        assertThat(SpatialDistance.between(kindB, b, 0, kindA, a, 0, scratch))
+        assertThat(SpatialDistance.between(kindB, b, 0, kindA, a, 0, scratch.distance))
                 .as(pair)
                 .isEqualTo(distance);
         assertThat(distance == 0).as(pair).isEqualTo(touch);
@@ -62,9 +62,9 @@ class SpatialDistanceTest {
     /** The normal separates: moved along it by the depth (and a little) the two are apart, by less still touching. */
     private void leaves(
             String pair, boolean touch, double distance, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
-        double depth = scratch.penetration().spatial(kindA, a, 0, kindB, b, 0);
+        double depth = scratch.gjk.penetration().spatial(kindA, a, 0, kindB, b, 0);
         double[] contact = new double[6];
-        SpatialContact.between(kindA, a, 0, kindB, b, 0, contact, scratch);
+        SpatialContact.between(kindA, a, 0, kindB, b, 0, contact, scratch.distance);
         double length = Math.sqrt(contact[3] * contact[3] + contact[4] * contact[4] + contact[5] * contact[5]);
         assertThat(length).as(pair).isCloseTo(1, within(1e-14));
         double slack = 1e-9 + distance;
@@ -75,11 +75,11 @@ class SpatialDistanceTest {
             return;
         }
         double[] moved = shifted(kindA, a, contact, depth + 1e-9);
-        assertThat(SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch))
+        assertThat(SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
                 .as(pair)
                 .isFalse();
         moved = shifted(kindA, a, contact, depth - 1e-6);
-        assertThat(depth < 1e-6 || SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch))
+        assertThat(depth < 1e-6 || SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
                 .as(pair)
                 .isTrue();
         SplittableRandom random = new SplittableRandom(Arrays.hashCode(a));
@@ -90,7 +90,7 @@ class SpatialDistanceTest {
             double z = random.nextDouble(-1, 1);
             double r = Math.sqrt(x * x + y * y + z * z);
             moved = shifted(kindA, a, new double[] {0, 0, 0, x / r, y / r, z / r}, depth * 0.999 - 1e-9);
-            assertThat(depth < 1e-6 || SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch))
+            assertThat(depth < 1e-6 || SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
                     .as(pair + " depth " + depth)
                     .isTrue();
         }
@@ -116,9 +116,10 @@ class SpatialDistanceTest {
         double[] a = Rows.box(0, 0, 0, 0.5, 0.5, 0.5, Rows.identity());
         for (double away : new double[] {4, 100}) {
             double[] b = Rows.box(0, away, 0, 0.5, 0.5, 0.5, Rows.identity());
-            assertThat(SpatialDistance.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, scratch))
+            assertThat(SpatialDistance.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, scratch.distance))
                     .isEqualTo(away - 1);
-            assertThat(SpatialDistance.between(LeafKind.UPRIGHT_BOX, a, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch))
+            assertThat(SpatialDistance.between(
+                            LeafKind.UPRIGHT_BOX, a, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch.distance))
                     .isEqualTo(away - 1);
         }
     }
@@ -127,7 +128,7 @@ class SpatialDistanceTest {
     void boxIsApartFromCylinder() { // FCL #319 threw
         double[] box = Rows.box(0.8, -0.385, 0.735, 0.025, 0.195, 0.735, new double[] {0, -1, 0, 1, 0, 0, 0, 0, 1});
         double[] cylinder = Rows.cylinder(0.4, -0.4, 0.93, 0.18, 0.09, new double[] {1, 0, 0, 0, 0, -1, 0, 1, 0});
-        assertThat(SpatialDistance.between(LeafKind.BOX, box, 0, LeafKind.CYLINDER, cylinder, 0, scratch))
+        assertThat(SpatialDistance.between(LeafKind.BOX, box, 0, LeafKind.CYLINDER, cylinder, 0, scratch.distance))
                 .isCloseTo(0.025, within(1e-12));
     }
 
@@ -135,7 +136,7 @@ class SpatialDistanceTest {
     void cylinderIsInBoxByItsRadius() { // ncollide #157 had no contact
         double[] cylinder = Rows.cylinder(10.97, 0.925, 61.02, 0.5, 0.925, Rows.identity());
         double[] box = Rows.box(11.5, 0.75, 60.5, 0.05, 0.75, 0.5, Rows.identity());
-        assertThat(scratch.penetration().spatial(LeafKind.CYLINDER, cylinder, 0, LeafKind.BOX, box, 0))
+        assertThat(scratch.gjk.penetration().spatial(LeafKind.CYLINDER, cylinder, 0, LeafKind.BOX, box, 0))
                 .isCloseTo(0.5 - Math.hypot(0.48, 0.02), within(1e-9));
     }
 
@@ -144,8 +145,8 @@ class SpatialDistanceTest {
         double[] a = Rows.box(0, 0, 0, 1, 1, 1, Rows.identity());
         double[] b = Rows.box(0, 0, 1.9, 1, 1, 1, Rows.identity());
         double[] contact = new double[6];
-        SpatialContact.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, contact, scratch);
-        assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        SpatialContact.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, contact, scratch.distance);
+        assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isCloseTo(0.1, within(1e-15));
         assertThat(new double[] {contact[3], contact[4], contact[5]}).containsExactly(0, 0, -1);
         assertThat(contact[2]).isBetween(0.9, 1.0);
@@ -156,7 +157,7 @@ class SpatialDistanceTest {
         for (double z : new double[] {0.5, 1}) {
             double[] a = Rows.box(0.5, 0.5, z, 0.5, 0.5, z, Rows.identity());
             double[] b = Rows.box(0.5, 0.9, z, 0.5, 0.1, z, Rows.identity());
-            assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+            assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                     .isCloseTo(0.2, within(1e-15));
         }
     }
@@ -166,7 +167,7 @@ class SpatialDistanceTest {
         double[] big = Rows.box(0, 0, 0, 2.5, 2.5, 2.5, Rows.identity());
         double[] small = Rows.box(1, 2.59, 1, 0.1, 0.1, 0.1, Rows.identity());
         double[] contact = new double[6];
-        SpatialContact.between(LeafKind.BOX, small, 0, LeafKind.BOX, big, 0, contact, scratch);
+        SpatialContact.between(LeafKind.BOX, small, 0, LeafKind.BOX, big, 0, contact, scratch.distance);
         assertThat(contact[0]).isBetween(0.9, 1.1);
         assertThat(contact[1]).isBetween(2.49, 2.5);
         assertThat(contact[2]).isBetween(0.9, 1.1);
@@ -177,32 +178,32 @@ class SpatialDistanceTest {
     void allTiesAreTold() {
         double[] a = Rows.box(0, 0, 0, 1, 1, 1, Rows.identity());
         double[] b = Rows.box(2, 2, 0, 1, 1, 1, Rows.identity()); // along an edge
-        assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isZero();
-        assertThat(scratch.penetration().count()).isEqualTo(2);
+        assertThat(scratch.gjk.penetration().count()).isEqualTo(2);
         b[2] = 2; // at a corner
-        assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isZero();
-        assertThat(scratch.penetration().count()).isEqualTo(3);
-        assertThat(scratch.penetration().planar(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        assertThat(scratch.gjk.penetration().count()).isEqualTo(3);
+        assertThat(scratch.gjk.penetration().planar(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isZero();
-        assertThat(scratch.penetration().count()).isEqualTo(2);
+        assertThat(scratch.gjk.penetration().count()).isEqualTo(2);
         double[] ball = Rows.sphere(0, 0, 0, 0.5); // in the middle
-        assertThat(scratch.penetration().spatial(LeafKind.SPHERE, ball, 0, LeafKind.BOX, a, 0))
+        assertThat(scratch.gjk.penetration().spatial(LeafKind.SPHERE, ball, 0, LeafKind.BOX, a, 0))
                 .isEqualTo(1.5);
-        assertThat(scratch.penetration().count()).isEqualTo(6);
+        assertThat(scratch.gjk.penetration().count()).isEqualTo(6);
     }
 
     @Test
     void standingCylindersPushEachOtherAlongTheirCentres() {
         double[] a = Rows.cylinder(0, 0, 0, 3, 5, Rows.identity());
         double[] b = Rows.cylinder(3, 1, 4, 2, 5, Rows.identity());
-        assertThat(scratch.penetration().spatial(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.UPRIGHT_CYLINDER, b, 0))
+        assertThat(scratch.gjk.penetration().spatial(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.UPRIGHT_CYLINDER, b, 0))
                 .isCloseTo(0, within(1e-14));
-        assertThat(scratch.penetration().count()).isEqualTo(1);
-        assertThat(scratch.penetration().nx(0)).isEqualTo(-0.6);
-        assertThat(scratch.penetration().ny(0)).isZero();
-        assertThat(scratch.penetration().nz(0)).isEqualTo(-0.8);
+        assertThat(scratch.gjk.penetration().count()).isEqualTo(1);
+        assertThat(scratch.gjk.penetration().nx(0)).isEqualTo(-0.6);
+        assertThat(scratch.gjk.penetration().ny(0)).isZero();
+        assertThat(scratch.gjk.penetration().nz(0)).isEqualTo(-0.8);
     }
 
     /** In the plane too no direction of a ring gets a out sooner, and the one told does. */
@@ -215,7 +216,7 @@ class SpatialDistanceTest {
                 for (int n = 0; n < 60; n++) {
                     double[] a = Rows.random(kindA, random, 1);
                     double[] b = Rows.random(kindB, random, 1);
-                    double depth = scratch.penetration().planar(kindA, a, 0, kindB, b, 0);
+                    double depth = scratch.gjk.penetration().planar(kindA, a, 0, kindB, b, 0);
                     if (depth < 1e-6) {
                         continue;
                     }
@@ -225,19 +226,19 @@ class SpatialDistanceTest {
                         0,
                         0,
                         0,
-                        scratch.penetration().nx(0),
+                        scratch.gjk.penetration().nx(0),
                         0,
-                        scratch.penetration().nz(0)
+                        scratch.gjk.penetration().nz(0)
                     };
                     double[] moved = shifted(kindA, a, way, depth + 1e-9);
-                    assertThat(PlanarOverlap.test(kindA, moved, 0, kindB, b, 0, scratch))
+                    assertThat(PlanarOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
                             .as(pair)
                             .isFalse();
                     for (int k = 0; k < 64; k++) {
                         double t = k * Math.PI / 32;
                         way = new double[] {0, 0, 0, Math.cos(t), 0, Math.sin(t)};
                         moved = shifted(kindA, a, way, depth * 0.9999);
-                        assertThat(PlanarOverlap.test(kindA, moved, 0, kindB, b, 0, scratch))
+                        assertThat(PlanarOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
                                 .as(pair)
                                 .isTrue();
                     }
@@ -264,8 +265,8 @@ class SpatialDistanceTest {
                 if (k / 2 == m / 2) {
                     continue; // a leaf with itself may need exact numbers
                 }
-                sum[0] += SpatialDistance.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, scratch);
-                SpatialContact.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, contact, scratch);
+                sum[0] += SpatialDistance.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, scratch.distance);
+                SpatialContact.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, contact, scratch.distance);
                 sum[0] += contact[0];
             }
         });

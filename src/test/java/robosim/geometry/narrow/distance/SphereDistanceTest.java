@@ -38,8 +38,8 @@ class SphereDistanceTest {
             }
             BigDecimal truth = core.subtract(new BigDecimal(ball[3]));
             String pair = Arrays.toString(ball) + " with " + kind + " " + Arrays.toString(row) + " truth " + truth;
-            double answer = SpatialDistance.between(kind, row, 0, LeafKind.SPHERE, ball, 0, scratch);
-            assertThat(SpatialDistance.between(LeafKind.SPHERE, ball, 0, kind, row, 0, scratch))
+            double answer = SpatialDistance.between(kind, row, 0, LeafKind.SPHERE, ball, 0, scratch.distance);
+            assertThat(SpatialDistance.between(LeafKind.SPHERE, ball, 0, kind, row, 0, scratch.distance))
                     .as(pair)
                     .isEqualTo(answer);
             if (truth.signum() <= 0) {

@@ -36,11 +36,11 @@ class HullOverlapTest {
                         level(kindB, b);
                     }
                     String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-                    boolean isDeep = ConvexOverlap.isDeep(dimension, kindA, a, 0, kindB, b, 0, s);
-                    boolean overlap = ConvexOverlap.test(dimension, kindA, a, 0, kindB, b, 0, s);
+                    boolean isDeep = ConvexOverlap.isDeep(dimension, kindA, a, 0, kindB, b, 0, s.overlap);
+                    boolean overlap = ConvexOverlap.test(dimension, kindA, a, 0, kindB, b, 0, s.overlap);
                     assertThat(overlap || !isDeep).as(pair).isTrue();
                     if (isDeep) {
-                        assertThat(ConvexOverlap.test(dimension, kindA, apart(kindA, a, b), 0, kindB, b, 0, s))
+                        assertThat(ConvexOverlap.test(dimension, kindA, apart(kindA, a, b), 0, kindB, b, 0, s.overlap))
                                 .as(pair)
                                 .isTrue();
                     }
@@ -68,8 +68,9 @@ class HullOverlapTest {
             } else {
                 b[0] = a[3] + b[3];
             }
-            assertThat(ConvexOverlap.test(dimension, kind, a, 0, kind, b, 0, s)).isTrue();
-            assertThat(ConvexOverlap.isDeep(dimension, kind, a, 0, kind, b, 0, s))
+            assertThat(ConvexOverlap.test(dimension, kind, a, 0, kind, b, 0, s.overlap))
+                    .isTrue();
+            assertThat(ConvexOverlap.isDeep(dimension, kind, a, 0, kind, b, 0, s.overlap))
                     .as(Arrays.toString(a) + Arrays.toString(b))
                     .isFalse();
         }

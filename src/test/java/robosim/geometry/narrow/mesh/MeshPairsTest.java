@@ -62,7 +62,7 @@ class MeshPairsTest {
                 return false;
             }
         }
-        return SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch);
+        return SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch.overlap);
     }
 
     private static double least(double[] t, int axis) {

@@ -184,10 +184,19 @@ class MeshRayTest {
         double largest = VectorMath.largest(ray[0], ray[1], ray[2]);
         if (!m.take(Dimension.SPATIAL, largest, LeafKind.TRIANGLE, row, 0)) {
             return SpatialRay.distance(
-                    ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], LeafKind.TRIANGLE, row, 0, scratch);
+                    ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], LeafKind.TRIANGLE, row, 0, scratch.ray);
         }
         return m.down(SpatialRay.distance(
-                m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), ray[3], ray[4], ray[5], LeafKind.TRIANGLE, m.a, 0, scratch));
+                m.up(ray[0]),
+                m.up(ray[1]),
+                m.up(ray[2]),
+                ray[3],
+                ray[4],
+                ray[5],
+                LeafKind.TRIANGLE,
+                m.a,
+                0,
+                scratch.ray));
     }
 
     static double[][] rows(LeafColumn column) {

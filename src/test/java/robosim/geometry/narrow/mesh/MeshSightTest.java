@@ -152,11 +152,11 @@ class MeshSightTest {
         double dz = cast.way(2);
         if (dimension == Dimension.SPATIAL) {
             return SpatialCone.distance(
-                    x, y, z, dx, dy, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch);
+                    x, y, z, dx, dy, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
         }
         return isCone
                 ? PlanarCone.distance(
-                        x, z, dx, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch)
-                : PlanarRay.distance(x, z, dx, dz, LeafKind.TRIANGLE, row, 0, scratch);
+                        x, z, dx, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch.cone)
+                : PlanarRay.distance(x, z, dx, dz, LeafKind.TRIANGLE, row, 0, scratch.ray);
     }
 }

@@ -52,7 +52,7 @@ class NearestPairsTest {
     void stepsAllocateNothingOnceTheQueueHasGrown() {
         LeafColumn a = LocalLeaves.placed(crowd(500, 1).turned(10, 20));
         LeafColumn b = LocalLeaves.placed(crowd(500, 2).movedTo(new Point(2.9, 0.2, 0.1)));
-        NearestPairs pairs = new NearestPairs(new Scratch());
+        NearestPairs pairs = new NearestPairs(new Scratch().overlap);
         long steps = steps(pairs, a, b);
         assertThat(pairs.touches()).isFalse();
         assertThat(steps).isGreaterThan(100);
@@ -63,7 +63,7 @@ class NearestPairsTest {
     void findingContactsAllocatesNothingOnceThereIsRoom() {
         LeafColumn a = LocalLeaves.placed(crowd(500, 3).turned(10, 20));
         LeafColumn b = LocalLeaves.placed(crowd(500, 4).movedTo(new Point(1, 0.2, 0.1)));
-        ContactPairs pairs = new ContactPairs(new Scratch());
+        ContactPairs pairs = new ContactPairs(new Scratch().distance);
         pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE);
         assertThat(pairs.count()).isGreaterThan(50);
         assertThat(Allocated.everyTime(() -> pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE)))
@@ -76,7 +76,7 @@ class NearestPairsTest {
         MeshObject second = crowd(150, 6).movedTo(new Point(0.5, 0.2, 0.1));
         LeafColumn a = LocalLeaves.placed(first);
         LeafColumn b = LocalLeaves.placed(second);
-        ContactPairs pairs = new ContactPairs(new Scratch());
+        ContactPairs pairs = new ContactPairs(new Scratch().distance);
         pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE);
         List<String> found = new ArrayList<>();
         for (int k = 0; k < pairs.count(); k++) {
@@ -88,12 +88,12 @@ class NearestPairsTest {
         double[] q = new double[Leaf.STRIDE];
         for (int t = 0; t < 150; t++) {
             for (int u = 0; u < 150; u++) {
-                scratch.outer.open(a, 0);
-                scratch.outer.corners(t, p, 0);
-                scratch.inner.open(b, 0);
-                scratch.inner.corners(u, q, 0);
-                if (SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch)) {
-                    truth.add(scratch.outer.triangle(t) + " " + scratch.inner.triangle(u));
+                scratch.leaf.outer.open(a, 0);
+                scratch.leaf.outer.corners(t, p, 0);
+                scratch.leaf.inner.open(b, 0);
+                scratch.leaf.inner.corners(u, q, 0);
+                if (SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch.overlap)) {
+                    truth.add(scratch.leaf.outer.triangle(t) + " " + scratch.leaf.inner.triangle(u));
                 }
             }
         }

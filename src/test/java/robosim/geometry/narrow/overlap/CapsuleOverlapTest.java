@@ -153,13 +153,13 @@ class CapsuleOverlapTest {
         if (two.kind(0).isMesh() || one.kind(0).isMesh()) {
             return robosim.geometry.collision.CollisionDetection.intersects(a, b);
         }
-        return SpatialOverlap.test(one.kind(0), one.rows(), 0, two.kind(0), two.rows(), 0, scratch);
+        return SpatialOverlap.test(one.kind(0), one.rows(), 0, two.kind(0), two.rows(), 0, scratch.overlap);
     }
 
     private double distance(GeometryObject a, GeometryObject b) {
         LeafColumn one = leaf(a);
         LeafColumn two = leaf(b);
-        return SpatialDistance.between(one.kind(0), one.rows(), 0, two.kind(0), two.rows(), 0, scratch);
+        return SpatialDistance.between(one.kind(0), one.rows(), 0, two.kind(0), two.rows(), 0, scratch.distance);
     }
 
     private static LeafColumn leaf(GeometryObject object) {

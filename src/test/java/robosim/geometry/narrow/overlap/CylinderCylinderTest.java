@@ -50,10 +50,10 @@ class CylinderCylinderTest {
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b) + " gap " + width + " along "
                     + Arrays.toString(direction);
             double bound = 0x1p-40 * scale;
-            scratch.uncertain = false;
-            boolean answer = SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch);
-            boolean certain = !scratch.uncertain;
-            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch))
+            scratch.overlap.uncertain = false;
+            boolean answer = SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch.overlap);
+            boolean certain = !scratch.overlap.uncertain;
+            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch.overlap))
                     .as(pair + " swapped")
                     .isEqualTo(answer);
             if (isApart) {
@@ -68,7 +68,8 @@ class CylinderCylinderTest {
             }
             if (!certain) {
                 // Apart or in each other by less than the bound, along the direction that it tells.
-                BigDecimal[] told = CylinderTwin.decimals(scratch.hull.x(), scratch.hull.y(), scratch.hull.z());
+                BigDecimal[] told =
+                        CylinderTwin.decimals(scratch.gjk.hull.x(), scratch.gjk.hull.y(), scratch.gjk.hull.z());
                 double along = Math.max(
                         p.gap(q, told).doubleValue(),
                         p.gap(q, CylinderTwin.negate(told)).doubleValue());
@@ -110,8 +111,8 @@ class CylinderCylinderTest {
                     ? CylinderTwin.root(CylinderTwin.dot(way, way)).doubleValue()
                     : least * (1 + 0x1p-30);
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b) + " gap " + least;
-            double answer = SpatialDistance.between(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch);
-            assertThat(SpatialDistance.between(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch))
+            double answer = SpatialDistance.between(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch.distance);
+            assertThat(SpatialDistance.between(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch.distance))
                     .as(pair)
                     .isEqualTo(answer);
             assertThat(answer).as(pair).isLessThanOrEqualTo(most * (1 + 0x1p-52));
@@ -236,14 +237,14 @@ class CylinderCylinderTest {
             touching += truth ? 1 : 0;
             apart += truth ? 0 : 1;
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b);
-            scratch.uncertain = false;
-            assertThat(SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch))
+            scratch.overlap.uncertain = false;
+            assertThat(SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch.overlap))
                     .as(pair)
                     .isEqualTo(truth);
-            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch))
+            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch.overlap))
                     .as(pair)
                     .isEqualTo(truth);
-            assertThat(scratch.uncertain).as(pair).isFalse();
+            assertThat(scratch.overlap.uncertain).as(pair).isFalse();
         }
         assertThat(touching).isGreaterThan(700);
         assertThat(apart).isGreaterThan(400);
@@ -273,7 +274,7 @@ class CylinderCylinderTest {
             b[n % 3] += random.nextInt(-2, 3) * Math.ulp(b[n % 3]);
             boolean truth = exactlyParallel(LeafKind.CYLINDER, a, b);
             touching += truth ? 1 : 0;
-            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0, scratch))
+            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0, scratch.overlap))
                     .as(Arrays.toString(a) + " with " + Arrays.toString(b))
                     .isEqualTo(truth);
         }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Kernels ask about overlaps of leaves that are scaled up already, but may still be small beside the rest of the query. */
@@ -12,14 +13,16 @@ class ScaledOvalsTest {
     void anOverlapLeavesWhatIsScaledUpAsItIs() {
         double unit = 0x1p-500;
         double[] row = {unit, 0, 0, unit, 2 * unit, 0, 0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1, 0};
-        OverlapScratch s = new OverlapScratch();
-        assertThat(s.scaling.take(Dimension.PLANAR, 0x1p-300, LeafKind.CYLINDER, row, 0, LeafKind.CYLINDER, row, 0))
+        OverlapScratch s = new Scratch().overlap;
+        assertThat(s.leaf.scaling.take(
+                        Dimension.PLANAR, 0x1p-300, LeafKind.CYLINDER, row, 0, LeafKind.CYLINDER, row, 0))
                 .isTrue();
-        double[] before = s.scaling.a.clone();
-        double length = s.scaling.up(0x1p-300);
-        assertThat(PlanarOverlap.test(LeafKind.CYLINDER, s.scaling.a, 0, LeafKind.CYLINDER, s.scaling.b, 0, s))
+        double[] before = s.leaf.scaling.a.clone();
+        double length = s.leaf.scaling.up(0x1p-300);
+        assertThat(PlanarOverlap.test(
+                        LeafKind.CYLINDER, s.leaf.scaling.a, 0, LeafKind.CYLINDER, s.leaf.scaling.b, 0, s))
                 .isTrue();
-        assertThat(s.scaling.a).isEqualTo(before);
-        assertThat(s.scaling.up(0x1p-300)).isEqualTo(length);
+        assertThat(s.leaf.scaling.a).isEqualTo(before);
+        assertThat(s.leaf.scaling.up(0x1p-300)).isEqualTo(length);
     }
 }

@@ -61,7 +61,7 @@ class DoubleDoubleOverlapTest {
     }
 
     private BigDecimal value() {
-        return new BigDecimal(scratch.fine.value.hi).add(new BigDecimal(scratch.fine.value.lo));
+        return new BigDecimal(scratch.planar.fine.value.hi).add(new BigDecimal(scratch.planar.fine.value.lo));
     }
 
     private static double offset(double[] a, double[] b) {
@@ -77,7 +77,7 @@ class DoubleDoubleOverlapTest {
             double[] b = rows.row(k % 3 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX, k % 5 == 0 ? 1e6 : 1, 1);
             double gx = a[6];
             double gz = a[12];
-            int side = scratch.fine.along(gx, gz, a, 0, b, 0);
+            int side = scratch.planar.fine.along(gx, gz, a, 0, b, 0);
             BigDecimal truth = gapAlong(gx, gz, a, b);
             double sizes = offset(a, b) + a[3] + a[4] + a[5] + b[3] + b[4] + b[5];
             double error = value().subtract(truth).doubleValue();
@@ -93,7 +93,7 @@ class DoubleDoubleOverlapTest {
         for (int k = 0; k < Effort.cases(20_000); k++) {
             double[] disc = rows.row(LeafKind.SPHERE, k % 5 == 0 ? 1e6 : 1, 1);
             double[] box = rows.row(LeafKind.UPRIGHT_BOX, 1, 1);
-            int side = scratch.fine.discRectangle(disc[0], disc[2], disc[3], box, 0);
+            int side = scratch.planar.fine.discRectangle(disc[0], disc[2], disc[3], box, 0);
             BigDecimal truth = squaresOfDisc(disc, box);
             double error = value().subtract(truth).doubleValue();
             worst = Math.max(worst, Math.abs(error) / boundOfSquares(disc, box, truth.doubleValue()));
@@ -124,7 +124,7 @@ class DoubleDoubleOverlapTest {
             double out = b[0] + 8 * factor;
             while (Math.nextUp(in) < out) {
                 b[0] = in + (out - in) / 2;
-                if (PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch)) {
+                if (PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap)) {
                     in = b[0];
                 } else {
                     out = b[0];
@@ -132,7 +132,7 @@ class DoubleDoubleOverlapTest {
             }
             for (int step = -1; step <= 2; step++) {
                 b[0] = in + step * Math.ulp(in);
-                boolean touches = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch);
+                boolean touches = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
                 boolean truth =
                         PlanarReference.overlap(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
                 assertThat(touches)

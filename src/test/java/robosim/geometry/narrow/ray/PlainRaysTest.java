@@ -9,11 +9,12 @@ import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaves;
+import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** What plain numbers are sure of a box or a cylinder is what the stage with derived bounds says, to the bit. */
 class PlainRaysTest {
-    private final RayScratch scratch = new RayScratch();
+    private final RayScratch scratch = new Scratch().ray;
     private int sure;
     private int missed;
     private int left;

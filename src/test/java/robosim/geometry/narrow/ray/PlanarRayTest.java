@@ -19,7 +19,7 @@ public class PlanarRayTest {
     private double worst;
 
     private double ray(double ox, double oz, double ux, double uz, LeafKind kind, double[] row) {
-        return PlanarRay.distance(ox, oz, ux, uz, kind, row, 0, scratch);
+        return PlanarRay.distance(ox, oz, ux, uz, kind, row, 0, scratch.ray);
     }
 
     public static String text(double ox, double oz, double ux, double uz, LeafKind kind, double[] row) {

@@ -68,7 +68,7 @@ class RayIntervalTest {
 
     // How far the distance is off, in ulp of the largest of it and the coordinates; NaN where both miss.
     private double ulps(double[] o, double[] d, LeafKind kind, double[] row) {
-        double distance = SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
+        double distance = SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
         BigDecimal truth = RayOracle.distance(o, d, kind, row);
         assertThat(distance < Double.POSITIVE_INFINITY).isEqualTo(truth != null);
         if (truth == null) {

@@ -30,7 +30,7 @@ class RaySegmentsTest {
 
     private double ray(double[] from, double[] way, double[] row) {
         return SpatialRay.distance(
-                from[0], from[1], from[2], way[0], way[1], way[2], LeafKind.TRIANGLE, row, 0, scratch);
+                from[0], from[1], from[2], way[0], way[1], way[2], LeafKind.TRIANGLE, row, 0, scratch.ray);
     }
 
     private static double[] at(double unit, double share) {
@@ -104,7 +104,7 @@ class RaySegmentsTest {
     }
 
     private double level(double x, double z, double wayX, double wayZ, double[] row) {
-        return PlanarRay.distance(x, z, wayX, wayZ, LeafKind.CAPSULE, row, 0, scratch);
+        return PlanarRay.distance(x, z, wayX, wayZ, LeafKind.CAPSULE, row, 0, scratch.ray);
     }
 
     /** A capsule that happens to stand upright is a disc as seen from above. */

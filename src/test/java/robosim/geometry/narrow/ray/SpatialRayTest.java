@@ -198,7 +198,7 @@ public class SpatialRayTest {
 
     private double scratchRay(
             double ox, double oy, double oz, double dx, double dy, double dz, LeafKind kind, double[] row) {
-        return SpatialRay.distance(ox, oy, oz, dx, dy, dz, kind, row, 0, scratch);
+        return SpatialRay.distance(ox, oy, oz, dx, dy, dz, kind, row, 0, scratch.ray);
     }
 
     private void check(double[] o, double[] d, LeafKind kind, double[] row) {
@@ -236,7 +236,7 @@ public class SpatialRayTest {
     }
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
-        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
+        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
     }
 
     // Half of the rays go at about the leaf, the others anywhere near.

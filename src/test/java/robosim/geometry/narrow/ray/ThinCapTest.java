@@ -49,7 +49,7 @@ class ThinCapTest {
             double back = random.nextDouble(0, 2);
             double ox = row[0] + end * ax - aside * az / length - back * ux;
             double oz = row[2] + end * az + aside * ax / length - back * uz;
-            double answer = PlanarRay.distance(ox, oz, ux, uz, LeafKind.CYLINDER, row, 0, scratch);
+            double answer = PlanarRay.distance(ox, oz, ux, uz, LeafKind.CYLINDER, row, 0, scratch.ray);
             double truth = truth(row, ox, oz, ux, uz, 0);
             double size = Math.abs(row[0]) + Math.abs(row[2]) + 2 * row[3] + row[4] + Math.abs(ox) + Math.abs(oz);
             String what = PlanarRayTest.text(ox, oz, ux, uz, LeafKind.CYLINDER, row) + ": " + answer + " for " + truth;

@@ -85,7 +85,7 @@ class PolytopePolytopeTest {
         for (int n = 0; n < 200; n++) {
             double[] a = coarse(LeafKind.TRIANGLE, random);
             double[] b = coarse(LeafKind.TRIANGLE, random);
-            boolean truth = SpatialOverlap.test(LeafKind.TRIANGLE, a, 0, LeafKind.TRIANGLE, b, 0, scratch);
+            boolean truth = SpatialOverlap.test(LeafKind.TRIANGLE, a, 0, LeafKind.TRIANGLE, b, 0, scratch.overlap);
             for (int power : new int[] {-1060, -340, -40, 40, 100}) {
                 double[] p = a.clone();
                 double[] q = b.clone();
@@ -93,7 +93,7 @@ class PolytopePolytopeTest {
                     p[k] = Math.scalb(p[k], power);
                     q[k] = Math.scalb(q[k], power);
                 }
-                assertThat(SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch))
+                assertThat(SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch.overlap))
                         .as(power + " " + Arrays.toString(a) + Arrays.toString(b))
                         .isEqualTo(truth);
             }
@@ -109,10 +109,10 @@ class PolytopePolytopeTest {
         assertThat(polytopes.touch(kindB, b, 0, kindA, a, 0))
                 .as(pair + " swapped")
                 .isEqualTo(truth);
-        assertThat(SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch))
+        assertThat(SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap))
                 .as(pair)
                 .isEqualTo(truth);
-        double distance = SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch);
+        double distance = SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
         assertThat(distance == 0).as(pair + " distance " + distance).isEqualTo(truth || distance == 0);
         if (truth) {
             assertThat(distance).as(pair).isZero();

@@ -26,7 +26,7 @@ class MovingBallTest {
     private int inDoubles;
 
     private double time(double[] ball, double[] d, LeafKind kindB, double[] b) {
-        return SpatialSweep.translation(LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
+        return SpatialSweep.translation(LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
     }
 
     @Test
@@ -125,7 +125,7 @@ class MovingBallTest {
             String what = Arrays.toString(ball) + " by " + Arrays.toString(d);
             assertThat(time(ball, d, LeafKind.UPRIGHT_BOX, box)).as(what).isEqualTo(deeper ? 0 : FREE);
             assertThat(SpatialSweep.translation(
-                            LeafKind.UPRIGHT_BOX, box, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch))
+                            LeafKind.UPRIGHT_BOX, box, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch.sweep))
                     .as(what)
                     .isEqualTo(deeper ? 0 : FREE);
             into += deeper ? 1 : 0;
@@ -252,7 +252,7 @@ class MovingBallTest {
         String what = "ball %s by %s, kind %s %s"
                 .formatted(Arrays.toString(ball), Arrays.toString(d), kind, Arrays.toString(b));
         double time = time(ball, d, kind, b);
-        assertThat(SpatialSweep.translation(kind, b, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch))
+        assertThat(SpatialSweep.translation(kind, b, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch.sweep))
                 .as(what + " the other way round")
                 .isEqualTo(time);
         BallTwin twin = new BallTwin(ball, d, kind, b);
@@ -263,9 +263,11 @@ class MovingBallTest {
             BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
             assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
             assertThat(twin.meetsBy(new BigDecimal(Math.nextUp(time)))).as(what).isTrue();
-            double held =
-                    scratch.sweep().move.time(false, LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kind, b, 0, scratch);
-            double found = scratch.sweep().ball.time(ball, 0, d[0], d[1], d[2], kind, b, 0, held);
+            double held = scratch.sweep
+                    .sweep()
+                    .move
+                    .time(false, LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kind, b, 0, scratch.sweep);
+            double found = scratch.sweep.sweep().ball.time(ball, 0, d[0], d[1], d[2], kind, b, 0, held);
             inDoubles += Double.isNaN(found) ? 0 : 1;
         } else {
             misses++;

@@ -151,13 +151,13 @@ class MovingPrismTest {
             double dy = random.nextInt(-3, 4);
             double dz = random.nextInt(-3, 4);
             if (!touch(false, a, b)
-                    && SpatialSweep.translation(LeafKind.PRISM, a, 0, dx, dy, dz, LeafKind.PRISM, b, 0, s) > 1) {
+                    && SpatialSweep.translation(LeafKind.PRISM, a, 0, dx, dy, dz, LeafKind.PRISM, b, 0, s.sweep) > 1) {
                 free++;
                 double[] shifts = {dx, dx, dz, dz, dx + dz, dx + dz, dx - dz, dx - dz, dy, dy};
                 for (int m = 0; m < 10; m++) {
                     a[m] += shifts[m];
                 }
-                assertThat(SpatialOverlap.test(LeafKind.PRISM, a, 0, LeafKind.PRISM, b, 0, s))
+                assertThat(SpatialOverlap.test(LeafKind.PRISM, a, 0, LeafKind.PRISM, b, 0, s.overlap))
                         .isFalse();
             }
         }

@@ -92,12 +92,12 @@ class SpatialSweepTest {
             double dx = -a[0] + random.nextDouble(-1, 1);
             double dy = (-a[1] + random.nextDouble(-1, 1)) * (k % 4 == 0 ? 0.01 : 1);
             double dz = -a[2] + random.nextDouble(-1, 1);
-            double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
+            double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
             if (time == 0 || time > 1) {
                 continue;
             }
             MovedLeaf.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
-            double more = SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch);
+            double more = SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
             String what = "kind %s %s by (%s, %s, %s), kind %s %s"
                     .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
             assertThat(more).as(what).isLessThan(1e-9);
@@ -110,10 +110,10 @@ class SpatialSweepTest {
             if (gjk.lower() > 0 && closing > 0.1 * Math.sqrt(dx * dx + dy * dy + dz * dz)) {
                 double after = time + 1e-6;
                 MovedLeaf.moved(kindA, a, 0, after * dx, after * dy, after * dz, pose);
-                assertThat(SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch))
+                assertThat(SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch.sweep))
                         .as(what)
                         .isZero();
-                assertThat(SpatialSweep.translation(kindA, pose, 0, -dx, -dy, -dz, kindB, b, 0, scratch))
+                assertThat(SpatialSweep.translation(kindA, pose, 0, -dx, -dy, -dz, kindB, b, 0, scratch.sweep))
                         .as(what)
                         .isInfinite();
                 headOn++;
@@ -142,7 +142,7 @@ class SpatialSweepTest {
     private void translate(LeafKind kindA, double[] a, double dx, double dy, double dz, LeafKind kindB, double[] b) {
         String what = "kind %s %s by (%s, %s, %s), kind %s %s"
                 .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
-        double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
+        double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
         double[] pose = new double[Leaf.STRIDE];
         double start = gap(kindA, a, kindB, b);
         double end = Math.min(1, time);
@@ -188,7 +188,20 @@ class SpatialSweepTest {
                         kindB,
                         Arrays.toString(b));
         double share = SpatialTurnSweep.free(
-                kindA, a, 0, pivot[0], pivot[1], pivot[2], axis[0], axis[1], axis[2], degrees, kindB, b, 0, scratch);
+                kindA,
+                a,
+                0,
+                pivot[0],
+                pivot[1],
+                pivot[2],
+                axis[0],
+                axis[1],
+                axis[2],
+                degrees,
+                kindB,
+                b,
+                0,
+                scratch.turn);
         double start = gap(kindA, a, kindB, b);
         double limit = Math.min(0, start);
         double end = Math.min(1, share);

@@ -31,7 +31,8 @@ class SweptBoundsTest {
                 double[] p = k % 2 == 0 ? row.clone() : frame;
                 double degrees = random.nextDouble(-200, 200) * (k % 5 == 0 ? 3 : 1);
                 double[] bounds = new double[6];
-                SweptBounds.turn(kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], degrees, bounds, scratch);
+                SweptBounds.turn(
+                        kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], degrees, bounds, scratch.turn);
                 double[] seen = sampled(kind, row, p, axis, degrees);
                 double[] start = new double[6];
                 LeafBounds.of(kind, row, 0, start);
@@ -56,7 +57,7 @@ class SweptBoundsTest {
         double[] bounds = new double[6];
         double[] start = new double[6];
         LeafBounds.of(LeafKind.UPRIGHT_CYLINDER, robot, 0, start);
-        SweptBounds.turn(LeafKind.UPRIGHT_CYLINDER, robot, 0, 0.1, 0.2, 0.3, 0, 1, 0, 1234.5, bounds, scratch);
+        SweptBounds.turn(LeafKind.UPRIGHT_CYLINDER, robot, 0, 0.1, 0.2, 0.3, 0, 1, 0, 1234.5, bounds, scratch.turn);
         assertThat(bounds).containsExactly(start);
     }
 

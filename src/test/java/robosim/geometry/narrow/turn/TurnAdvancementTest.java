@@ -55,7 +55,7 @@ class TurnAdvancementTest {
                 assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, still))
                         .as(what)
                         .isInfinite();
-                assertThat(scratch.turns().advancement.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.turn.turns().advancement.steps()).as(what).isLessThan(FEW);
                 // Through the waist, where the edges cross, and no further.
                 double[] cut = SweepRows.triangle(1 - gap, -1, slope, 1 - gap, 1, -slope, 3, 0, 0);
                 assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, cut))
@@ -96,7 +96,7 @@ class TurnAdvancementTest {
                 if (radius < gap) {
                     assertThat(share).as(what).isInfinite();
                 }
-                assertThat(scratch.turns().advancement.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.turn.turns().advancement.steps()).as(what).isLessThan(FEW);
             }
         }
     }
@@ -156,8 +156,8 @@ class TurnAdvancementTest {
             }
             double degrees = random.nextDouble(-180, 180);
             double share = SpatialTurnSweep.free(
-                    kindA, a, 0, 0.1, 0.2, 0.3, about[6], about[9], about[12], degrees, kindB, b, 0, scratch);
-            most = Math.max(most, scratch.turns().advancement.steps());
+                    kindA, a, 0, 0.1, 0.2, 0.3, about[6], about[9], about[12], degrees, kindB, b, 0, scratch.turn);
+            most = Math.max(most, scratch.turn.turns().advancement.steps());
             if (share > 1) {
                 continue;
             }
@@ -225,7 +225,7 @@ class TurnAdvancementTest {
 
     private double turn(
             LeafKind kindA, double[] a, double wx, double wy, double wz, double degrees, LeafKind kindB, double[] b) {
-        return SpatialTurnSweep.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
+        return SpatialTurnSweep.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch.turn);
     }
 
     private static double[] turned(double degrees, LeafKind kind, double[] row) {

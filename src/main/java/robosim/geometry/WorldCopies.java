@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.function.Supplier;
 import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.World;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.sensing.Echoes;
 import robosim.geometry.engine.sensing.PatternSensor;
@@ -16,7 +17,7 @@ import robosim.geometry.model.SenseOptions;
  * Answers many questions about a snapshot, on one thread or several: keeps working copies of its world, of which each
  * thread takes one.
  */
-final class Crew {
+final class WorldCopies {
     /** Tiles of beams that a thread takes at once. */
     private static final int TILES = 4;
 
@@ -30,7 +31,7 @@ final class Crew {
 
     private int idleCount;
 
-    Crew(Supplier<Geometry> copies) {
+    WorldCopies(Supplier<Geometry> copies) {
         this.copies = copies;
     }
 
@@ -48,9 +49,11 @@ final class Crew {
         }
 
         private int some(Geometry world, String name, double[] numbers, int from, int to, long[] free) {
+            World of = world.engine();
+            int id = of.registry.mover(name);
             return this == POSES
-                    ? world.somePoses(name, numbers, from, to, free)
-                    : world.someEdges(name, numbers, from, to, free);
+                    ? of.places().poses(of.view, id, numbers, from, to, free)
+                    : of.places().edges(of.view, id, numbers, from, to, free);
         }
     }
 
@@ -71,29 +74,42 @@ final class Crew {
         idle[idleCount++] = world;
     }
 
+    private static void mount(Geometry world, @Nullable String name, Pose pose) {
+        World of = world.engine();
+        if (name == null) {
+            of.sensor.frame().at(pose);
+        } else {
+            of.sensor.frame().mounted(of.registry.mover(name), pose);
+        }
+    }
+
     /** Answers all beams of a sensor, on an object or, where none is named, in the world. */
     void sense(@Nullable String name, Pose pose, RayPattern pattern, SenseOptions options, SenseBuffer out) {
         Geometry world = borrow();
         try {
-            world.mountSensor(name, pose);
-            Echoes echoes = world.prepareSensor(pattern, options, out);
-            int tiles = world.sensorTiles(pattern, options);
+            mount(world, name, pose);
+            Checks.present("pattern", pattern);
+            Checks.present("options", options);
+            Echoes echoes = Checks.present("out", out).echoes();
+            PatternSensor sensor = world.engine().sensor;
+            sensor.prepare(pattern, options, echoes);
+            int tiles = sensor.tiles(pattern, options);
             int parts = parts(tiles, TILES);
             if (Math.min(parts, options.threads()) == 1) {
-                world.senseSome(pattern, options, echoes, 0, tiles);
+                sensor.sense(pattern, options, echoes, 0, tiles);
             } else {
                 new CopiedWork(parts) {
                     @Override
                     Geometry begin() {
                         Geometry copy = super.begin();
-                        copy.mountSensor(name, pose);
+                        mount(copy, name, pose);
                         return copy;
                     }
 
                     @Override
                     void part(Geometry copy, int part) {
                         int from = part * TILES;
-                        copy.senseSome(pattern, options, echoes, from, Math.min(from + TILES, tiles));
+                        copy.engine().sensor.sense(pattern, options, echoes, from, Math.min(from + TILES, tiles));
                     }
                 }.run(world, options.threads());
             }
@@ -149,7 +165,7 @@ final class Crew {
     }
 
     /** Work with copies of the world. */
-    private abstract class CopiedWork extends SharedWork<Geometry> {
+    private abstract class CopiedWork extends ParallelParts<Geometry> {
         CopiedWork(int parts) {
             super(parts);
         }

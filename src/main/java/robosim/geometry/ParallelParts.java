@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <W> what a thread works with, and no other one at the same time
  */
-abstract class SharedWork<W> {
+abstract class ParallelParts<W> {
     private final int parts;
     private final AtomicInteger taken = new AtomicInteger();
 
@@ -22,7 +22,7 @@ abstract class SharedWork<W> {
 
     private @Nullable Throwable failure;
 
-    SharedWork(int parts) {
+    ParallelParts(int parts) {
         this.parts = parts;
     }
 

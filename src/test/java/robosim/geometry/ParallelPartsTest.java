@@ -15,7 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Each part is done once, by whoever takes it, and nobody is at work any more when the call returns. */
-class SharedWorkTest {
+class ParallelPartsTest {
     private static final int PARTS = 100;
 
     private final ForkJoinPool pool = new ForkJoinPool(3);
@@ -28,7 +28,7 @@ class SharedWorkTest {
         pool.shutdownNow();
     }
 
-    private class Counting extends SharedWork<String> {
+    private class Counting extends ParallelParts<String> {
         Counting() {
             super(PARTS);
         }
