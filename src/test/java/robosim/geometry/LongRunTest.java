@@ -9,7 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import robosim.geometry.engine.motion.Leg;
+import robosim.geometry.engine.motion.MotionSegment;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.Accuracy;
@@ -117,7 +117,9 @@ class LongRunTest {
         double x = (at.x() - centre[0]) - centre[1];
         double z = (-at.z() - centre[2]) - centre[3];
         double ulps = Math.hypot(Math.ulp(at.x()), Math.ulp(at.z())) / 2;
-        assertThat(Math.hypot(x, z)).as("after a way of " + way).isLessThanOrEqualTo(Leg.WAY_ERROR * way + ulps);
+        assertThat(Math.hypot(x, z))
+                .as("after a way of " + way)
+                .isLessThanOrEqualTo(MotionSegment.WAY_ERROR * way + ulps);
     }
 
     private static void assertHeading(Geometry world, BigDecimal exact) {

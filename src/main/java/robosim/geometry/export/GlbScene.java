@@ -206,10 +206,10 @@ final class GlbScene {
     }
 
     private static String placed(String name, Pose pose) {
-        Turned turned = Turned.of(pose);
+        Quaternion turned = Quaternion.of(pose);
         return "\"name\":" + text(name) + ",\"translation\":"
                 + List.of(pose.center().x(), pose.center().y(), pose.center().z())
-                + (turned.equals(Turned.NONE)
+                + (turned.equals(Quaternion.NONE)
                         ? ""
                         : ",\"rotation\":" + List.of(turned.x(), turned.y(), turned.z(), turned.w()));
     }

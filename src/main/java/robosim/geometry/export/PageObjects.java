@@ -78,7 +78,7 @@ final class PageObjects {
         out.objects.real(object.isMoveable() ? 0 : quanta.x(pose.center()));
         out.objects.real(object.isMoveable() ? 0 : quanta.y(pose.center()));
         out.objects.real(object.isMoveable() ? 0 : quanta.z(pose.center()));
-        turned(Turned.of(pose));
+        turned(Quaternion.of(pose));
         List<Part> parts = new ArrayList<>();
         Material usual = Material.of(Color.ofPacked(painted.colour));
         collect(object, object.material().within(usual), Placement.NONE, parts);
@@ -131,7 +131,7 @@ final class PageObjects {
             out.objects.real(quanta.length(part.place.origin().x()));
             out.objects.real(quanta.length(part.place.origin().y()));
             out.objects.real(quanta.length(part.place.origin().z()));
-            turned(Turned.of(part.place.pose()));
+            turned(Quaternion.of(part.place.pose()));
         }
     }
 
@@ -142,7 +142,7 @@ final class PageObjects {
         }
     }
 
-    private void turned(Turned turned) {
+    private void turned(Quaternion turned) {
         out.objects.real(turned.x());
         out.objects.real(turned.y());
         out.objects.real(turned.z());

@@ -110,9 +110,9 @@ final class Track {
 
     private void writeFree(Quanta quanta, PageStreams out) {
         long[] before = new long[7];
-        Turned turned = Turned.NONE;
+        Quaternion turned = Quaternion.NONE;
         for (Pose pose : poses) {
-            turned = Turned.of(pose).towards(turned);
+            turned = Quaternion.of(pose).towards(turned);
             long[] now = {
                 Quanta.steps(quanta.x(pose.center())),
                 Quanta.steps(quanta.y(pose.center())),

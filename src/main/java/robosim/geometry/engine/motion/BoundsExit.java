@@ -3,31 +3,31 @@ package robosim.geometry.engine.motion;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
-/** Where an object on a leg leaves the world; its exact shape counts. */
+/** Where an object on a segment leaves the world; its exact shape counts. */
 final class BoundsExit {
     private final WorldBounds worldBounds;
-    private final Leg leg;
+    private final MotionSegment segment;
     private final double[] swept = new double[6];
 
-    BoundsExit(WorldBounds worldBounds, Leg leg) {
+    BoundsExit(WorldBounds worldBounds, MotionSegment segment) {
         this.worldBounds = worldBounds;
-        this.leg = leg;
+        this.segment = segment;
     }
 
     /**
-     * The share of the leg after which the object would leave the world, +Infinity where it stays inside.
+     * The share of the segment after which the object would leave the world, +Infinity where it stays inside.
      *
      * @param clearance how far to stay inside
      */
     double share(double clearance) {
-        if (leg.turns()) {
+        if (segment.turns()) {
             return turn();
         }
         double free = translation();
         if (clearance > 0) {
-            LeafColumn exact = leg.exactAtStart();
+            LeafColumn exact = segment.exactAtStart();
             for (int axis = 0; axis < 3; axis++) {
-                double way = leg.displacement(axis);
+                double way = segment.displacement(axis);
                 free = Math.min(free, worldBounds.share(exact, axis, way, clearance));
             }
         }
@@ -35,37 +35,37 @@ final class BoundsExit {
     }
 
     private double translation() {
-        if (holds(leg.exactAtEnd())) {
+        if (holds(segment.exactAtEnd())) {
             return Double.POSITIVE_INFINITY;
         }
-        double dx = leg.displacement(0);
-        double dy = leg.displacement(1);
-        double dz = leg.displacement(2);
-        LeafColumn exact = leg.exactAtStart();
+        double dx = segment.displacement(0);
+        double dy = segment.displacement(1);
+        double dz = segment.displacement(2);
+        LeafColumn exact = segment.exactAtStart();
         double leaves = worldBounds.share(exact, 0, exact.size(), dx, dy, dz);
         return Math.max(0, Math.min(1, leaves));
     }
 
     private double turn() {
-        leg.exactlySwept(1, swept);
+        segment.exactlySwept(1, swept);
         if (!worldBounds.nearlyHolds(swept)) {
-            leg.tightlySwept(1, swept);
+            segment.tightlySwept(1, swept);
         }
-        if (worldBounds.nearlyHolds(swept) && holds(leg.exactAtEnd())) {
+        if (worldBounds.nearlyHolds(swept) && holds(segment.exactAtEnd())) {
             return Double.POSITIVE_INFINITY;
         }
         double low = 0;
         double high = 1;
         for (int halving = 0; halving < 50; halving++) {
             double middle = low / 2 + high / 2;
-            leg.tightlySwept(middle, swept);
+            segment.tightlySwept(middle, swept);
             if (worldBounds.nearlyHolds(swept)) {
                 low = middle;
             } else {
                 high = middle;
             }
         }
-        leg.turnBy(1);
+        segment.turnBy(1);
         return low;
     }
 
@@ -76,12 +76,12 @@ final class BoundsExit {
 
     /** Contact point and normal at the end of what is free, six numbers. */
     void contact(double[] out) {
-        if (leg.turns()) {
-            leg.exactlySwept(1, swept);
+        if (segment.turns()) {
+            segment.exactlySwept(1, swept);
         } else {
-            LeafColumn exact = leg.exactAfter(1);
+            LeafColumn exact = segment.exactAfter(1);
             exact.bounds(0, exact.size(), swept);
         }
-        worldBounds.contact(swept, leg.exactAtEnd(), out);
+        worldBounds.contact(swept, segment.exactAtEnd(), out);
     }
 }

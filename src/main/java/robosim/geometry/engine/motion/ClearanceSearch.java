@@ -11,7 +11,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * How far a leg of a motion may go so that the mover keeps a clearance from everything that it would hit or pass by.
+ * How far a segment of a motion may go so that the mover keeps a clearance from everything that it would hit or pass by.
  *
  * <p>A piece that is nearer than the clearance at the start holds the mover off by a plane: a motion along the plane or away
  * is free, and so are all pieces behind the plane, such as the next tile of a floor. A motion across it is not.
@@ -40,7 +40,7 @@ final class ClearanceSearch {
     /** Numbers of a plane: a normal, how far its piece extends along it, and how much nearer than the clearance that is. */
     private static final int PLANE = 5;
 
-    private final Leg leg;
+    private final MotionSegment segment;
     private final ObjectTable objects;
     private final NearPairs pairs;
     private final double[] contact = new double[6];
@@ -54,10 +54,10 @@ final class ClearanceSearch {
     private double clearance;
     private int first;
 
-    ClearanceSearch(Leg leg, ObjectTable objects, Distance distance) {
-        this.leg = leg;
+    ClearanceSearch(MotionSegment segment, ObjectTable objects, Distance distance) {
+        this.segment = segment;
         this.objects = objects;
-        pairs = new NearPairs(leg, distance);
+        pairs = new NearPairs(segment, distance);
     }
 
     /** For the next search only one piece of one object counts. */
@@ -65,7 +65,7 @@ final class ClearanceSearch {
         pairs.only(object, leaf, piece);
     }
 
-    /** The greatest share of the leg, up to a limit, at which the clearance is kept. */
+    /** The greatest share of the segment, up to a limit, at which the clearance is kept. */
     double share(AccuracyView view, Candidates candidates, StartContacts standing, double gap, double limit) {
         clearance = gap;
         pairs.find(view, candidates, standing, gap);
@@ -82,7 +82,7 @@ final class ClearanceSearch {
         return least;
     }
 
-    /** The pairs within a distance at the start of the leg. */
+    /** The pairs within a distance at the start of the segment. */
     NearPairs near(AccuracyView view, Candidates candidates, StartContacts standing, double within) {
         pairs.find(view, candidates, standing, within);
         return pairs;
@@ -93,7 +93,7 @@ final class ClearanceSearch {
     }
 
     /**
-     * Whether some pair, after a share of the leg, is nearer than the clearance although it was not at the start.
+     * Whether some pair, after a share of the segment, is nearer than the clearance although it was not at the start.
      *
      * @param isExact whether pairs count too that the motion passes along at just the clearance, which rounding may lessen
      */
@@ -119,12 +119,12 @@ final class ClearanceSearch {
     /** Finds the planes of pieces no farther than the clearance that the motion goes along or away from. */
     private void findPlanes() {
         planeCount = 0;
-        double most = clearance + FLUSH * (leg.size() + clearance);
+        double most = clearance + FLUSH * (segment.size() + clearance);
         for (int k = 0; k < pairs.count(); k++) {
             double gap = pairs.gap(k);
-            if (gap > 0 && gap <= most && !leg.turns()) {
+            if (gap > 0 && gap <= most && !segment.turns()) {
                 pairs.contact(k, 0, contact);
-                if (ahead() >= -ALONG * leg.longestPath()) {
+                if (ahead() >= -ALONG * segment.longestPath()) {
                     addPlane(pairs.level(k, contact, 3), clearance - gap);
                 }
             }
@@ -132,7 +132,9 @@ final class ClearanceSearch {
     }
 
     private double ahead() {
-        return leg.displacement(0) * contact[3] + leg.displacement(1) * contact[4] + leg.displacement(2) * contact[5];
+        return segment.displacement(0) * contact[3]
+                + segment.displacement(1) * contact[4]
+                + segment.displacement(2) * contact[5];
     }
 
     private void addPlane(double level, double nearer) {
@@ -160,7 +162,7 @@ final class ClearanceSearch {
             double level = planes[at + 3];
             double above = pairs.ownLevel(k, planes, at);
             double below = pairs.level(k, planes, at);
-            double slack = FLUSH * (Math.abs(level) + Math.abs(above) + Math.abs(below) + leg.size());
+            double slack = FLUSH * (Math.abs(level) + Math.abs(above) + Math.abs(below) + segment.size());
             double apart = clearance - planes[at + 4];
             if (below <= level + slack && above >= level + apart - slack) {
                 return true;
@@ -178,7 +180,7 @@ final class ClearanceSearch {
         if (gap < clearance) {
             return 0;
         }
-        return leg.turns() ? ofTurn(k, limit) : ofTranslation(k, limit);
+        return segment.turns() ? ofTurn(k, limit) : ofTranslation(k, limit);
     }
 
     /** Newton's method: the gap of convex pieces is a convex function of the share. */
@@ -207,7 +209,7 @@ final class ClearanceSearch {
         return closing > 0 ? free : Double.POSITIVE_INFINITY;
     }
 
-    /** How much of the gap a whole leg in the direction of the nearest points would take. */
+    /** How much of the gap a whole segment in the direction of the nearest points would take. */
     private double closing(int k, double share) {
         pairs.contact(k, share, contact);
         return -ahead();
@@ -218,7 +220,7 @@ final class ClearanceSearch {
      * would not get anywhere, so there a turn first goes as far as its piece stays beyond a plane.
      */
     private double ofTurn(int k, double limit) {
-        double path = leg.longestPath();
+        double path = segment.longestPath();
         double free = 0;
         double gap = pairs.gap(k);
         if (gap - clearance <= LITTLE * clearance) {
@@ -255,9 +257,9 @@ final class ClearanceSearch {
         double nz = contact[5];
         double level = pairs.level(k, contact, 3) + clearance;
         double size = 0;
-        leg.atStart.bounds(0, leg.atStart.size(), bounds);
+        segment.atStart.bounds(0, segment.atStart.size(), bounds);
         for (int axis = 0; axis < 3; axis++) {
-            double pivot = leg.start[axis];
+            double pivot = segment.start[axis];
             size += 2 * Math.max(Math.abs(bounds[axis] - pivot), Math.abs(bounds[3 + axis] - pivot));
         }
         // Any two directions that complete the normal: a wall as large as all that the mover may reach.
@@ -266,7 +268,7 @@ final class ClearanceSearch {
         double ux = isSteep ? 0 : -nz / length;
         double uy = isSteep ? nz / length : 0;
         double uz = isSteep ? -ny / length : nx / length;
-        double back = level - size - (nx * leg.start[0] + ny * leg.start[1] + nz * leg.start[2]);
+        double back = level - size - (nx * segment.start[0] + ny * segment.start[1] + nz * segment.start[2]);
         wall.clear();
         wall.append(1);
         wall.setKind(0, LeafKind.BOX);
@@ -274,9 +276,9 @@ final class ClearanceSearch {
         axis(1, ux, uy, uz, size);
         axis(2, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux, size);
         double[] row = wall.rows();
-        row[0] = leg.start[0] + back * nx;
-        row[1] = leg.start[1] + back * ny;
-        row[2] = leg.start[2] + back * nz;
+        row[0] = segment.start[0] + back * nx;
+        row[1] = segment.start[1] + back * ny;
+        row[2] = segment.start[2] + back * nz;
         return pairs.free(k, wall);
     }
 

@@ -19,14 +19,14 @@ import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
- * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a leg that is swept
+ * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a segment that is swept
  * in the world as it is. {@link #end()} is where the object would come to stand; {@link #commit} moves it there. A translation
  * alone is first tried by {@link TranslationFastPath}, which finds most of them free, with the same verdict.
  *
- * <p>A leg is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
+ * <p>A segment is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
  * behind a plane of a contact at the start ({@link StartContacts}) counts for neither.
  *
- * <p>At an accuracy below EXACT, a leg with anything near is swept twice, for the enclosures and for the objects themselves,
+ * <p>At an accuracy below EXACT, a segment with anything near is swept twice, for the enclosures and for the objects themselves,
  * and the smaller share counts: enclosures that overlap at the start prove nothing about the objects in them.
  */
 public final class Motion {
@@ -69,8 +69,8 @@ public final class Motion {
     private final WorldBounds worldBounds;
     private final Scratch scratch;
     private final Candidates candidates;
-    private final Leg leg;
-    private final EnclosureTurn enclosure;
+    private final MotionSegment segment;
+    private final EnclosureSweep enclosure;
     private final BoundsExit exit;
     /** Made for the first motion with a clearance. */
     private @Nullable ClearanceSearch search;
@@ -88,10 +88,10 @@ public final class Motion {
     private final double[] box = new double[6];
     private final double[] part = new double[6];
 
-    /** What holds the whole leg however its places are rounded. */
+    /** What holds the whole segment however its places are rounded. */
     private final double[] around = new double[6];
 
-    /** The bounds of what stands for the object at the end of the leg. */
+    /** The bounds of what stands for the object at the end of the segment. */
     private final double[] endBox = new double[6];
 
     /** The shares after which the candidates are met. */
@@ -120,7 +120,7 @@ public final class Motion {
     private boolean isSecondTurn;
     private boolean isBesideBlocker;
 
-    /** Sweeps the objects themselves; null until a leg at an accuracy below EXACT first needs it. */
+    /** Sweeps the objects themselves; null until a segment at an accuracy below EXACT first needs it. */
     private @Nullable Motion exact;
 
     /** Whether the objects themselves block before their enclosures, so that the contact is theirs. */
@@ -133,12 +133,12 @@ public final class Motion {
         objects = registry.objects;
         worldBounds = registry.worldBounds;
         candidates = new Candidates(objects);
-        leg = new Leg(scratch);
-        enclosure = new EnclosureTurn(leg);
-        exit = new BoundsExit(worldBounds, leg);
+        segment = new MotionSegment(scratch);
+        enclosure = new EnclosureSweep(segment);
+        exit = new BoundsExit(worldBounds, segment);
         standing = new StartContacts(scratch);
         distance = new Distance(scratch);
-        stop = new StopContact(objects, candidates, leg, scratch, distance);
+        stop = new StopContact(objects, candidates, segment, scratch, distance);
     }
 
     /** What blocks: an id, {@link #NOTHING} or {@link #BORDER}. */
@@ -158,11 +158,11 @@ public final class Motion {
     public double[] end() {
         if (isStraight) {
             int at = objects.place(id);
-            System.arraycopy(objects.places(), at, leg.end, 0, ObjectTable.PLACE);
-            ObjectTable.shift(leg.end, 0, straight().end());
+            System.arraycopy(objects.places(), at, segment.end, 0, ObjectTable.PLACE);
+            ObjectTable.shift(segment.end, 0, straight().end());
             isStraight = false;
         }
-        return leg.end;
+        return segment.end;
     }
 
     /** Moves the object to the end of what is free; returns true. */
@@ -170,7 +170,7 @@ public final class Motion {
         if (isStraight) {
             registry.shift(id, straight().end());
         } else {
-            registry.move(id, leg.end);
+            registry.move(id, segment.end);
         }
         return true;
     }
@@ -207,7 +207,7 @@ public final class Motion {
             }
         }
         begin(inView, mover, gap, true);
-        leg.takeOwnAxes();
+        segment.takeOwnAxes();
         return attempt(move.x(), move.y(), move.z(), move.rx(), move.ry(), false);
     }
 
@@ -218,19 +218,19 @@ public final class Motion {
     }
 
     private boolean attempt(double x, double y, double z, double turnX, double turnY, boolean isGlobal) {
-        boolean free = isFree(x, y, z, Leg.NO_TURN, 0);
+        boolean free = isFree(x, y, z, MotionSegment.NO_TURN, 0);
         if (!free) {
             fraction = share;
             turnFraction = 0;
             return false;
         }
         double each = turnX != 0 && turnY != 0 ? 0.5 : 1;
-        if (turnY != 0 && !isFree(0, 0, 0, isGlobal ? Leg.VERTICAL : Leg.OWN_Y, turnY)) {
+        if (turnY != 0 && !isFree(0, 0, 0, isGlobal ? MotionSegment.VERTICAL : MotionSegment.OWN_Y, turnY)) {
             turnFraction = each * share;
             return false;
         }
         isSecondTurn = each < 1;
-        if (turnX != 0 && !isFree(0, 0, 0, isGlobal ? Leg.WORLD_X : Leg.OWN_X, turnX)) {
+        if (turnX != 0 && !isFree(0, 0, 0, isGlobal ? MotionSegment.WORLD_X : MotionSegment.OWN_X, turnX)) {
             turnFraction = (1 - each) + each * share;
             return false;
         }
@@ -244,7 +244,7 @@ public final class Motion {
             return verdict == TranslationFastPath.FREE;
         }
         begin(inView, mover, 0, false);
-        return isFree(x, y, z, Leg.NO_TURN, 0);
+        return isFree(x, y, z, MotionSegment.NO_TURN, 0);
     }
 
     private int ask(AccuracyView inView, int mover, double x, double y, double z) {
@@ -270,12 +270,12 @@ public final class Motion {
         if (turnsInItself(inView, mover)) {
             isStraight = false;
             id = mover;
-            System.arraycopy(objects.places(), objects.place(mover), leg.end, 0, ObjectTable.PLACE);
-            Attitude.turnVertically(leg.end, ObjectTable.ROTATION, byDegrees);
+            System.arraycopy(objects.places(), objects.place(mover), segment.end, 0, ObjectTable.PLACE);
+            Attitude.turnVertically(segment.end, ObjectTable.ROTATION, byDegrees);
             return true;
         }
         begin(inView, mover, 0, false);
-        return isFree(0, 0, 0, Leg.VERTICAL, byDegrees);
+        return isFree(0, 0, 0, MotionSegment.VERTICAL, byDegrees);
     }
 
     /** Whether a turn about the vertical takes an object to the same points, to the bit: one upright disc about its centre. */
@@ -296,7 +296,8 @@ public final class Motion {
     public boolean allowsFrom(
             AccuracyView inView, int mover, double[] place, double x, double y, double z, double byDegrees) {
         begin(inView, mover, 0, false, place, 0);
-        return isFree(x, y, z, Leg.NO_TURN, 0) && (byDegrees == 0 || isFree(0, 0, 0, Leg.VERTICAL, byDegrees));
+        return isFree(x, y, z, MotionSegment.NO_TURN, 0)
+                && (byDegrees == 0 || isFree(0, 0, 0, MotionSegment.VERTICAL, byDegrees));
     }
 
     private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd) {
@@ -314,22 +315,22 @@ public final class Motion {
         isBesideBlocker = false;
         fraction = 1;
         turnFraction = 1;
-        leg.begin(inView, mover, places, at);
+        segment.begin(inView, mover, places, at);
     }
 
-    /** The share of the leg at which the contact is looked for, before rounding is allowed for; NaN for the end. */
+    /** The share of the segment at which the contact is looked for, before rounding is allowed for; NaN for the end. */
     private double contactShare;
 
-    /** The free share of the leg that was blocked last. */
+    /** The free share of the segment that was blocked last. */
     private double share;
 
-    /** Sweeps the next leg; where it is free, its end is the next one's start. */
+    /** Sweeps the next segment; where it is free, its end is the next one's start. */
     private boolean isFree(double x, double y, double z, int about, double byDegrees) {
-        if (!leg.set(x, y, z, about, byDegrees)) {
-            leg.advance();
+        if (!segment.set(x, y, z, about, byDegrees)) {
+            segment.advance();
             return true;
         }
-        boolean free = isLegFree(1);
+        boolean free = isSegmentFree(1);
         // Where no enclosure is near, no object is; where the enclosures block, that is enough for a verdict.
         if (view.accuracy != Accuracy.EXACT && (free ? isNearAnything() : isEndWanted)) {
             Motion shapes = exact;
@@ -337,22 +338,22 @@ public final class Motion {
                 shapes = new Motion(registry, scratch);
                 exact = shapes;
             }
-            shapes.begin(registry.at(Accuracy.EXACT), id, clearance, isEndWanted, leg.start, 0);
+            shapes.begin(registry.at(Accuracy.EXACT), id, clearance, isEndWanted, segment.start, 0);
             shapes.isSecondTurn = isSecondTurn;
             shapes.isBesideBlocker = isBesideBlocker;
-            if (leg.isOwn()) {
-                shapes.leg.takeOwnAxes();
+            if (segment.isOwn()) {
+                shapes.segment.takeOwnAxes();
             }
-            shapes.leg.set(x, y, z, about, byDegrees);
-            free &= shapes.isLegFree(free ? 1 : share + LATER);
+            shapes.segment.set(x, y, z, about, byDegrees);
+            free &= shapes.isSegmentFree(free ? 1 : share + LATER);
             if (!free && isEndWanted) {
                 takeLesser(shapes);
             }
         }
         if (free) {
-            leg.advance();
+            segment.advance();
         } else if (isEndWanted) {
-            leg.endAt(share);
+            segment.endAt(share);
         }
         return free;
     }
@@ -373,8 +374,8 @@ public final class Motion {
             share = Math.max(0, representable(least - step));
             step *= 2;
         }
-        leg.scale(1);
-        shapes.leg.scale(1);
+        segment.scale(1);
+        shapes.segment.scale(1);
         obstacle = blocking;
         shapes.obstacle = blocking;
     }
@@ -388,18 +389,18 @@ public final class Motion {
     }
 
     /**
-     * Sweeps the leg, from which {@link #share} and the obstacle follow.
+     * Sweeps the segment, from which {@link #share} and the obstacle follow.
      *
-     * @param upTo the share of the leg beyond which nothing need be found
+     * @param upTo the share of the segment beyond which nothing need be found
      */
-    private boolean isLegFree(double upTo) {
+    private boolean isSegmentFree(double upTo) {
         isBlockedExactly = false;
         share = Double.POSITIVE_INFINITY;
-        if (upTo < 1 && leg.scale(upTo)) {
-            leg.sweptBox(1, box);
-            leg.around(box, around, clearance);
+        if (upTo < 1 && segment.scale(upTo)) {
+            segment.sweptBox(1, box);
+            segment.around(box, around, clearance);
             candidates.find(view, around, id);
-            leg.scale(1);
+            segment.scale(1);
             enclose();
         } else {
             enclose();
@@ -412,9 +413,9 @@ public final class Motion {
         share = 1;
         if (least != Double.POSITIVE_INFINITY) {
             share = isSureEnd() ? representable(backOff(least)) : accepted(least);
-            leg.endAt(share);
+            segment.endAt(share);
         }
-        if (clearance > 0 && leg.isRigid() && !(isBesideBlocker && obstacle < 0)) {
+        if (clearance > 0 && segment.isRigid() && !(isBesideBlocker && obstacle < 0)) {
             enclose();
             keepClear();
         }
@@ -453,7 +454,7 @@ public final class Motion {
     }
 
     private ClearanceSearch search() {
-        ClearanceSearch made = search == null ? new ClearanceSearch(leg, objects, distance) : search;
+        ClearanceSearch made = search == null ? new ClearanceSearch(segment, objects, distance) : search;
         search = made;
         return made;
     }
@@ -471,28 +472,28 @@ public final class Motion {
     /** The sum of the magnitudes of the bounds of a mover at its place. */
     double size(AccuracyView inView, int mover) {
         begin(inView, mover, 0, true);
-        leg.stay();
-        return leg.size();
+        segment.stay();
+        return segment.size();
     }
 
     /** Half the width of the bounds of a mover at its place: the larger of those along X and Z. */
     double reach(AccuracyView inView, int mover) {
         begin(inView, mover, 0, true);
-        leg.stay();
-        leg.atStart.bounds(0, leg.atStart.size(), box);
+        segment.stay();
+        segment.atStart.bounds(0, segment.atStart.size(), box);
         return Math.max(box[3] - box[0], box[5] - box[2]) / 2;
     }
 
     /** Whether a displacement hits nothing but pieces that the mover touches at the start. */
     boolean passes(AccuracyView inView, int mover, double[] way) {
         begin(inView, mover, 0, true);
-        if (!leg.set(way[0], way[1], way[2], Leg.NO_TURN, 0)) {
+        if (!segment.set(way[0], way[1], way[2], MotionSegment.NO_TURN, 0)) {
             return true;
         }
-        leg.sweptBox(1, box);
-        leg.around(box, around, 0);
+        segment.sweptBox(1, box);
+        segment.around(box, around, 0);
         candidates.find(view, around, id);
-        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
+        standing.begin(view.dimension, segment.sweep, segment.atStart, segment.atLast);
         NearPairs pairs = search().near(view, candidates, standing, 0);
         for (int k = 0; k < pairs.count(); k++) {
             if (pairs.gap(k) > 0 && pairs.isHit(k) && !pairs.isTouched(k) && !pairs.isFromInside(k)) {
@@ -505,21 +506,21 @@ public final class Motion {
     /** Finds the pieces within a distance of a mover at its place. */
     NearPairs near(AccuracyView inView, int mover, double within) {
         begin(inView, mover, 0, true);
-        leg.stay();
-        leg.atStart.bounds(0, leg.atStart.size(), box);
-        leg.around(box, around, within);
+        segment.stay();
+        segment.atStart.bounds(0, segment.atStart.size(), box);
+        segment.around(box, around, within);
         candidates.find(view, around, id);
-        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
+        standing.begin(view.dimension, segment.sweep, segment.atStart, segment.atLast);
         return search().near(view, candidates, standing, within);
     }
 
-    /** Bounds a leg that has been set or scaled; what it touches at its start is to be found again. */
+    /** Bounds a segment that has been set or scaled; what it touches at its start is to be found again. */
     private void enclose() {
-        leg.sweptBox(1, box);
-        leg.around(box, around, clearance);
-        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
+        segment.sweptBox(1, box);
+        segment.around(box, around, clearance);
+        standing.begin(view.dimension, segment.sweep, segment.atStart, segment.atLast);
         isStandingKnown = false;
-        leg.after(1).bounds(0, leg.atStart.size(), endBox);
+        segment.after(1).bounds(0, segment.atStart.size(), endBox);
     }
 
     /** The greatest share, not above the given one, of which half and a half are a number. */
@@ -531,13 +532,13 @@ public final class Motion {
 
     /**
      * The greatest share, not above the given one, that a caller can use beside one obstacle alone, or within the border: who
-     * multiplies what was asked for by it asks for another leg, whose path differs by roundings.
+     * multiplies what was asked for by it asks for another segment, whose path differs by roundings.
      */
     private double usable(int of, double least) {
-        if (least == 0 || (leg.turns() && isSureTurn())) {
+        if (least == 0 || (segment.turns() && isSureTurn())) {
             return least;
         }
-        if (!leg.turns() && of != BORDER && isExact(of) && gapAfter(of, 0) > 0) {
+        if (!segment.turns() && of != BORDER && isExact(of) && gapAfter(of, 0) > 0) {
             double apart = apart(of, least);
             if (apart >= 0) {
                 return apart;
@@ -553,7 +554,7 @@ public final class Motion {
         for (double step = FIRST_STEP; free > 0 && isBlockedBy(of, free); step *= 2) {
             free = representable(from - step);
         }
-        leg.scale(1);
+        segment.scale(1);
         enclose();
         meet(ownLeafMet, ownPieceMet, leafMet, pieceMet);
         return Math.max(0, free);
@@ -579,9 +580,9 @@ public final class Motion {
         return Math.max(0, free);
     }
 
-    /** The gap to an object after a share of the leg. */
+    /** The gap to an object after a share of the segment. */
     private double gapAfter(int of, double share) {
-        LeafColumn there = share == 0 ? leg.atStart : leg.after(share);
+        LeafColumn there = share == 0 ? segment.atStart : segment.after(share);
         LeafTable table = view.table(of);
         int first = table.first(of);
         double gap = Double.POSITIVE_INFINITY;
@@ -598,9 +599,9 @@ public final class Motion {
         LeafTable table = view.table(of);
         int first = table.first(of);
         for (int j = first; j < first + table.count(of); j++) {
-            for (int i = 0; i < leg.atStart.size(); i++) {
+            for (int i = 0; i < segment.atStart.size(); i++) {
                 if (!Sweep.isExact(
-                        view.dimension, leg.atStart.kind(i), table.leaves().kind(j))) {
+                        view.dimension, segment.atStart.kind(i), table.leaves().kind(j))) {
                     return false;
                 }
             }
@@ -609,7 +610,7 @@ public final class Motion {
     }
 
     private boolean isBlockedBy(int of, double share) {
-        if (!leg.scale(share)) {
+        if (!segment.scale(share)) {
             return false;
         }
         enclose();
@@ -618,7 +619,7 @@ public final class Motion {
 
     /** The share after which the world is left, or is nearer to the border than the clearance. */
     private double leaves() {
-        if (!isBesideBlocker || leg.turns()) {
+        if (!isBesideBlocker || segment.turns()) {
             return exit.share(clearance);
         }
         double leaves = exit.share(0);
@@ -637,13 +638,13 @@ public final class Motion {
             free = representable(least - step);
             sure = NOTHING;
         }
-        leg.scale(1);
+        segment.scale(1);
         return Math.max(0, free);
     }
 
     /** Whether the end of a share need only be verified as a place: its path is free, however a caller rounds the share. */
     private boolean isSureEnd() {
-        if (leg.turns()) {
+        if (segment.turns()) {
             return isSureTurn();
         }
         if (stands()) {
@@ -661,18 +662,21 @@ public final class Motion {
         return isSecondTurn ? halved(share) : share;
     }
 
-    /** By what share a blocked leg is taken back, so that it can be asked again with what a caller's rounding makes of it. */
+    /** By what share a blocked segment is taken back, so that it can be asked again with what a caller's rounding makes of it. */
     private double margin() {
-        return leg.turns() ? ROUNDED_HEADING / leg.angle() : ROUNDED * size() / length();
+        return segment.turns() ? ROUNDED_HEADING / segment.angle() : ROUNDED * size() / length();
     }
 
     /** Whether a turn that a share of this one is may be used as it is: its sweep takes the same steps, up to there. */
     private boolean isSureTurn() {
-        return leg.isRigid() && !standing.spares() && worldBounds.clearlyHolds(box) && leg.angle() > LEAST_ANGLE;
+        return segment.isRigid()
+                && !standing.spares()
+                && worldBounds.clearlyHolds(box)
+                && segment.angle() > LEAST_ANGLE;
     }
 
     private boolean isAccepted(double share, int sure) {
-        if (!leg.scale(share)) {
+        if (!segment.scale(share)) {
             return true;
         }
         enclose();
@@ -681,13 +685,13 @@ public final class Motion {
 
     /** The length of a translation, without heights that do not count. */
     private double length() {
-        double dy = view.dimension == Dimension.PLANAR ? 0 : leg.displacement(1);
-        return VectorMath.anyLength(leg.displacement(0), dy, leg.displacement(2));
+        double dy = view.dimension == Dimension.PLANAR ? 0 : segment.displacement(1);
+        return VectorMath.anyLength(segment.displacement(0), dy, segment.displacement(2));
     }
 
-    /** The sum of the magnitudes of the bounds of the leg, without heights where these do not count or do not change. */
+    /** The sum of the magnitudes of the bounds of the segment, without heights where these do not count or do not change. */
     private double size() {
-        boolean isLevel = view.dimension == Dimension.PLANAR || leg.displacement(1) == 0;
+        boolean isLevel = view.dimension == Dimension.PLANAR || segment.displacement(1) == 0;
         double size = 0;
         for (int axis = 0; axis < 3; axis += isLevel ? 2 : 1) {
             size += Math.abs(box[axis]) + Math.abs(box[3 + axis]);
@@ -696,7 +700,7 @@ public final class Motion {
     }
 
     /**
-     * Whether anything blocks the whole leg.
+     * Whether anything blocks the whole segment.
      *
      * @param sure an object that is known not to, or {@link #NOTHING}
      */
@@ -777,7 +781,7 @@ public final class Motion {
 
     /** The share after which an object is met, and the leaves that meet: of several the object's lower one. */
     private double met(int other) {
-        if (leg.isRigid()) {
+        if (segment.isRigid()) {
             return metAsItIs(other);
         }
         double met = enclosure.met(view, other, box);
@@ -788,7 +792,7 @@ public final class Motion {
     }
 
     private double metAsItIs(int other) {
-        LeafColumn atStart = leg.atStart;
+        LeafColumn atStart = segment.atStart;
         LeafTable of = view.table(other);
         int first = of.first(other);
         double least = Double.POSITIVE_INFINITY;
@@ -796,14 +800,14 @@ public final class Motion {
             for (int i = 0; i < atStart.size(); i++) {
                 boolean isOnFloor = hasPieces(of, other, i, j) && stands(); // whose planes spare most of a sweep
                 double free = isOnFloor
-                        ? leg.sweep.free(atStart, i, of.leaves(), j, standing)
-                        : leg.sweep.free(atStart, i, of.leaves(), j);
+                        ? segment.sweep.free(atStart, i, of.leaves(), j, standing)
+                        : segment.sweep.free(atStart, i, of.leaves(), j);
                 if (free != Double.POSITIVE_INFINITY && !isOnFloor && free <= least && stands()) {
-                    free = leg.sweep.free(atStart, i, of.leaves(), j, standing);
+                    free = segment.sweep.free(atStart, i, of.leaves(), j, standing);
                 }
                 if (free < least || (free == least && isLowerCell(of.leaves(), j))) {
                     least = free;
-                    meet(i, leg.sweep.ownPiece(), j, leg.sweep.otherPiece());
+                    meet(i, segment.sweep.ownPiece(), j, segment.sweep.otherPiece());
                 }
             }
         }
@@ -812,15 +816,15 @@ public final class Motion {
 
     /** Whether the last sweep met a cell of a grid that comes before the one that was met by another leaf of the object. */
     private boolean isLowerCell(LeafColumn leaves, int j) {
-        return leaves.kind(j).isGrid() && leg.sweep.otherPiece() >= 0 && leg.sweep.otherPiece() < metPiece;
+        return leaves.kind(j).isGrid() && segment.sweep.otherPiece() >= 0 && segment.sweep.otherPiece() < metPiece;
     }
 
     /** Whether one of the leaves is a mesh or a grid, and the object may touch the other at the start. */
     private boolean hasPieces(LeafTable of, int other, int i, int j) {
-        if (!leg.atStart.kind(i).hasPieces() && !of.leaves().kind(j).hasPieces()) {
+        if (!segment.atStart.kind(i).hasPieces() && !of.leaves().kind(j).hasPieces()) {
             return false;
         }
-        leg.atStart.bounds(0, leg.atStart.size(), part);
+        segment.atStart.bounds(0, segment.atStart.size(), part);
         return of.meets(other, part);
     }
 
@@ -831,12 +835,12 @@ public final class Motion {
         metPiece = u;
     }
 
-    /** Whether the object touches anything at the start of the leg; what it touches is found when this is first asked. */
+    /** Whether the object touches anything at the start of the segment; what it touches is found when this is first asked. */
     private boolean stands() {
         if (!isStandingKnown) {
             isStandingKnown = true;
-            leg.placeEnd();
-            leg.atStart.bounds(0, leg.atStart.size(), part);
+            segment.placeEnd();
+            segment.atStart.bounds(0, segment.atStart.size(), part);
             for (int k = 0; k < candidates.count(); k++) {
                 int other = candidates.id(k);
                 scratch.work.take();
@@ -852,18 +856,18 @@ public final class Motion {
         return !standing.isEmpty();
     }
 
-    /** Whether the object, as stored at the end of the leg, overlaps one that it does not at the start. */
+    /** Whether the object, as stored at the end of the segment, overlaps one that it does not at the start. */
     private boolean endsOn(int other) {
         return view.table(other).meets(other, endBox) && touchesAnew(other, 1);
     }
 
-    /** Whether the object, after a share of the leg, overlaps one that it does not at the start. */
+    /** Whether the object, after a share of the segment, overlaps one that it does not at the start. */
     private boolean touchesAnew(int other, double share) {
-        LeafColumn there = leg.after(share);
+        LeafColumn there = segment.after(share);
         LeafTable of = view.table(other);
         int first = of.first(other);
         for (int j = first; j < first + of.count(other); j++) {
-            for (int i = 0; i < leg.atStart.size(); i++) {
+            for (int i = 0; i < segment.atStart.size(); i++) {
                 if (standing.touchesAnew(there, i, of.leaves(), j)) {
                     // Contacts are only looked for here, as mostly there is no need of them.
                     boolean wasKnown = isStandingKnown;
@@ -885,7 +889,7 @@ public final class Motion {
                 return false;
             }
         }
-        return exit.holds(leg.exactAfter(share));
+        return exit.holds(segment.exactAfter(share));
     }
 
     /** The greatest share, not above the given one, whose place has been verified free of one object, or within the border. */
@@ -896,7 +900,7 @@ public final class Motion {
         int ownPieceMet = metOwnPiece;
         int leafMet = metLeaf;
         int pieceMet = metPiece;
-        while (free > 0 && (of == BORDER ? !exit.holds(leg.exactAfter(free)) : touchesAnew(of, free))) {
+        while (free > 0 && (of == BORDER ? !exit.holds(segment.exactAfter(free)) : touchesAnew(of, free))) {
             free = from - step;
             step *= 2;
         }
@@ -925,7 +929,7 @@ public final class Motion {
     public void contact(double[] out) {
         Motion shapes = exact;
         if (isBlockedExactly && shapes != null) {
-            System.arraycopy(leg.end, 0, shapes.leg.end, 0, leg.end.length);
+            System.arraycopy(segment.end, 0, shapes.segment.end, 0, segment.end.length);
             shapes.contact(out);
             touched = shapes.touched;
             return;

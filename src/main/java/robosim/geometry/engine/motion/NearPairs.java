@@ -13,7 +13,7 @@ import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
- * The pairs of a piece of a mover and a piece of another object that come within a distance of each other on a leg, or may:
+ * The pairs of a piece of a mover and a piece of another object that come within a distance of each other on a segment, or may:
  * those whose gap at the start is at most that distance and the length of the longest path of any point of the mover.
  *
  * <p>Left out are pieces that an exact contact at the start holds off ({@link StartContacts}).
@@ -22,7 +22,7 @@ final class NearPairs {
     /** More than the error of gaps and paths, as a share of them and of what the places are made of. */
     private static final double ROUNDING = 0x1p-40;
 
-    private final Leg leg;
+    private final MotionSegment segment;
     private final Distance distance;
     private final Sweep.Pairs collect = this::collect;
     private final LeafColumn own = new LeafColumn(1);
@@ -53,8 +53,8 @@ final class NearPairs {
     private int ownLeaf;
 
     @SuppressWarnings("NullAway.Init") // a search sets its view
-    NearPairs(Leg leg, Distance distance) {
-        this.leg = leg;
+    NearPairs(MotionSegment segment, Distance distance) {
+        this.segment = segment;
         this.distance = distance;
     }
 
@@ -66,11 +66,11 @@ final class NearPairs {
         onlyPiece = ofPiece;
     }
 
-    /** Finds all pairs among the candidates, whose bounds meet those of the leg widened by the distance. */
+    /** Finds all pairs among the candidates, whose bounds meet those of the segment widened by the distance. */
     void find(AccuracyView in, Candidates candidates, StartContacts standing, double within) {
         view = in;
         count = 0;
-        reach = (within + leg.longestPath()) * (1 + ROUNDING) + ROUNDING * leg.size();
+        reach = (within + segment.longestPath()) * (1 + ROUNDING) + ROUNDING * segment.size();
         try {
             findEach(in, candidates, standing, within);
         } finally {
@@ -84,8 +84,8 @@ final class NearPairs {
             LeafTable table = in.table(object);
             int first = table.first(object);
             for (leaf = first; leaf < first + table.count(object); leaf++) {
-                for (ownLeaf = 0; ownLeaf < leg.atStart.size(); ownLeaf++) {
-                    leg.sweep.nearby(leg.atStart, ownLeaf, table.leaves(), leaf, standing, within, collect);
+                for (ownLeaf = 0; ownLeaf < segment.atStart.size(); ownLeaf++) {
+                    segment.sweep.nearby(segment.atStart, ownLeaf, table.leaves(), leaf, standing, within, collect);
                 }
             }
         }
@@ -95,9 +95,9 @@ final class NearPairs {
         if (isOnly && (object != onlyObject || leaf != onlyLeaf || piece != onlyPiece)) {
             return Double.POSITIVE_INFINITY;
         }
-        own.setPiece(leg.atStart, ownLeaf, ownPiece);
+        own.setPiece(segment.atStart, ownLeaf, ownPiece);
         other.setPiece(view.table(object).leaves(), leaf, piece);
-        double gap = distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
+        double gap = distance.between(segment.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
         if (gap <= reach) {
             add(ownPiece, piece, gap);
         }
@@ -147,23 +147,23 @@ final class NearPairs {
         return ownPieces[k];
     }
 
-    /** The gap at the start of the leg. */
+    /** The gap at the start of the segment. */
     double gap(int k) {
         return gaps[k];
     }
 
-    /** The gap after a share of the leg. */
+    /** The gap after a share of the segment. */
     double gap(int k, double share) {
         load(k, share);
-        return distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
+        return distance.between(segment.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
     }
 
-    /** Contact point and normal after a share of the leg, six numbers. Side to side, upright pieces have level normals. */
+    /** Contact point and normal after a share of the segment, six numbers. Side to side, upright pieces have level normals. */
     void contact(int k, double share, double[] out) {
         load(k, share);
-        distance.contact(leg.dimension(), own, 0, other, 0, out);
+        distance.contact(segment.dimension(), own, 0, other, 0, out);
         boolean isUpright = own.kind(0).isVerticalPrism() && other.kind(0).isVerticalPrism();
-        if (isUpright && leg.dimension() == Dimension.SPATIAL && Math.abs(out[4]) < 0.5) {
+        if (isUpright && segment.dimension() == Dimension.SPATIAL && Math.abs(out[4]) < 0.5) {
             double flat = distance.between(Dimension.PLANAR, own, 0, other, 0, Double.POSITIVE_INFINITY);
             if (flat > 0 && flat == distance.between(Dimension.SPATIAL, own, 0, other, 0, Double.POSITIVE_INFINITY)) {
                 distance.contact(Dimension.PLANAR, own, 0, other, 0, out);
@@ -174,29 +174,29 @@ final class NearPairs {
     /** The largest n.x of the other's piece, where n is at a place of an array. */
     double level(int k, double[] n, int at) {
         other.setPiece(view.table(objects[k]).leaves(), leaves[k], pieces[k]);
-        return distance.extent(leg.dimension(), other, 0, n[at], n[at + 1], n[at + 2]);
+        return distance.extent(segment.dimension(), other, 0, n[at], n[at + 1], n[at + 2]);
     }
 
     /** The least n.x of the mover's piece at the start. */
     double ownLevel(int k, double[] n, int at) {
-        own.setPiece(leg.atStart, ownLeaves[k], ownPieces[k]);
-        return -distance.extent(leg.dimension(), own, 0, -n[at], -n[at + 1], -n[at + 2]);
+        own.setPiece(segment.atStart, ownLeaves[k], ownPieces[k]);
+        return -distance.extent(segment.dimension(), own, 0, -n[at], -n[at + 1], -n[at + 2]);
     }
 
-    /** Whether the leg, a translation, goes into the other's piece. */
+    /** Whether the segment, a translation, goes into the other's piece. */
     boolean isHit(int k) {
         load(k, 0);
         Sweep alone = pieceSweep == null ? new Sweep(new Scratch()) : pieceSweep;
         pieceSweep = alone;
-        alone.translation(leg.dimension(), leg.stored(0), leg.stored(1), leg.stored(2));
+        alone.translation(segment.dimension(), segment.stored(0), segment.stored(1), segment.stored(2));
         return alone.free(own, 0, other, 0) != Double.POSITIVE_INFINITY;
     }
 
-    /** The free share of the leg, a turn, of the mover's piece of a pair beside a single leaf. */
+    /** The free share of the segment, a turn, of the mover's piece of a pair beside a single leaf. */
     double free(int k, LeafColumn leaf) {
-        own.setPiece(leg.atStart, ownLeaves[k], ownPieces[k]);
-        leg.turnBy(1);
-        return leg.sweep.free(own, 0, leaf, 0);
+        own.setPiece(segment.atStart, ownLeaves[k], ownPieces[k]);
+        segment.turnBy(1);
+        return segment.sweep.free(own, 0, leaf, 0);
     }
 
     /** Whether any piece of the mover touches the other's piece at the start. */
@@ -226,12 +226,12 @@ final class NearPairs {
             isTouching = objects[other] == objects[k] && leaves[other] == leaves[k] && gaps[other] == 0;
         }
         return isTouching
-                ? leg.dimension() == Dimension.PLANAR
-                : distance.between(leg.dimension(), leg.atStart, ownLeaves[k], of, leaves[k], 0) == 0;
+                ? segment.dimension() == Dimension.PLANAR
+                : distance.between(segment.dimension(), segment.atStart, ownLeaves[k], of, leaves[k], 0) == 0;
     }
 
     private void load(int k, double share) {
-        own.setPiece(share == 0 ? leg.atStart : leg.after(share), ownLeaves[k], ownPieces[k]);
+        own.setPiece(share == 0 ? segment.atStart : segment.after(share), ownLeaves[k], ownPieces[k]);
         other.setPiece(view.table(objects[k]).leaves(), leaves[k], pieces[k]);
     }
 }

@@ -66,7 +66,7 @@ final class SlidePlanes {
     }
 
     /**
-     * Finds the planes of pairs at the start of a leg.
+     * Finds the planes of pairs at the start of a segment.
      *
      * @param level whether displacements are level: then walls that are vertical to rounding are taken as vertical
      * @param flat whether heights do not count

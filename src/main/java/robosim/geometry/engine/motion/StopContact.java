@@ -18,7 +18,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 final class StopContact {
     private final ObjectTable objects;
     private final Candidates candidates;
-    private final Leg leg;
+    private final MotionSegment segment;
     private final Scratch scratch;
     private final Distance distance;
     private @Nullable MotionContact contacts;
@@ -37,10 +37,10 @@ final class StopContact {
     private int otherLeaf;
     private int otherPiece;
 
-    StopContact(ObjectTable objects, Candidates candidates, Leg leg, Scratch scratch, Distance distance) {
+    StopContact(ObjectTable objects, Candidates candidates, MotionSegment segment, Scratch scratch, Distance distance) {
         this.objects = objects;
         this.candidates = candidates;
-        this.leg = leg;
+        this.segment = segment;
         this.scratch = scratch;
         this.distance = distance;
     }
@@ -68,13 +68,13 @@ final class StopContact {
     /**
      * Writes the contact, six numbers; returns whose it is.
      *
-     * @param share the share of the leg after which the mover is compared; NaN for its end
+     * @param share the share of the segment after which the mover is compared; NaN for its end
      */
     int contact(AccuracyView view, int obstacle, double share, double[] out) {
         if (rank(obstacle) < 0) {
             note(obstacle, 0, 1); // it ends the motion by more than others are touched earlier
         }
-        LeafColumn at = Double.isNaN(share) ? leg.atEnd() : leg.after(share);
+        LeafColumn at = Double.isNaN(share) ? segment.atEnd() : segment.after(share);
         own.setPiece(at, ownLeaf, ownPiece);
         other.setPiece(view.table(obstacle).leaves(), otherLeaf, otherPiece);
         MotionContact all = contacts;
@@ -84,10 +84,10 @@ final class StopContact {
         }
         if (own.kind(0).hasPieces() || other.kind(0).hasPieces()) { // one is inside the other
             distance.contact(view.dimension, own, 0, other, 0, out);
-            all.lean(leg.sweep, out);
+            all.lean(segment.sweep, out);
             return obstacle;
         }
-        all.begin(view.dimension, leg.sweep, own, other, rank(obstacle));
+        all.begin(view.dimension, segment.sweep, own, other, rank(obstacle));
         at.bounds(0, at.size(), around);
         for (int k = 0; k < 3; k++) {
             around[k] -= all.reach();

@@ -1,5 +1,5 @@
 /**
- * Tries motions and carries none out: the legs of a motion, what blocks them, and how far they are free. {@code Geometry} moves
+ * Tries motions and carries none out: the segments of a motion, what blocks them, and how far they are free. {@code Geometry} moves
  * the object to the place that Motion tells.
  */
 @NullMarked

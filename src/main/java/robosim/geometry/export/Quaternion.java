@@ -3,11 +3,11 @@ package robosim.geometry.export;
 import robosim.geometry.model.Pose;
 
 /** A rotation as a unit quaternion: x, y, z and w. */
-record Turned(double x, double y, double z, double w) {
-    static final Turned NONE = new Turned(0, 0, 0, 1);
+record Quaternion(double x, double y, double z, double w) {
+    static final Quaternion NONE = new Quaternion(0, 0, 0, 1);
 
     /** The rotation of a pose, whose rows are in order: by its largest component, so that none is divided by a small one. */
-    static Turned of(Pose pose) {
+    static Quaternion of(Pose pose) {
         double[] r = pose.rotation();
         double trace = r[0] + r[4] + r[8];
         if (trace > 0) {
@@ -26,14 +26,14 @@ record Turned(double x, double y, double z, double w) {
         return of((r[2] + r[6]) / d, (r[5] + r[7]) / d, d / 4, (r[3] - r[1]) / d);
     }
 
-    private static Turned of(double x, double y, double z, double w) {
+    private static Quaternion of(double x, double y, double z, double w) {
         double length = Math.sqrt(x * x + y * y + z * z + w * w);
-        return new Turned(x / length, y / length, z / length, w / length);
+        return new Quaternion(x / length, y / length, z / length, w / length);
     }
 
     /** The same rotation by the quaternion that is nearer to another one. */
-    Turned towards(Turned other) {
+    Quaternion towards(Quaternion other) {
         double dot = x * other.x + y * other.y + z * other.z + w * other.w;
-        return dot < 0 ? new Turned(-x, -y, -z, -w) : this;
+        return dot < 0 ? new Quaternion(-x, -y, -z, -w) : this;
     }
 }

@@ -10,8 +10,8 @@ import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
-final class EnclosureTurn {
-    private final Leg leg;
+final class EnclosureSweep {
+    private final MotionSegment segment;
     private final double[] atStart = new double[6];
     private final double[] swept = new double[6];
 
@@ -30,8 +30,8 @@ final class EnclosureTurn {
     private int piece;
 
     @SuppressWarnings("NullAway.Init") // a question sets the view
-    EnclosureTurn(Leg leg) {
-        this.leg = leg;
+    EnclosureSweep(MotionSegment segment) {
+        this.segment = segment;
     }
 
     /** The cell that is met first; -1 if the object is not a grid, or is not met. */
@@ -51,7 +51,7 @@ final class EnclosureTurn {
             return Double.POSITIVE_INFINITY;
         }
         view = inView;
-        leg.atStart.bounds(0, leg.atStart.size(), atStart);
+        segment.atStart.bounds(0, segment.atStart.size(), atStart);
         LeafColumn leaves = table.leaves();
         int leaf = table.first(other);
         if (leaves.kind(leaf).isGrid()) {
@@ -71,12 +71,12 @@ final class EnclosureTurn {
         double least = Double.POSITIVE_INFINITY;
         GridWalk walk = this.walk;
         if (walk == null) {
-            walk = new GridWalk(leg.work);
+            walk = new GridWalk(segment.work);
             this.walk = walk;
         }
         walk.startBox(leaves, leaf, swept);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            LeafColumn own = walk.piece(cell, leg.atStart.kind(0));
+            LeafColumn own = walk.piece(cell, segment.atStart.kind(0));
             own.bounds(0, bounds);
             takeOctagon(own, 0);
             double met = met(box);
@@ -104,14 +104,14 @@ final class EnclosureTurn {
         double high = 1;
         for (int halving = 0; halving < 50; halving++) {
             double middle = low / 2 + high / 2;
-            leg.sweptBox(middle, box);
+            segment.sweptBox(middle, box);
             if (deepens(middle, box, before)) {
                 high = middle;
             } else {
                 low = middle;
             }
         }
-        leg.sweptBox(1, box);
+        segment.sweptBox(1, box);
         return low;
     }
 
@@ -127,7 +127,7 @@ final class EnclosureTurn {
 
     private void takeDiagonals(double share) {
         if (view.accuracy == Accuracy.DOP) {
-            leg.sweptDiagonals(share, diagonals);
+            segment.sweptDiagonals(share, diagonals);
         }
     }
 

@@ -17,11 +17,11 @@ import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
- * One leg of a motion: a straight translation, or a turn about an axis through the centre. It knows where the object
- * starts, where it is after a share of the leg, and what box holds it all the way.
+ * One segment of a motion: a straight translation, or a turn about an axis through the centre. It knows where the object
+ * starts, where it is after a share of the segment, and what box holds it all the way.
  */
-public final class Leg {
-    /** What a leg turns about: nothing, the own X, the own Y, the vertical or the world's X. */
+public final class MotionSegment {
+    /** What a segment turns about: nothing, the own X, the own Y, the vertical or the world's X. */
     static final int NO_TURN = 0;
 
     static final int OWN_X = 1;
@@ -56,18 +56,18 @@ public final class Leg {
 
     final Sweep sweep;
 
-    /** Counts what is done about the leg. */
+    /** Counts what is done about the segment. */
     final Work work;
 
     private final double[] between = new double[PLACE];
 
-    /** What stands for the object at the end of the leg; see {@link #placeEnd}. */
+    /** What stands for the object at the end of the segment; see {@link #placeEnd}. */
     final LeafColumn atLast = new LeafColumn(1);
 
     /** What stands for the object where it was asked about last, after its start. */
     private final LeafColumn probe = new LeafColumn(1);
 
-    /** The share after which the probe stands; NaN where it does not tell a place of this leg. */
+    /** The share after which the probe stands; NaN where it does not tell a place of this segment. */
     private double probed = Double.NaN;
 
     private final LeafColumn exact = new LeafColumn(1);
@@ -81,10 +81,10 @@ public final class Leg {
     private double givenDegrees;
     private boolean isOwn;
 
-    /** By what share the leg that was set has been scaled. */
+    /** By what share the segment that was set has been scaled. */
     private double scaled;
 
-    /** The displacement of the leg along the world's axes, and that of a share of it. */
+    /** The displacement of the segment along the world's axes, and that of a share of it. */
     private final double[] whole = new double[3];
 
     private final double[] way = new double[3];
@@ -92,7 +92,7 @@ public final class Leg {
     private double degrees;
 
     @SuppressWarnings("NullAway.Init") // a motion begins with its view and form
-    Leg(Scratch scratch) {
+    MotionSegment(Scratch scratch) {
         sweep = new Sweep(scratch);
         work = scratch.work;
     }
@@ -113,7 +113,7 @@ public final class Leg {
         exact.append(form.own.size());
     }
 
-    /** Sets the next leg, from {@link #start}; false where it goes nowhere, or by less than a coordinate can tell. */
+    /** Sets the next segment, from {@link #start}; false where it goes nowhere, or by less than a coordinate can tell. */
     boolean set(double x, double y, double z, int about, double byDegrees) {
         givenX = x;
         givenY = y;
@@ -128,7 +128,7 @@ public final class Leg {
     }
 
     /**
-     * Makes the leg the one that a caller gets who multiplies what was set by a share, in doubles: it ends where the one set
+     * Makes the segment the one that a caller gets who multiplies what was set by a share, in doubles: it ends where the one set
      * is after that share, and its path differs by roundings. False where it goes nowhere.
      */
     boolean scale(double share) {
@@ -148,7 +148,7 @@ public final class Leg {
         return true;
     }
 
-    /** Makes this leg one that stays at its start. */
+    /** Makes this segment one that stays at its start. */
     void stay() {
         givenX = 0;
         givenY = 0;
@@ -196,17 +196,17 @@ public final class Leg {
         isOwn = true;
     }
 
-    /** Makes the end of this leg the start of the next. */
+    /** Makes the end of this segment the start of the next. */
     void advance() {
         System.arraycopy(end, 0, start, 0, PLACE);
     }
 
-    /** Makes the place after a share of the leg its end. */
+    /** Makes the place after a share of the segment its end. */
     void endAt(double share) {
         placeAt(share, end);
     }
 
-    /** Where the object stands after a share of the leg. */
+    /** Where the object stands after a share of the segment. */
     private void placeAt(double share, double[] place) {
         System.arraycopy(start, 0, place, 0, PLACE);
         toWorld(share);
@@ -223,7 +223,7 @@ public final class Leg {
         }
     }
 
-    /** Finds the {@link #way} for a share of the leg, along the world's axes as {@code ObjectTable.toWorld} does. */
+    /** Finds the {@link #way} for a share of the segment, along the world's axes as {@code ObjectTable.toWorld} does. */
     private void toWorld(double share) {
         double x = share * (scaled * givenX);
         double y = share * (scaled * givenY);
@@ -246,7 +246,7 @@ public final class Leg {
         place[Pose.LOST + along] = DoubleDouble.sumTail(to, rest, sum);
     }
 
-    /** Makes {@link #sweep} the turn of the first share of the leg. */
+    /** Makes {@link #sweep} the turn of the first share of the segment. */
     void turnBy(double share) {
         int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
         boolean isOwn = axis == OWN_X || axis == OWN_Y;
@@ -300,7 +300,7 @@ public final class Leg {
         return axis == OWN_X && view.dimension == Dimension.PLANAR && Rotations.isUpright(start, 3);
     }
 
-    /** The bounds of all places of what stands for the object during the first share of the leg. */
+    /** The bounds of all places of what stands for the object during the first share of the segment. */
     void sweptBox(double share, double[] out) {
         if (isRigid()) {
             union(atStart, out);
@@ -366,7 +366,7 @@ public final class Leg {
         }
     }
 
-    /** What stands for the object after a share of the leg; valid until the next call. */
+    /** What stands for the object after a share of the segment; valid until the next call. */
     LeafColumn after(double share) {
         if (share != probed) {
             placeAt(share, between);
@@ -377,7 +377,7 @@ public final class Leg {
     }
 
     /**
-     * Widens the bounds of a whole leg to hold every place on it as it is stored: enclosures are rounded outward by more
+     * Widens the bounds of a whole segment to hold every place on it as it is stored: enclosures are rounded outward by more
      * where coordinates are larger, and parts of groups and corners of meshes are rounded when they are placed. At an
      * accuracy below EXACT they also hold whatever a sweep of the objects themselves may stop before.
      *
@@ -395,7 +395,7 @@ public final class Leg {
         }
     }
 
-    /** Writes {@link #atLast}: the end of the whole leg, whatever was asked since. */
+    /** Writes {@link #atLast}: the end of the whole segment, whatever was asked since. */
     void placeEnd() {
         placeAt(1, between);
         form.place(view.dimension, between[0], between[1], between[2], between, 3, atLast, 0);
@@ -418,7 +418,7 @@ public final class Leg {
         return exactAt(end);
     }
 
-    /** The object itself after a share of the leg; valid until the next call. */
+    /** The object itself after a share of the segment; valid until the next call. */
     LeafColumn exactAfter(double share) {
         placeAt(share, between);
         return exactAt(between);
