@@ -77,7 +77,7 @@ import robosim.geometry.narrow.Scratch;
  * <p>A bad argument throws an {@code IllegalArgumentException} whose message names the argument and its value; after
  * any exception the world is unchanged. A world may be used by one thread at a time.
  */
-public final class Geometry {
+public final class Geometry implements WorldQueries {
     private static final Point CENTER = new Point();
 
     private final World engine;
@@ -146,27 +146,27 @@ public final class Geometry {
         return engine;
     }
 
-    /** Extent along X in world units. */
+    @Override
     public double width() {
         return engine.width;
     }
 
-    /** Extent along Y in world units. */
+    @Override
     public double height() {
         return engine.height;
     }
 
-    /** Extent along Z in world units. */
+    @Override
     public double length() {
         return engine.length;
     }
 
-    /** Whether heights count. */
+    @Override
     public Dimension dimension() {
         return engine.dimension;
     }
 
-    /** What stands for an object in queries that name no accuracy. */
+    @Override
     public Accuracy accuracy() {
         return view.accuracy;
     }
@@ -243,7 +243,7 @@ public final class Geometry {
         return made;
     }
 
-    /** All objects at their present places, in the order in which they were added. */
+    @Override
     public List<GeometryObject> objects() {
         return registry.present();
     }
@@ -523,21 +523,7 @@ public final class Geometry {
         engine.sensor.scan(registry.mover(name), mount, firstDegrees, stepDegrees, min, max, out);
     }
 
-    /**
-     * All beams of a sensor that is mounted on a moveable object. Each distance is, to the bit, that of
-     * {@link #getSonarDistance(String, Ray, double, double, double)} along {@code new Ray(mount.center(), d)}, where d is
-     * the beam's direction turned by the rotation of the mount. A {@link #scan} is a {@link RayPattern#fan}.
-     *
-     * <p>In a PLANAR world, sonars (beams with a width) and level lasers measure in the plane. A sensor that looks up or
-     * down, as cameras and lidars with elevation do, sees the objects with their heights: its answers are those of a SPATIAL
-     * world with the same objects. A laser is level if its {@linkplain RayPattern#isLevel pattern} is and if it stands
-     * upright to 2<sup>-16</sup>.
-     *
-     * @param mount   where the sensor is and which way it faces, in the object's own frame
-     * @param options a world answers on the calling thread alone, whatever the number of threads: see
-     *                {@link Snapshot#sense}
-     * @param out     takes the answers
-     */
+    @Override
     public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
         registry.begin("sense");
         int id = registry.mover(Checks.present("name", name));
@@ -545,13 +531,7 @@ public final class Geometry {
         sense(pattern, options, out);
     }
 
-    /**
-     * All beams of a sensor that nothing carries. Each distance is, to the bit, that of {@link #getRayDistance} from the
-     * sensor's place, and each object and normal that of {@link #castRay}. In a PLANAR world, a sensor that looks up or down
-     * sees heights: see above.
-     *
-     * @param sensor where it is and which way it faces
-     */
+    @Override
     public void sense(Pose sensor, RayPattern pattern, SenseOptions options, SenseBuffer out) {
         registry.begin("sense");
         engine.sensor.frame().at(Checks.present("sensor", sensor));
@@ -564,40 +544,19 @@ public final class Geometry {
         engine.sensor.senseAll(pattern, options, Checks.present("out", out).echoes());
     }
 
-    /**
-     * What many rays meet first that begin anywhere: mirrored rays, or the echoes of a sensor that moves while it measures.
-     * Each answer is, to the bit, that of {@link #castRay} with a range of its own.
-     *
-     * @param rays  seven numbers each: X, Y and Z of its start, X, Y and Z of its direction, of any length but zero, and its
-     *              range, which may be infinite
-     * @param count how many rays there are, from the beginning of the array
-     * @param out   takes the answers
-     */
+    @Override
     public void castRays(double[] rays, int count, SenseBuffer out) {
         registry.begin("castRays");
         engine.rays.check(rays, count);
         engine.rays.cast(view, rays, count, Checks.present("out", out).echoes());
     }
 
-    /**
-     * Tells for many rays whether each is free: whether it meets nothing within its range. Each bit is set where {@link
-     * #castRay} would return null; it is found sooner than what is met first. Two points see each other where the ray from
-     * one to the other, with their distance as its range, is free.
-     *
-     * @param rays  as in {@link #castRays}
-     * @param count how many rays there are, from the beginning of the array
-     * @param free  takes the answers as in {@link #freePoses}
-     * @return how many are free
-     */
+    @Override
     public int freeRays(double[] rays, int count, long[] free) {
         return freeRays(rays, count, -1, free);
     }
 
-    /**
-     * The same, ignoring the object of a given name.
-     *
-     * @throws IllegalArgumentException if there is no object of that name
-     */
+    @Override
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
         return freeRays(rays, count, registry.known(Checks.present("ignored", ignored)), free);
     }
@@ -609,36 +568,14 @@ public final class Geometry {
         return engine.rays.free(view, rays, count, ignored, free);
     }
 
-    /**
-     * Finds for many poses of a moveable object whether it could be there. Nothing is moved. A pose keeps how the object is
-     * tipped now: the object is turned about the vertical until its heading is that of the pose. Each bit is set if the object
-     * would be within the world and touch nothing there, apart from itself and from what it stands on: where the object is now,
-     * a plane may separate it from a piece that it touches, such as a floor. Pieces that lie wholly behind that plane do not
-     * count at a pose that is on the other side of it, or on it, as for moves. So a robot on a floor may be anywhere on that
-     * floor. Enclosures of coarser accuracies have no such planes.
-     *
-     * @param poses four numbers each: X, Y and Z of the centre, and the heading in degrees
-     * @param free  bit {@code k % 64} of element {@code k / 64} is the answer for pose k, the layout of
-     *              {@link java.util.BitSet#valueOf(long[])}; the other bits of the last element are cleared
-     * @return how many poses are free
-     */
+    @Override
     public int freePoses(String name, double[] poses, long[] free) {
         registry.begin("freePoses");
         int id = registry.mover(name);
         return engine.places().poses(view, id, poses, 0, FreePlaces.check("poses", poses, FreePlaces.POSE, free), free);
     }
 
-    /**
-     * Finds for many edges, each a straight move from one pose to another, whether a moveable object could make them. Nothing
-     * is moved. Each bit is set if the first pose is free as in {@link #freePoses} and {@link Geometry#moveGlobal} would move
-     * the object from there by the differences of the coordinates, and in place turn it by that of the headings: a turn of 350
-     * degrees is not one of -10. An edge that begins where the object is, with the numbers of its centre and heading, is free
-     * exactly if that move is. The path is swept, not sampled.
-     *
-     * @param edges eight numbers each: X, Y, Z and heading at the first pose, then at the second
-     * @param free  takes the answers as in {@link #freePoses}
-     * @return how many edges are free
-     */
+    @Override
     public int freeEdges(String name, double[] edges, long[] free) {
         registry.begin("freeEdges");
         int id = registry.mover(name);

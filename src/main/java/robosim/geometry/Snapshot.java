@@ -41,14 +41,10 @@ import robosim.geometry.narrow.leaf.LocalLeaves;
  * deserialized snapshot give the same bits. Placements of one mesh still share its triangles. What is read is checked
  * as objects added to a new world are. As with all Java serialization, read only data from a source that you trust.
  */
-public final class Snapshot implements Serializable {
+public final class Snapshot implements WorldQueries, Serializable {
     private static final long serialVersionUID = 1;
 
-    private final transient double width;
-    private final transient double height;
-    private final transient double length;
-    private final transient Dimension dimension;
-    private final transient Accuracy accuracy;
+    private final transient Settings settings;
     private final transient SharedIndex statics;
     private final transient GeometryObject[] movers;
 
@@ -59,19 +55,31 @@ public final class Snapshot implements Serializable {
     private final transient long time;
 
     /** Who answers questions about this snapshot itself. */
-    private final transient WorldCopies copies = new WorldCopies(this::toGeometry);
+    private final transient WorldCopies copies;
+
+    /** How many threads may work on one answer. */
+    private final transient int threads;
 
     private Snapshot(Settings settings, SharedIndex statics, GeometryObject[] movers, long[] arrivals, long time) {
-        width = settings.width;
-        height = settings.height;
-        length = settings.length;
-        dimension = settings.dimension;
-        accuracy = settings.accuracy;
+        this.settings = settings;
         this.statics = statics;
         this.movers = movers;
         this.arrivals = arrivals;
         this.time = time;
-        statics.table(accuracy); // else the first query would have to wait for it
+        copies = new WorldCopies(this::toGeometry);
+        threads = 1;
+        statics.table(settings.accuracy); // else the first query would have to wait for it
+    }
+
+    /** The same snapshot, with another number of threads. */
+    private Snapshot(Snapshot of, int threads) {
+        settings = of.settings;
+        statics = of.statics;
+        movers = of.movers;
+        arrivals = of.arrivals;
+        time = of.time;
+        copies = of.copies;
+        this.threads = threads;
     }
 
     private record Settings(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
@@ -100,29 +108,29 @@ public final class Snapshot implements Serializable {
         return Arrays.stream(ids).mapToLong(objects::arrival).toArray();
     }
 
-    /** Extent along X in world units. */
+    @Override
     public double width() {
-        return width;
+        return settings.width;
     }
 
-    /** Extent along Y in world units. */
+    @Override
     public double height() {
-        return height;
+        return settings.height;
     }
 
-    /** Extent along Z in world units. */
+    @Override
     public double length() {
-        return length;
+        return settings.length;
     }
 
-    /** Whether heights count. */
+    @Override
     public Dimension dimension() {
-        return dimension;
+        return settings.dimension;
     }
 
-    /** What stands for an object in queries that name no accuracy. */
+    @Override
     public Accuracy accuracy() {
-        return accuracy;
+        return settings.accuracy;
     }
 
     /** The number of objects. */
@@ -130,7 +138,7 @@ public final class Snapshot implements Serializable {
         return movers.length + statics.objects.size();
     }
 
-    /** All objects at their places, in the order in which they were added. */
+    @Override
     public List<GeometryObject> objects() {
         record Arrival(GeometryObject object, long time) {}
         Stream<Arrival> fixed = IntStream.range(0, statics.objects.size())
@@ -168,26 +176,26 @@ public final class Snapshot implements Serializable {
      * as needed, since a PLANAR one does not bound heights. A SPATIAL snapshot is returned as it is.
      */
     public Snapshot withHeights() {
-        if (dimension == Dimension.SPATIAL) {
+        if (dimension() == Dimension.SPATIAL) {
             return this;
         }
-        double half = height / 2;
+        double half = settings.height / 2;
         for (GeometryObject object : objects()) {
             half = Math.max(
                     half, Math.max(-object.bounds().minY(), object.bounds().maxY()));
         }
-        Settings settings =
-                new Settings(width, Checks.worldSize("height", 2 * half), length, Dimension.SPATIAL, accuracy);
+        Settings high =
+                new Settings(width(), Checks.worldSize("height", 2 * half), length(), Dimension.SPATIAL, accuracy());
         GeometryObject[] fixed = IntStream.range(0, statics.objects.size())
                 .mapToObj(statics.objects::value)
                 .toArray(GeometryObject[]::new);
         long[] came =
                 IntStream.range(0, fixed.length).mapToLong(statics::arrival).toArray();
-        return new Snapshot(settings, settings.statics(fixed, came), movers, arrivals, time);
+        return new Snapshot(high, high.statics(fixed, came), movers, arrivals, time);
     }
 
     private Geometry toGeometry(Scratch scratch) {
-        Geometry world = new Geometry(width, height, length, dimension, accuracy, statics, scratch);
+        Geometry world = new Geometry(width(), height(), length(), dimension(), accuracy(), statics, scratch);
         for (int k = 0; k < movers.length; k++) {
             world.restore(movers[k], arrivals[k]);
         }
@@ -196,64 +204,50 @@ public final class Snapshot implements Serializable {
     }
 
     /**
-     * All beams of a sensor that is mounted on a moveable object, as {@link Geometry#sense(String, Pose, RayPattern,
-     * SenseOptions, SenseBuffer)} answers them, to the bit. Safe to call from many threads at once, each with a buffer of
-     * its own.
+     * The same snapshot, but up to a number of threads work on each batch of poses or edges. As with
+     * {@link SenseOptions#withThreads}, the calling thread is helped by those of the {@link java.util.concurrent.ForkJoinPool} that it
+     * belongs to, or of the common one; all have finished when a call returns, and it waits for none that is busy with something
+     * else. No call starts threads of its own. The snapshot keeps a working copy of the world for each thread that has been at
+     * work for it at once.
      *
-     * <p>With more than one thread, the calling thread is helped by those of the {@link java.util.concurrent.ForkJoinPool}
-     * that it belongs to, or of the common one; all have finished when the call returns, and it waits for none that is busy
-     * with something else. The call starts no threads of its own. The snapshot keeps a working copy of the world for each
-     * thread that has been at work for it at once.
+     * @param count from 1, as at first, to 1024
      */
+    public Snapshot withThreads(int count) {
+        return new Snapshot(this, Checks.threads(count));
+    }
+
+    @Override
     public void sense(String name, Pose mount, RayPattern pattern, SenseOptions options, SenseBuffer out) {
         copies.sense(Checks.present("name", name), Checks.present("mount", mount), pattern, options, out);
     }
 
-    /** All beams of a sensor that nothing carries; the same for a place in the world. */
+    @Override
     public void sense(Pose sensor, RayPattern pattern, SenseOptions options, SenseBuffer out) {
         copies.sense(null, Checks.present("sensor", sensor), pattern, options, out);
     }
 
-    /**
-     * What many rays meet first that begin anywhere, as {@link Geometry#castRays} answers them, to the bit. On the calling
-     * thread; safe to call from many threads at once, each with a buffer of its own.
-     */
+    @Override
     public void castRays(double[] rays, int count, SenseBuffer out) {
         copies.castRays(rays, count, out);
     }
 
-    /** Tells for many rays whether each meets nothing within its range, as {@link Geometry#freeRays} does; the same holds. */
+    @Override
     public int freeRays(double[] rays, int count, long[] free) {
         return copies.freeRays(world -> world.freeRays(rays, count, free));
     }
 
-    /**
-     * The same, ignoring the object of a given name.
-     *
-     * @throws IllegalArgumentException if there is no object of that name
-     */
+    @Override
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
         return copies.freeRays(world -> world.freeRays(rays, count, ignored, free));
     }
 
-    /**
-     * Finds for many poses of a moveable object whether it could be there, as {@link Geometry#freePoses} does.
-     * Safe to call from many threads at once.
-     *
-     * @param threads how many may work on the answer, 1 to 1024; who helps is told at {@link #sense}
-     * @return how many poses are free
-     */
-    public int freePoses(String name, double[] poses, int threads, long[] free) {
+    @Override
+    public int freePoses(String name, double[] poses, long[] free) {
         return copies.free(WorldCopies.Places.POSES, name, poses, threads, free);
     }
 
-    /**
-     * Finds for many edges whether a moveable object could make them, as {@link Geometry#freeEdges} does. Safe to call from many threads at once.
-     *
-     * @param threads how many may work on the answer, 1 to 1024; who helps is told at {@link #sense}
-     * @return how many edges are free
-     */
-    public int freeEdges(String name, double[] edges, int threads, long[] free) {
+    @Override
+    public int freeEdges(String name, double[] edges, long[] free) {
         return copies.free(WorldCopies.Places.EDGES, name, edges, threads, free);
     }
 
@@ -325,7 +319,7 @@ public final class Snapshot implements Serializable {
 
     @Serial
     private Object writeReplace() {
-        return new Form(width, height, length, dimension, accuracy, ObjectRows.of(objects()));
+        return new Form(width(), height(), length(), dimension(), accuracy(), ObjectRows.of(objects()));
     }
 
     @Serial

@@ -141,7 +141,6 @@ final class WorldCopies {
 
     /** Answers poses or edges. */
     int free(Places places, String name, double[] numbers, int threads, long[] free) {
-        Checks.threads(threads);
         Checks.present("name", name);
         Geometry world = borrow();
         try {

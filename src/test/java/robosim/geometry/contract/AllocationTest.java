@@ -118,7 +118,7 @@ class AllocationTest {
         }
         long[] free = new long[1];
         assertAllocatesNothing("poses", k -> geometry.freePoses(robot(k), places[k & 63], free));
-        assertAllocatesNothing("poses in a snapshot", k -> snapshot.freePoses(robot(k), places[k & 63], 1, free));
+        assertAllocatesNothing("poses in a snapshot", k -> snapshot.freePoses(robot(k), places[k & 63], free));
         assertAllocatesNothing("edges", k -> geometry.freeEdges(robot(k), places[k & 63], free));
         // They stand elsewhere now, and the world is asked again.
         assertAllocatesNothing("moves and sonars", k -> {

@@ -125,9 +125,11 @@ class FreePlacesTest {
             assertEdges(snapshot, name, edges, freeEdges, edgesFound);
             for (int threads : new int[] {1, 2, 5}) {
                 long[] again = new long[6];
-                assertThat(snapshot.freePoses(name, poses, threads, again)).isEqualTo(truth);
+                assertThat(snapshot.withThreads(threads).freePoses(name, poses, again))
+                        .isEqualTo(truth);
                 assertThat(again).isEqualTo(java.util.Arrays.copyOf(free, 6));
-                assertThat(snapshot.freeEdges(name, edges, threads, again)).isEqualTo(edgesFound);
+                assertThat(snapshot.withThreads(threads).freeEdges(name, edges, again))
+                        .isEqualTo(edgesFound);
                 assertThat(again).isEqualTo(freeEdges);
             }
             if (!name.equals("any")) {
@@ -295,8 +297,8 @@ class FreePlacesTest {
         double[] two = new double[8];
         long[] free = {-1};
         refused("name must be that of an object", () -> world.freePoses("rob", two, free));
-        refused("name must be that of an object", () -> snapshot.freePoses("rob", two, 3, free));
-        refused("threads must be from 1", () -> snapshot.freePoses("robot", two, 0, free));
+        refused("name must be that of an object", () -> snapshot.withThreads(3).freePoses("rob", two, free));
+        refused("threads must be from 1", () -> snapshot.withThreads(0));
         refused("poses must have 4 numbers each (got: 3 numbers)", () -> world.freePoses("robot", new double[3], free));
         refused("edges must have 8 numbers each", () -> world.freeEdges("robot", new double[12], free));
         refused(
@@ -308,7 +310,7 @@ class FreePlacesTest {
         two[7] = Double.POSITIVE_INFINITY;
         refused(
                 "edges[7] must be a finite angle in degrees (got: Infinity)",
-                () -> snapshot.freeEdges("robot", two, 2, free));
+                () -> snapshot.withThreads(2).freeEdges("robot", two, free));
         two[7] = Double.MAX_VALUE;
         two[3] = -Double.MAX_VALUE;
         refused("turn from edges[3] to [7] must be a finite angle", () -> world.freeEdges("robot", two, free));

@@ -244,12 +244,12 @@ class NullsTest {
         call("name", () -> world.freePoses(null, new double[4], new long[1]));
         call("poses", () -> world.freePoses("r", null, new long[1]));
         call("free", () -> world.freePoses("r", new double[4], null));
-        call("name", () -> snapshot.freePoses(null, new double[4], 1, new long[1]));
-        call("poses", () -> snapshot.freePoses("r", null, 1, new long[1]));
-        call("free", () -> snapshot.freePoses("r", new double[4], 1, null));
+        call("name", () -> snapshot.freePoses(null, new double[4], new long[1]));
+        call("poses", () -> snapshot.freePoses("r", null, new long[1]));
+        call("free", () -> snapshot.freePoses("r", new double[4], null));
         call("name", () -> world.freeEdges(null, new double[8], new long[1]));
         call("edges", () -> world.freeEdges("r", null, new long[1]));
-        call("free", () -> snapshot.freeEdges("r", new double[8], 1, null));
+        call("free", () -> snapshot.freeEdges("r", new double[8], null));
         check();
     }
 
