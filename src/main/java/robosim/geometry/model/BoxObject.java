@@ -4,16 +4,12 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.material.Material;
 
 /** A solid box, placed by its centre; width along its own X, height along Y, length along Z. */
-public final class BoxObject implements GeometryObject {
+public final class BoxObject extends PlacedObject<BoxObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
 
-    private final transient Tag tag;
-    private final transient Pose pose;
     private final transient double width;
     private final transient double height;
     private final transient double length;
@@ -31,71 +27,15 @@ public final class BoxObject implements GeometryObject {
     }
 
     BoxObject(Tag tag, Pose pose, double width, double height, double length) {
-        this.tag = tag;
-        this.pose = pose;
+        super(tag, pose);
         this.width = Checks.halved("width", width);
         this.height = Checks.halved("height", height);
         this.length = Checks.halved("length", length);
     }
 
-    /** The same shape with another tag and pose. */
+    @Override
     BoxObject with(Tag newTag, Pose newPose) {
         return new BoxObject(newTag, newPose, width, height, length);
-    }
-
-    @Override
-    public @Nullable String name() {
-        return tag.name();
-    }
-
-    @Override
-    public boolean isMoveable() {
-        return tag.moveable();
-    }
-
-    @Override
-    public Pose pose() {
-        return pose;
-    }
-
-    @Override
-    public Material material() {
-        return tag.material();
-    }
-
-    @Override
-    public BoxObject named(String name) {
-        return with(tag.named(name), pose);
-    }
-
-    @Override
-    public BoxObject moveable(String name) {
-        return with(tag.moveable(name), pose);
-    }
-
-    @Override
-    public BoxObject withMaterial(Material material) {
-        return with(tag.of(material), pose);
-    }
-
-    @Override
-    public BoxObject movedTo(Point center) {
-        return with(tag, pose.movedTo(center));
-    }
-
-    @Override
-    public BoxObject turned(double rx, double ry) {
-        return with(tag, pose.turned(rx, ry));
-    }
-
-    @Override
-    public BoxObject oriented(double[] rotation) {
-        return with(tag, pose.oriented(rotation));
-    }
-
-    @Override
-    public BoxObject at(Pose place) {
-        return with(tag, Checks.present("pose", place));
     }
 
     @Override

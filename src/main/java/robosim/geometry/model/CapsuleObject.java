@@ -4,18 +4,14 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.material.Material;
 
 /**
  * A solid capsule: all points within a radius of a segment along its own Y, placed by its centre. A leg, an arm, a person.
  */
-public final class CapsuleObject implements GeometryObject {
+public final class CapsuleObject extends PlacedObject<CapsuleObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
 
-    private final transient Tag tag;
-    private final transient Pose pose;
     private final transient double radius;
     private final transient double segment;
 
@@ -32,70 +28,14 @@ public final class CapsuleObject implements GeometryObject {
     }
 
     CapsuleObject(Tag tag, Pose pose, double radius, double segment) {
-        this.tag = tag;
-        this.pose = pose;
+        super(tag, pose);
         this.radius = Checks.size("radius", radius);
         this.segment = Checks.halved("segment", segment);
     }
 
-    /** The same shape under another tag and pose. */
+    @Override
     CapsuleObject with(Tag newTag, Pose newPose) {
         return new CapsuleObject(newTag, newPose, radius, segment);
-    }
-
-    @Override
-    public @Nullable String name() {
-        return tag.name();
-    }
-
-    @Override
-    public boolean isMoveable() {
-        return tag.moveable();
-    }
-
-    @Override
-    public Pose pose() {
-        return pose;
-    }
-
-    @Override
-    public Material material() {
-        return tag.material();
-    }
-
-    @Override
-    public CapsuleObject named(String name) {
-        return with(tag.named(name), pose);
-    }
-
-    @Override
-    public CapsuleObject moveable(String name) {
-        return with(tag.moveable(name), pose);
-    }
-
-    @Override
-    public CapsuleObject withMaterial(Material material) {
-        return with(tag.of(material), pose);
-    }
-
-    @Override
-    public CapsuleObject movedTo(Point center) {
-        return with(tag, pose.movedTo(center));
-    }
-
-    @Override
-    public CapsuleObject turned(double rx, double ry) {
-        return with(tag, pose.turned(rx, ry));
-    }
-
-    @Override
-    public CapsuleObject oriented(double[] rotation) {
-        return with(tag, pose.oriented(rotation));
-    }
-
-    @Override
-    public CapsuleObject at(Pose place) {
-        return with(tag, Checks.present("pose", place));
     }
 
     @Override

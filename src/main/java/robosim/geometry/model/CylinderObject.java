@@ -4,16 +4,12 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.material.Material;
 
 /** A solid cylinder, placed by its centre; its axis is its own Y. */
-public final class CylinderObject implements GeometryObject {
+public final class CylinderObject extends PlacedObject<CylinderObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
 
-    private final transient Tag tag;
-    private final transient Pose pose;
     private final transient double radius;
     private final transient double height;
 
@@ -29,70 +25,14 @@ public final class CylinderObject implements GeometryObject {
     }
 
     CylinderObject(Tag tag, Pose pose, double radius, double height) {
-        this.tag = tag;
-        this.pose = pose;
+        super(tag, pose);
         this.radius = Checks.size("radius", radius);
         this.height = Checks.halved("height", height);
     }
 
-    /** The same shape with another tag and pose. */
+    @Override
     CylinderObject with(Tag newTag, Pose newPose) {
         return new CylinderObject(newTag, newPose, radius, height);
-    }
-
-    @Override
-    public @Nullable String name() {
-        return tag.name();
-    }
-
-    @Override
-    public boolean isMoveable() {
-        return tag.moveable();
-    }
-
-    @Override
-    public Pose pose() {
-        return pose;
-    }
-
-    @Override
-    public Material material() {
-        return tag.material();
-    }
-
-    @Override
-    public CylinderObject named(String name) {
-        return with(tag.named(name), pose);
-    }
-
-    @Override
-    public CylinderObject moveable(String name) {
-        return with(tag.moveable(name), pose);
-    }
-
-    @Override
-    public CylinderObject withMaterial(Material material) {
-        return with(tag.of(material), pose);
-    }
-
-    @Override
-    public CylinderObject movedTo(Point center) {
-        return with(tag, pose.movedTo(center));
-    }
-
-    @Override
-    public CylinderObject turned(double rx, double ry) {
-        return with(tag, pose.turned(rx, ry));
-    }
-
-    @Override
-    public CylinderObject oriented(double[] rotation) {
-        return with(tag, pose.oriented(rotation));
-    }
-
-    @Override
-    public CylinderObject at(Pose place) {
-        return with(tag, Checks.present("pose", place));
     }
 
     @Override

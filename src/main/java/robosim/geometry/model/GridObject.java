@@ -6,11 +6,9 @@ import java.io.Serial;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.index.cells.ClearanceMap;
 import robosim.geometry.index.cells.PlacedCells;
-import robosim.geometry.material.Material;
 
 /**
  * An occupancy grid: squares of one size in rows and columns, of which the occupied ones are solid boxes of one height. A
@@ -34,7 +32,7 @@ import robosim.geometry.material.Material;
  * map.bounds().maxZ();                                                      // -0.25
  * }</pre>
  */
-public final class GridObject implements GeometryObject {
+public final class GridObject extends PlacedObject<GridObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
 
     /** The least side of a cell, whose square is still a double. */
@@ -43,8 +41,6 @@ public final class GridObject implements GeometryObject {
     /** The most cells between the origin of the world and the far end of a grid. */
     private static final double FARTHEST = 0x1p30;
 
-    private final transient Tag tag;
-    private final transient Pose pose;
     private final transient double cell;
     private final transient double height;
     private final transient ClearanceMap cells;
@@ -64,6 +60,7 @@ public final class GridObject implements GeometryObject {
     }
 
     GridObject(Tag tag, Pose pose, double cell, double height, ClearanceMap cells) {
+        super(tag, pose);
         if (!(cell >= LEAST_CELL)) {
             throw new IllegalArgumentException("cell must be a number from 2^-500 to 2^100 (got: " + cell + ")");
         }
@@ -71,11 +68,10 @@ public final class GridObject implements GeometryObject {
             throw new IllegalArgumentException("a grid is static, so it cannot be moveable: give it a name with named"
                     + " (got: \"" + tag.name() + "\")");
         }
-        this.tag = tag;
         this.cell = Checks.size("cell", cell);
         this.height = Checks.halved("height", height);
         this.cells = cells;
-        this.pose = checked(pose);
+        check(pose);
     }
 
     /**
@@ -111,7 +107,7 @@ public final class GridObject implements GeometryObject {
         return new ClearanceMap(columns, rows, occupied);
     }
 
-    private Pose checked(Pose at) {
+    private void check(Pose at) {
         double half = (double) (cells.columns() + cells.rows()) / 2;
         double x = Math.abs(at.center().x());
         double z = Math.abs(at.center().z());
@@ -123,38 +119,17 @@ public final class GridObject implements GeometryObject {
             throw new IllegalArgumentException(
                     "a grid stands upright: its rotation must be that of a heading (got: " + at + ")");
         }
-        return at;
-    }
-
-    /** The same cells with another tag and pose. */
-    GridObject with(Tag newTag, Pose newPose) {
-        return new GridObject(newTag, newPose, cell, height, cells);
     }
 
     @Override
-    public @Nullable String name() {
-        return tag.name();
+    GridObject with(Tag newTag, Pose newPose) {
+        return new GridObject(newTag, newPose, cell, height, cells);
     }
 
     /** False: a grid is static. */
     @Override
     public boolean isMoveable() {
         return false;
-    }
-
-    @Override
-    public Pose pose() {
-        return pose;
-    }
-
-    @Override
-    public Material material() {
-        return tag.material();
-    }
-
-    @Override
-    public GridObject named(String name) {
-        return with(tag.named(name), pose);
     }
 
     /**
@@ -167,16 +142,6 @@ public final class GridObject implements GeometryObject {
         return with(tag.moveable(name), pose);
     }
 
-    @Override
-    public GridObject withMaterial(Material material) {
-        return with(tag.of(material), pose);
-    }
-
-    @Override
-    public GridObject movedTo(Point center) {
-        return with(tag, pose.movedTo(center));
-    }
-
     /**
      * This grid turned in place.
      *
@@ -186,16 +151,6 @@ public final class GridObject implements GeometryObject {
     @Override
     public GridObject turned(double rx, double ry) {
         return with(tag, pose.turned(rx, ry));
-    }
-
-    @Override
-    public GridObject oriented(double[] rotation) {
-        return with(tag, pose.oriented(rotation));
-    }
-
-    @Override
-    public GridObject at(Pose place) {
-        return with(tag, Checks.present("pose", place));
     }
 
     @Override

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
 
 /**
@@ -30,11 +29,9 @@ import robosim.geometry.material.TextureCoordinates;
  * CollisionDetection.intersects(block, inside);                // true
  * }</pre>
  */
-public final class MeshObject implements GeometryObject {
+public final class MeshObject extends PlacedObject<MeshObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
 
-    private final transient Tag tag;
-    private final transient Pose pose;
     private final transient TriangleMesh triangles;
     private final transient boolean solid;
     private final transient @Nullable GeometryObject boundingVolume;
@@ -67,8 +64,7 @@ public final class MeshObject implements GeometryObject {
 
     MeshObject(
             Tag tag, Pose pose, TriangleMesh triangles, boolean solid, @Nullable GeometryObject checkedBoundingVolume) {
-        this.tag = tag;
-        this.pose = pose;
+        super(tag, pose);
         this.triangles = triangles;
         this.solid = solid;
         this.boundingVolume = checkedBoundingVolume;
@@ -102,7 +98,7 @@ public final class MeshObject implements GeometryObject {
         return bounded;
     }
 
-    /** The same shape with another tag and pose. */
+    @Override
     MeshObject with(Tag newTag, Pose newPose) {
         return new MeshObject(newTag, newPose, triangles, solid, boundingVolume);
     }
@@ -135,61 +131,6 @@ public final class MeshObject implements GeometryObject {
     /** Where the faces' corners lie in a picture; null if that was not given. */
     public @Nullable TextureCoordinates textureCoordinates() {
         return triangles.texture();
-    }
-
-    @Override
-    public @Nullable String name() {
-        return tag.name();
-    }
-
-    @Override
-    public boolean isMoveable() {
-        return tag.moveable();
-    }
-
-    @Override
-    public Pose pose() {
-        return pose;
-    }
-
-    @Override
-    public Material material() {
-        return tag.material();
-    }
-
-    @Override
-    public MeshObject named(String name) {
-        return with(tag.named(name), pose);
-    }
-
-    @Override
-    public MeshObject moveable(String name) {
-        return with(tag.moveable(name), pose);
-    }
-
-    @Override
-    public MeshObject withMaterial(Material material) {
-        return with(tag.of(material), pose);
-    }
-
-    @Override
-    public MeshObject movedTo(Point center) {
-        return with(tag, pose.movedTo(center));
-    }
-
-    @Override
-    public MeshObject turned(double rx, double ry) {
-        return with(tag, pose.turned(rx, ry));
-    }
-
-    @Override
-    public MeshObject oriented(double[] rotation) {
-        return with(tag, pose.oriented(rotation));
-    }
-
-    @Override
-    public MeshObject at(Pose place) {
-        return with(tag, Checks.present("pose", place));
     }
 
     @Override

@@ -16,7 +16,7 @@ import robosim.geometry.material.Material;
  * <p>The frame's origin is the group's centre: (0, 0, 0) until it is moved. Inside a group, the names of the members
  * and whether they are moveable have no meaning.
  */
-public final class ObjectGroup implements GeometryObject {
+public final class ObjectGroup extends PlacedObject<ObjectGroup> implements GeometryObject {
     /**
      * Maximum nesting depth of groups; queries recurse into members. The deepest realistic case tried is a shelf in a
      * row in a hall, 3.
@@ -25,8 +25,6 @@ public final class ObjectGroup implements GeometryObject {
 
     private static final long serialVersionUID = 1;
 
-    private final transient Tag tag;
-    private final transient Pose pose;
     private final transient List<GeometryObject> members;
     private final transient @Nullable GeometryObject boundingVolume;
 
@@ -58,8 +56,7 @@ public final class ObjectGroup implements GeometryObject {
 
     private ObjectGroup(
             Tag tag, Pose pose, List<GeometryObject> members, @Nullable GeometryObject checkedBoundingVolume) {
-        this.tag = tag;
-        this.pose = pose;
+        super(tag, pose);
         this.members = members;
         this.boundingVolume = checkedBoundingVolume;
         int deepest = 0;
@@ -92,64 +89,9 @@ public final class ObjectGroup implements GeometryObject {
                 "members must not hold a grid, which is an object of the world itself (got: " + grid + ")");
     }
 
-    /** The same shape with another tag and pose. */
+    @Override
     ObjectGroup with(Tag newTag, Pose newPose) {
         return new ObjectGroup(newTag, newPose, members, boundingVolume);
-    }
-
-    @Override
-    public @Nullable String name() {
-        return tag.name();
-    }
-
-    @Override
-    public boolean isMoveable() {
-        return tag.moveable();
-    }
-
-    @Override
-    public Pose pose() {
-        return pose;
-    }
-
-    @Override
-    public Material material() {
-        return tag.material();
-    }
-
-    @Override
-    public ObjectGroup named(String name) {
-        return with(tag.named(name), pose);
-    }
-
-    @Override
-    public ObjectGroup moveable(String name) {
-        return with(tag.moveable(name), pose);
-    }
-
-    @Override
-    public ObjectGroup withMaterial(Material material) {
-        return with(tag.of(material), pose);
-    }
-
-    @Override
-    public ObjectGroup movedTo(Point center) {
-        return with(tag, pose.movedTo(center));
-    }
-
-    @Override
-    public ObjectGroup turned(double rx, double ry) {
-        return with(tag, pose.turned(rx, ry));
-    }
-
-    @Override
-    public ObjectGroup oriented(double[] rotation) {
-        return with(tag, pose.oriented(rotation));
-    }
-
-    @Override
-    public ObjectGroup at(Pose place) {
-        return with(tag, Checks.present("pose", place));
     }
 
     @Override

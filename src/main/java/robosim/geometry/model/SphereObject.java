@@ -4,16 +4,12 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.material.Material;
 
 /** A solid sphere, placed by its centre. It has an attitude too, which defines its forward direction. */
-public final class SphereObject implements GeometryObject {
+public final class SphereObject extends PlacedObject<SphereObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
 
-    private final transient Tag tag;
-    private final transient Pose pose;
     private final transient double radius;
 
     /**
@@ -27,69 +23,13 @@ public final class SphereObject implements GeometryObject {
     }
 
     SphereObject(Tag tag, Pose pose, double radius) {
-        this.tag = tag;
-        this.pose = pose;
+        super(tag, pose);
         this.radius = Checks.size("radius", radius);
     }
 
-    /** The same shape with another tag and pose. */
+    @Override
     SphereObject with(Tag newTag, Pose newPose) {
         return new SphereObject(newTag, newPose, radius);
-    }
-
-    @Override
-    public @Nullable String name() {
-        return tag.name();
-    }
-
-    @Override
-    public boolean isMoveable() {
-        return tag.moveable();
-    }
-
-    @Override
-    public Pose pose() {
-        return pose;
-    }
-
-    @Override
-    public Material material() {
-        return tag.material();
-    }
-
-    @Override
-    public SphereObject named(String name) {
-        return with(tag.named(name), pose);
-    }
-
-    @Override
-    public SphereObject moveable(String name) {
-        return with(tag.moveable(name), pose);
-    }
-
-    @Override
-    public SphereObject withMaterial(Material material) {
-        return with(tag.of(material), pose);
-    }
-
-    @Override
-    public SphereObject movedTo(Point center) {
-        return with(tag, pose.movedTo(center));
-    }
-
-    @Override
-    public SphereObject turned(double rx, double ry) {
-        return with(tag, pose.turned(rx, ry));
-    }
-
-    @Override
-    public SphereObject oriented(double[] rotation) {
-        return with(tag, pose.oriented(rotation));
-    }
-
-    @Override
-    public SphereObject at(Pose place) {
-        return with(tag, Checks.present("pose", place));
     }
 
     @Override

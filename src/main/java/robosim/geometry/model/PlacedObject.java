@@ -1,0 +1,69 @@
+package robosim.geometry.model;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.material.Material;
+
+/**
+ * The name, place and material of an object, which all shapes share; {@link GeometryObject} describes its methods. It is public only
+ * since the compiler names it where it infers a type from several shapes.
+ *
+ * @param <S> the shape
+ */
+public abstract sealed class PlacedObject<S extends GeometryObject>
+        permits BoxObject, CylinderObject, SphereObject, CapsuleObject, MeshObject, ObjectGroup, GridObject {
+    final Tag tag;
+    final Pose pose;
+
+    PlacedObject(Tag tag, Pose pose) {
+        this.tag = tag;
+        this.pose = pose;
+    }
+
+    /** The same shape with another tag and pose. */
+    abstract S with(Tag newTag, Pose newPose);
+
+    public final @Nullable String name() {
+        return tag.name();
+    }
+
+    public boolean isMoveable() {
+        return tag.moveable();
+    }
+
+    public final Pose pose() {
+        return pose;
+    }
+
+    public final Material material() {
+        return tag.material();
+    }
+
+    public final S named(String name) {
+        return with(tag.named(name), pose);
+    }
+
+    public S moveable(String name) {
+        return with(tag.moveable(name), pose);
+    }
+
+    public final S withMaterial(Material material) {
+        return with(tag.of(material), pose);
+    }
+
+    public final S movedTo(Point center) {
+        return with(tag, pose.movedTo(center));
+    }
+
+    public S turned(double rx, double ry) {
+        return with(tag, pose.turned(rx, ry));
+    }
+
+    public final S oriented(double[] rotation) {
+        return with(tag, pose.oriented(rotation));
+    }
+
+    public final S at(Pose place) {
+        return with(tag, Checks.present("pose", place));
+    }
+}
