@@ -229,6 +229,14 @@ class Contact(NamedTuple):
     phase: str  # "BEGIN"; "LAST" for a contact that lasts from the step before, and goes on; "END"
 
 
+class Stop(NamedTuple):
+    """Why a body was stopped in a step."""
+
+    name: str
+    reason: str  # "COLLISIONS": too many of them; "BLOCKED": it could not be moved; "OVERLAP": when the step began
+    other: Optional[str]  # what stopped it; None for an object without a name, for the border, and if it is unknown
+
+
 class Step(NamedTuple):
     """What became of a step."""
 
@@ -236,6 +244,7 @@ class Step(NamedTuple):
     contacts: List[Contact]
     stopped: List[str]  # whose motion could not be decided; they stand still
     refused: Dict[int, str]  # why bodies, counted first, and commands were left out, by their index
+    stops: List[Stop] = []  # why each body in `stopped` was; empty from a server that gives no reasons
 
 
 class Picture(NamedTuple):
@@ -787,7 +796,8 @@ class Module:
                          for b in answer["bodies"]},
                         [Contact(c["objectName"], c.get("other"), c["point"], c["normal"], c["impulse"], c["phase"])
                          for c in answer["contacts"]],
-                        answer["stopped"], {problem["index"]: problem["reason"] for problem in answer["refused"]})
+                        answer["stopped"], {problem["index"]: problem["reason"] for problem in answer["refused"]},
+                        [Stop(s["objectName"], s["reason"], s.get("other")) for s in answer.get("stops", [])])
         except (KeyError, TypeError) as e:
             raise ProtocolFault(f"bodies must have their fields (got: {str(answer)[:100]}): {e!r}") from None
 

@@ -572,12 +572,6 @@ public final class Dynamics {
         if (falling != null) {
             return falling.last();
         }
-        List<String> stopped = new ArrayList<>();
-        for (int b = 0; b < order.size(); b++) {
-            if (stepper.isStopped(b)) {
-                stopped.add(order.get(b).name);
-            }
-        }
-        return ToldContacts.result(stepper.touches(), stepper.before(), stopped, betweenParts);
+        return ToldContacts.result(stepper.touches(), stepper.before(), betweenParts);
     }
 }

@@ -184,12 +184,6 @@ final class Falling {
     }
 
     StepResult last() {
-        List<String> stopped = new ArrayList<>();
-        for (int b = 0; b < order.size(); b++) {
-            if (space.isStopped(b)) {
-                stopped.add(order.get(b).name);
-            }
-        }
-        return ToldContacts.result(space.touched(), space.before(), stopped, betweenParts);
+        return ToldContacts.result(space.touched(), space.before(), betweenParts);
     }
 }

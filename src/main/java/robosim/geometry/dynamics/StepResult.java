@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
@@ -8,16 +9,48 @@ import robosim.geometry.exact.Checks;
  *
  * @param contacts who collided or touches, one entry for each two objects and each face ({@link BodyContact}): those that
  *                 collided in the order of their times, then those that only touch at the end
- * @param stopped  the bodies that were stopped because their motion could not be decided within the bound of events or could
- *                 not be carried out without an overlap; mostly empty. They stand where they are free
+ * @param stopped  the names of the bodies that were stopped, in the order in which they became bodies; mostly empty. They stand
+ *                 where they are free
  * @param ended    the contacts of the step before that are none any more
+ * @param stops    why each body in {@code stopped} was, in the same order; empty in a result that was made without reasons
  */
-public record StepResult(List<BodyContact> contacts, List<String> stopped, List<BodyContact> ended) {
+public record StepResult(List<BodyContact> contacts, List<String> stopped, List<BodyContact> ended, List<Stop> stops) {
+    /** Why a body was stopped. */
+    public enum Reason {
+        /** It collided more often than a step allows for a body, or impulses and friction found no balance. */
+        COLLISIONS,
+        /** It could not be moved: the other object is in the way, or no proof was found that it is not. */
+        BLOCKED,
+        /** In a SPATIAL world: it overlapped the other object when the step began, so no motion of it could be decided. */
+        OVERLAP
+    }
+
+    /**
+     * A body that was stopped: it lost its velocity, or half of it in a SPATIAL world.
+     *
+     * @param body   its name
+     * @param reason the first one in the step
+     * @param other  the name of what stopped it; null for an object without a name, for the world's bounds, and if it is unknown
+     */
+    public record Stop(String body, Reason reason, @Nullable String other) {
+        /** Refuses null where it has no meaning. */
+        public Stop {
+            Checks.present("body", body);
+            Checks.present("reason", reason);
+        }
+    }
+
     /** Takes copies of the lists. */
     public StepResult {
         contacts = Checks.list("contacts", contacts);
         stopped = Checks.list("stopped", stopped);
         ended = Checks.list("ended", ended);
+        stops = Checks.list("stops", stops);
+    }
+
+    /** A step whose result gives no reasons why bodies were stopped. */
+    public StepResult(List<BodyContact> contacts, List<String> stopped, List<BodyContact> ended) {
+        this(contacts, stopped, ended, List.of());
     }
 
     /** A step in which no contact has ended. */

@@ -11,7 +11,7 @@ import robosim.geometry.model.Point;
 final class ToldContacts {
     private ToldContacts() {}
 
-    static StepResult result(ContactLog now, ContactLog before, List<String> stopped, Runnable betweenParts) {
+    static StepResult result(ContactLog now, ContactLog before, Runnable betweenParts) {
         List<BodyContact> contacts = new ArrayList<>(now.count());
         for (int k = 0; k < now.count(); k++) {
             betweenParts.run();
@@ -24,7 +24,22 @@ final class ToldContacts {
                 ended.add(contact(before, k, BodyContact.Phase.END));
             }
         }
-        return new StepResult(contacts, stopped, ended);
+        List<StepResult.Stop> stops = new ArrayList<>(now.stops());
+        for (int k = 0; k < now.stops(); k++) {
+            stops.add(stop(now, k));
+        }
+        List<String> stopped = stops.stream().map(StepResult.Stop::body).toList();
+        return new StepResult(contacts, stopped, ended, stops);
+    }
+
+    private static StepResult.Stop stop(ContactLog of, int k) {
+        StepResult.Reason reason = switch (of.cause(k)) {
+            case COLLISIONS -> StepResult.Reason.COLLISIONS;
+            case BLOCKED -> StepResult.Reason.BLOCKED;
+            case OVERLAP -> StepResult.Reason.OVERLAP;
+        };
+        @Nullable GeometryObject other = of.stopper(k);
+        return new StepResult.Stop(of.stopped(k), reason, other == null ? null : other.name());
     }
 
     private static BodyContact contact(ContactLog of, int k, BodyContact.Phase phase) {

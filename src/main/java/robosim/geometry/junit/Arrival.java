@@ -48,7 +48,7 @@ public final class Arrival {
             throw robot.failure(" was to reach " + goal + " in " + Words.steps(steps) + ", but came no nearer than "
                     + nearest + ", after " + Words.steps(bestStep) + " at "
                     + Words.center(best)
-                    + "; it stands " + Words.place(robot.object()) + world.lastRefusal(robot.name()));
+                    + "; it stands " + Words.place(robot.object()) + world.lastHindrance(robot.name()));
         }
         world.seek(null);
         return robot;

@@ -1,6 +1,7 @@
 package robosim.geometry.junit;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +16,7 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.StopAnswer;
 
 /** The bodies of a test's world: what they were given and told, and what they met so far. */
 final class Bodies {
@@ -25,6 +27,11 @@ final class Bodies {
     private final Map<String, DriveCommand> news = new LinkedHashMap<>();
 
     private final List<Meeting> meetings = new ArrayList<>();
+
+    /** Why bodies were stopped last, by their names, and in which step of the clock. */
+    private final Map<String, StopAnswer> stops = new HashMap<>();
+
+    private final Map<String, Long> stopSteps = new HashMap<>();
     private final Motion motion;
     private StepBundle.Answer last = new StepBundle.Answer(List.of(), List.of(), List.of());
 
@@ -61,6 +68,8 @@ final class Bodies {
         again.told.putAll(told);
         again.news.putAll(news);
         again.meetings.addAll(meetings);
+        again.stops.putAll(stops);
+        again.stopSteps.putAll(stopSteps);
         again.last = last;
         return again;
     }
@@ -108,6 +117,10 @@ final class Bodies {
         for (ContactAnswer contact : last.contacts()) {
             meetings.add(new Meeting(clock, contact, falls.get(contact.objectName())));
         }
+        for (StopAnswer stop : last.stops()) {
+            stops.put(stop.objectName(), stop);
+            stopSteps.put(stop.objectName(), clock);
+        }
         List<Problem> problems = new ArrayList<>();
         reasons.forEach((index, reason) -> problems.add(Problem.of(index, reason)));
         return new Reply(last, problems);
@@ -120,5 +133,11 @@ final class Bodies {
 
     List<Meeting> meetings() {
         return meetings;
+    }
+
+    /** When and why a body was last stopped because its motion could not be decided, for a message; empty if it never was. */
+    String lastStop(String name) {
+        StopAnswer stop = stops.get(name);
+        return stop == null ? "" : "; step " + stopSteps.get(name) + " stopped " + stop.words();
     }
 }

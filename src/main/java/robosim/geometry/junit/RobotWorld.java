@@ -197,7 +197,7 @@ public final class RobotWorld {
         if (!(off <= within)) {
             throw new AssertionFailedError(kind + " " + Text.quoted(name) + " was to be within " + Words.number(within)
                     + " of (" + Words.number(x) + ", " + Words.number(z) + ")" + moment() + ", but is "
-                    + Words.apart(off, within) + " away; it stands " + Words.place(known(name)));
+                    + Words.apart(off, within) + " away; it stands " + Words.place(known(name)) + lastHindrance(name));
         }
     }
 
@@ -356,9 +356,10 @@ public final class RobotWorld {
         watches.add(robot, except, meetings());
     }
 
-    /** The robot's last refusal, for a message; empty where there is none. */
-    String lastRefusal(String name) {
-        return watches.lastRefusal(name);
+    /** What last hindered the robot, a refused move or a stop in a step, for a message; empty where there is nothing. */
+    String lastHindrance(String name) {
+        Bodies all = bodies;
+        return watches.lastRefusal(name) + (all == null ? "" : all.lastStop(name));
     }
 
     /** Sets the goal that a robot is to reach; null for none. */

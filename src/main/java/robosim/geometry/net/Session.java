@@ -90,6 +90,9 @@ public final class Session {
     /** The bodies of the world; null before the first step. */
     private @Nullable Motion motion;
 
+    /** The bodies of which the log has told that one was stopped. */
+    private @Nullable Motion stopping;
+
     private Set<String> moveable = new HashSet<>();
     private double radians;
     private double degrees;
@@ -420,6 +423,11 @@ public final class Session {
                     complaints.warn(Reasons.ofFall(name, fall.drop()));
                 }
             });
+            if (stopping != moving && !answer.stops().isEmpty()) {
+                stopping = moving; // a crowd may stop in every step, so only the first is logged
+                complaints.warn(
+                        answer.stops().get(0).words() + " was stopped in a step; others in this world are not logged");
+            }
             return new Reply(answer, problems);
         } catch (IllegalArgumentException e) {
             return new Reply(nothing, List.of(notStepped(Reasons.of(e))));

@@ -40,6 +40,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -133,7 +134,9 @@ final class AllowedClasses {
             BodyAnswer.class,
             Velocity.class,
             ContactAnswer.class,
-            ContactAnswer.Phase.class);
+            ContactAnswer.Phase.class,
+            StopAnswer.class,
+            StopAnswer.Reason.class);
 
     private static final Set<Class<?>> MADE = Set.of(
             BoxObject.class,

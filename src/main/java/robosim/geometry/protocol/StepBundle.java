@@ -7,6 +7,7 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.StopAnswer;
 
 /**
  * A request to let time pass: bodies move as they are driven, slide, push and bounce, and never overlap. Answered by an
@@ -46,8 +47,10 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
      * @param contacts who collided or touches, one for each two objects, and of a mesh, a group, a grid or the border one for
      *                 each normal along which it is touched: those that collided in the order of their times, those that only touch, and then those that part
      * @param stopped  bodies that were stopped because their motion could not be decided or carried out without an overlap
+     * @param stops    why each of these was stopped, in the same order; empty where a JSON peer gives no reasons
      */
-    public record Answer(List<BodyAnswer> bodies, List<ContactAnswer> contacts, List<String> stopped)
+    public record Answer(
+            List<BodyAnswer> bodies, List<ContactAnswer> contacts, List<String> stopped, List<StopAnswer> stops)
             implements Bundle {
         @Serial
         private static final long serialVersionUID = 1;
@@ -57,6 +60,12 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
             bodies = Checks.copy("bodies", bodies, BodyAnswer.class);
             contacts = Checks.copy("contacts", contacts, ContactAnswer.class);
             stopped = Checks.copy("stopped", stopped, String.class);
+            stops = Checks.copy("stops", stops, StopAnswer.class);
+        }
+
+        /** An answer without reasons. */
+        public Answer(List<BodyAnswer> bodies, List<ContactAnswer> contacts, List<String> stopped) {
+            this(bodies, contacts, stopped, List.of());
         }
 
         @Override

@@ -1,6 +1,7 @@
 package robosim.geometry.scenario;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 
@@ -8,15 +9,18 @@ import robosim.geometry.protocol.Text;
 final class StepMismatch {
     private StepMismatch() {}
 
-    /** Compares two answers that are not equal. */
-    static Mismatch of(long number, Step step, StepBundle.Answer expected, StepBundle.Answer got) {
+    /** Compares two answers that are not equal; null if they differ only in reasons that the expected one does not give. */
+    static @Nullable Mismatch of(long number, Step step, StepBundle.Answer expected, StepBundle.Answer got) {
         if (!expected.bodies().equals(got.bodies())) {
             return differ(number, step, "bodies", expected.bodies(), got.bodies());
         }
         if (!expected.contacts().equals(got.contacts())) {
             return differ(number, step, "contacts", expected.contacts(), got.contacts());
         }
-        return differ(number, step, "stopped", expected.stopped(), got.stopped());
+        if (!expected.stopped().equals(got.stopped())) {
+            return differ(number, step, "stopped", expected.stopped(), got.stopped());
+        }
+        return expected.stops().isEmpty() ? null : differ(number, step, "stops", expected.stops(), got.stops());
     }
 
     private static Mismatch differ(long number, Step step, String what, List<?> wanted, List<?> answered) {

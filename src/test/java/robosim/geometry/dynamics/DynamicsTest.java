@@ -9,7 +9,9 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -426,6 +428,7 @@ class DynamicsTest {
         int met = 0;
         int stopped = 0;
         int steps = 0;
+        Set<StepResult.Reason> reasons = EnumSet.noneOf(StepResult.Reason.class);
         for (int run = 0; run < Effort.cases(8); run++) {
             Geometry world = world(12);
             // A closed room of thin walls, whose corners overlap.
@@ -471,6 +474,8 @@ class DynamicsTest {
                 steps++;
                 met += result.contacts().size();
                 stopped += result.stopped().isEmpty() ? 0 : 1;
+                assertThat(result.stops()).extracting(StepResult.Stop::body).isEqualTo(result.stopped());
+                result.stops().forEach(stop -> reasons.add(stop.reason()));
                 assertApart(world, "run " + run + ", step " + step);
                 for (String name : names) {
                     Point c = world.getObject(name).center();
@@ -482,6 +487,7 @@ class DynamicsTest {
         }
         assertThat(met).isGreaterThan(2 * steps);
         assertThat(stopped).isBetween(1, steps);
+        assertThat(reasons).contains(StepResult.Reason.COLLISIONS);
     }
 
     /** A cart that is driven pushes a crate, and that another one, until a wall stops all three. */
@@ -537,6 +543,22 @@ class DynamicsTest {
             energy = later;
             assertApart(world, "step " + step);
         }
+    }
+
+    /** Two discs that miss each other, in a world where each stands for its box: the boxes are in each other's way. */
+    @Test
+    void whatIsBlockedNamesWhatBlocksIt() {
+        Geometry world = new Geometry(40, 5, 40, Dimension.PLANAR, Accuracy.AABB);
+        world.addObject(disc("disc", 0, 0, 1));
+        world.addObject(new CylinderObject(new Point(2.1, 0, 1.7), 1, 1).named("post"));
+        Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+        dynamics.add("disc", Body.of(1, 1));
+        dynamics.setVelocity("disc", new Twist(1, 0, -0.2, 0));
+        StepResult result = dynamics.step(2);
+        assertThat(result.stops()).containsExactly(new StepResult.Stop("disc", StepResult.Reason.BLOCKED, "post"));
+        assertThat(result.stopped()).containsExactly("disc");
+        assertThat(dynamics.last()).isEqualTo(result);
+        assertThat(dynamics.step(1).stops()).isEmpty();
     }
 
     @Test

@@ -24,7 +24,7 @@ class PressTest {
     private static final int STEPS = 400;
     private static final double SQUARE = 1e-9;
 
-    private int stopped;
+    private final StopCount stops = new StopCount();
     private int contacts;
 
     @Test
@@ -33,8 +33,7 @@ class PressTest {
             run(new SplittableRandom(seed));
         }
         assertThat(contacts).isGreaterThan(50 * STEPS);
-        // Of 32,000 times that a robot is carried.
-        assertThat(stopped).isLessThan(1000);
+        stops.assertAtMost(100);
     }
 
     /** Thrown or driven, square on to what is wider, narrower or beside its middle: it keeps its heading. */
@@ -98,7 +97,7 @@ class PressTest {
                                 .driving(random.nextDouble(0.2, 1), random.nextDouble(-60, 60)));
             }
             StepResult result = dynamics.step(0.05);
-            stopped += result.stopped().size();
+            stops.add(result, robots.size(), "step " + step);
             contacts += result.contacts().size();
             assertApart(world, step);
         }

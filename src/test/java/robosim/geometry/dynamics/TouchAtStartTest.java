@@ -79,7 +79,9 @@ class TouchAtStartTest {
         world.addObjectUnchecked(new BoxObject(new Point(0, 0.125, 0), 0.5, 0.5, 0.5).moveable("cart"));
         Dynamics dynamics = new Dynamics(world, new Surface(0, 0.5, 0.5));
         dynamics.add("cart", Body.of(20, 1));
-        assertThat(run(dynamics, 3).stopped()).containsExactly("cart");
+        StepResult last = run(dynamics, 3);
+        assertThat(last.stopped()).containsExactly("cart");
+        assertThat(last.stops()).containsExactly(new StepResult.Stop("cart", StepResult.Reason.OVERLAP, "floor"));
         assertThat(world.getObject("cart").center().y()).isBetween(0.125, 0.1250001);
     }
 

@@ -50,6 +50,18 @@ class SpatialDrivingTest {
     }
 
     @Test
+    void aFailureSaysWhyARobotWasStopped() {
+        Geometry arena = arena();
+        arena.addObjectUnchecked(new BoxObject(new Point(-2, -1.1, 0), 0.6, 0.48, 0.4).moveable("sunk"));
+        RobotWorld world = RobotWorld.of(arena);
+        Robot sunk = world.robot("sunk").drives(1, 0).forSeconds(1);
+        assertThatThrownBy(() -> sunk.endsNear(-1, 0, 0.1))
+                .hasMessageContaining("; step 10 stopped \"sunk\" (OVERLAP by \"platform\")");
+        Robot cart = world.robot("cart").drives(1, 0).forSeconds(0.1);
+        assertThatThrownBy(() -> cart.endsNear(-1, 0, 0.1)).message().doesNotContain("stopped");
+    }
+
+    @Test
     void itPushesWhatHasAMassOverTheEdgeAndTheRecordingRepeatsIt() throws IOException {
         RobotWorld world = RobotWorld.of(arena());
         world.object("crate").hasMass(5);

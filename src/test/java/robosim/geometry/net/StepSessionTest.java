@@ -38,6 +38,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -138,6 +139,7 @@ class StepSessionTest {
                             .toList());
             answer.contacts().forEach(each -> phases.add(each.phase()));
             assertThat(answer.stopped()).isEqualTo(result.stopped());
+            assertThat(answer.stops()).hasSameSizeAs(result.stops());
             met += answer.contacts().size();
         }
         assertThat(met).isGreaterThan(3);
@@ -162,6 +164,28 @@ class StepSessionTest {
         assertThat(answer.bodies()).extracting(BodyAnswer::objectName).containsExactly("ball", "cart");
         assertThat(answer.bodies().get(0).center().x()).isEqualTo(-4);
         assertThat(answer.bodies().get(1).center().x()).isEqualTo(-1);
+    }
+
+    /** Boxes stand for two discs that miss each other: each step is answered with the reason, and the first of a world is logged. */
+    @Test
+    void aStopIsAnsweredWithItsReasonAndLoggedOnce() {
+        List<GeometryObject> objects = List.of(
+                new CylinderObject(new Point(), 1, 1).moveable("disc"),
+                new CylinderObject(new Point(2.1, 0, 1.7), 1, 1).named("post"));
+        WorldSettings boxes = new WorldSettings(40, 5, 40, Dimension.PLANAR, Accuracy.AABB);
+        BodyRequest going = BodyRequest.of("disc").withFloorFriction(0).withVelocity(new Velocity(1, 0, -0.2, 0));
+        Session session = new Session();
+        try (LogCapture log = new LogCapture()) {
+            for (int world = 1; world <= 2; world++) {
+                session.reply(new InitBundle(objects, boxes));
+                for (int step = 0; step < 2; step++) {
+                    assertThat(step(session, new StepBundle(2, List.of(going), List.of()))
+                                    .stops())
+                            .containsExactly(new StopAnswer("disc", StopAnswer.Reason.BLOCKED, "post"));
+                }
+                assertThat(log.linesWith("\"disc\" (BLOCKED by \"post\")")).hasSize(world);
+            }
+        }
     }
 
     /** A body or a command that is refused leaves no body behind: here two wheels without a distance between them. */

@@ -10,6 +10,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -58,12 +59,16 @@ public final class StepSamples {
                         new ContactAnswer(
                                 "a", "b", new Point(0.5, 0, 0), new Point(1, 0, 0), 2.5, ContactAnswer.Phase.LAST),
                         new ContactAnswer("a", null, new Point(), new Point(0, 0, -1), 0, ContactAnswer.Phase.END)),
-                List.of("b"));
+                List.of("b", "a"),
+                List.of(
+                        new StopAnswer("b", StopAnswer.Reason.BLOCKED, "a"),
+                        new StopAnswer("a", StopAnswer.Reason.OVERLAP, null)));
     }
 
     public static List<Bundle> everyBundle() {
         List<Bundle> all = new ArrayList<>(requests());
         all.add(answer());
+        all.add(new StepBundle.Answer(List.of(), List.of(), List.of("a")));
         return all;
     }
 

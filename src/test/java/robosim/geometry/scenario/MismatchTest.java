@@ -5,6 +5,7 @@ import static robosim.geometry.scenario.Conversation.move;
 import static robosim.geometry.scenario.Conversation.sonar;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.MoveBundle;
@@ -13,6 +14,8 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.motion.StopAnswer;
 
 class MismatchTest {
     private static Mismatch distances(List<Double> expected, List<Double> got) {
@@ -62,6 +65,25 @@ class MismatchTest {
                 .hasToString(
                         "step 1, 3 moves: expected among those made a move of \"a\" by (1.0, 0.0, 0.0), got no such"
                                 + " request in its place");
+    }
+
+    /** A recording may be older than the reasons why bodies are stopped. */
+    @Test
+    void reasonsCountWhereTheyAreExpected() {
+        List<StopAnswer> reasons = List.of(new StopAnswer("a", StopAnswer.Reason.BLOCKED, "wall"));
+        StepBundle.Answer without = new StepBundle.Answer(List.of(), List.of(), List.of("a"));
+        StepBundle.Answer with = new StepBundle.Answer(List.of(), List.of(), List.of("a"), reasons);
+        assertThat(steps(without, with)).isNull();
+        assertThat(steps(with, with)).isNull();
+        assertThat(steps(with, without)).asString().contains("stops[0]", "wall", "got no more");
+        assertThat(steps(without, new StepBundle.Answer(List.of(), List.of(), List.of())))
+                .asString()
+                .contains("stopped[0]");
+    }
+
+    private static @Nullable Mismatch steps(StepBundle.Answer expected, StepBundle.Answer got) {
+        Step step = new Step(new StepBundle(1, List.of(), List.of()), new Reply(expected));
+        return Mismatch.of(1, step, new Reply(got));
     }
 
     @Test

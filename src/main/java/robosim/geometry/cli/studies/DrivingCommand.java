@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -39,6 +40,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.DriveSettings.Kind;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.drive.DriveRun;
@@ -340,7 +342,8 @@ public final class DrivingCommand implements Callable<Integer> {
             read.objects().forEach(object -> tellFall(run, object.object(), out));
         }
         if (!run.stopped().isEmpty()) {
-            out.println("stopped, since their motion could not be decided: " + String.join(", ", run.stopped()));
+            out.println("stopped, since their motion could not be decided: "
+                    + run.stopped().stream().map(StopAnswer::words).collect(Collectors.joining(", ")));
         }
         if (planar || !isSpatial) {
             PlanOverlaps.of(

@@ -81,6 +81,18 @@ final class ContactDetection {
         dropInnerEdges(from);
     }
 
+    /** The first object around a body from which no direction separates it; -1 for the border, and if there is none. */
+    int overlapped(RigidBody body) {
+        near.find(body, 0, 0, 0, body.reach + TOUCH);
+        near.leaf(body, body.place, leaf);
+        for (int k = 0; k < near.count; k++) {
+            if (!meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE)) {
+                return near.object[k];
+            }
+        }
+        return -1;
+    }
+
     /**
      * Takes out, from one contact on, those on an inner edge of a surface: where a piece that does not rise above the plane of
      * a nearer contact is met, the body is on that plane, and the edge is none.

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.space;
 
 import java.util.List;
+import robosim.geometry.dynamics.step.ContactLog;
 import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.objects.ObjectTable;
 
@@ -181,10 +182,33 @@ final class Integrator {
             System.arraycopy(body.u, 0, body.v, 0, 6); // delayed by less than half of a slice
             return;
         }
-        body.isStopped = true;
+        if (body.stop == null) {
+            explain(b, idle > 0 || body.waits > 0 ? ContactLog.Cause.BLOCKED : ContactLog.Cause.COLLISIONS);
+        }
         for (int k = 0; k < 6; k++) {
             body.v[k] = 0.5 * body.u[k];
             body.u[k] = body.v[k];
+        }
+    }
+
+    /** Keeps why a body is stopped, and by what: of all that it touches, what is against its last displacement most. */
+    private void explain(int b, ContactLog.Cause cause) {
+        RigidBody body = bodies.get(b);
+        body.stop = way.isFree(body) ? cause : ContactLog.Cause.OVERLAP;
+        if (body.stop == ContactLog.Cause.OVERLAP) {
+            body.stopper = detection.overlapped(body);
+            return;
+        }
+        contacts.clear();
+        detection.gather(b, true);
+        double most = Double.POSITIVE_INFINITY;
+        body.stopper = -1;
+        for (int k = 0; k < contacts.count; k++) {
+            double along = up(k, d);
+            if (along < most) {
+                most = along;
+                body.stopper = contacts.object[k];
+            }
         }
     }
 

@@ -2,6 +2,7 @@ package robosim.geometry.dynamics.space;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.dynamics.step.ContactLog;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /**
@@ -85,7 +86,11 @@ final class RigidBody implements Cloneable {
     int waits;
 
     boolean isAsleep;
-    boolean isStopped;
+
+    /** Why it was stopped in this step, and the object that stopped it; null if it was not, below 0 if that is unknown. */
+    ContactLog.@Nullable Cause stop;
+
+    int stopper;
 
     /** How long it has been slow, seconds. */
     double slow;

@@ -124,11 +124,6 @@ public final class SpatialStepper {
         }
     }
 
-    /** Whether a body was stopped in the last step. */
-    public boolean isStopped(int b) {
-        return bodies.get(b).isStopped;
-    }
-
     /** The contacts of the last step, and of the one before. */
     public ContactLog touched() {
         return now;
@@ -184,6 +179,12 @@ public final class SpatialStepper {
             isMoving = slice(seconds / slices, surfaces);
         }
         touchAtRest();
+        for (int b = 0; b < bodies.size(); b++) {
+            RigidBody body = bodies.get(b);
+            if (body.stop != null) {
+                now.stop(b, body.id, body.stopper, body.stop);
+            }
+        }
     }
 
     /** Moves all bodies by a slice of time, in parts that end where two of them meet; false if all rest. */
@@ -210,7 +211,7 @@ public final class SpatialStepper {
             System.arraycopy(body.place, 0, known, 0, body.place.length);
             way.read(body);
             isNew |= !Arrays.equals(known, 0, body.place.length, body.place, 0, body.place.length);
-            body.isStopped = false;
+            body.stop = null;
         }
         if (isNew) {
             bodies.forEach(RigidBody::wake);

@@ -147,6 +147,11 @@ final class TurningSweep {
         return isFree;
     }
 
+    /** Whether a body overlaps and touches nothing where it is. */
+    boolean isFree(RigidBody body) {
+        return placer.isFree(body.id, body.place);
+    }
+
     /** Takes over where the world has a body. */
     void read(RigidBody body) {
         System.arraycopy(placer.objects.places(), placer.objects.place(body.id), body.place, 0, Pose.PLACE);

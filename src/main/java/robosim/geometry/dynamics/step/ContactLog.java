@@ -7,7 +7,7 @@ import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.GeometryObject;
 
 /**
- * Who touched whom in a step: one entry for each two objects, and of an object that has several faces at once one for each of
+ * Who touched whom in a step, and which bodies were stopped: one entry for each two objects, and of an object that has several faces at once one for each of
  * them, in the order in which they were first told. It keeps the objects themselves, and where they touched: they may be
  * removed, and bodies numbered anew, before anybody asks.
  *
@@ -15,6 +15,13 @@ import robosim.geometry.model.GeometryObject;
  * is that of a face which turns, if there is one that was like it before and does not touch any more; else it is a new face.
  */
 public final class ContactLog {
+    /** Why a body was stopped. */
+    public enum Cause {
+        COLLISIONS,
+        BLOCKED,
+        OVERLAP
+    }
+
     private static final int FIRST = 64;
 
     /** The cosine of the angle between two normals of one face: they differ in rounding. */
@@ -70,6 +77,13 @@ public final class ContactLog {
     private double[] noteNormal = new double[3 * FIRST];
     private double[] noteImpulse = new double[FIRST];
 
+    // Who was stopped, in the order of the indices of the bodies, by which object, and why.
+    private int stops;
+    private int[] stoppedIndex = new int[4];
+    private @Nullable GeometryObject[] stopped = new GeometryObject[4];
+    private @Nullable GeometryObject[] stopper = new GeometryObject[4];
+    private @Nullable Cause[] causes = new Cause[4];
+
     public ContactLog(ObjectTable objects) {
         this.objects = objects;
         Arrays.fill(table, -1);
@@ -82,6 +96,9 @@ public final class ContactLog {
             Arrays.fill(body, 0, count, null);
             Arrays.fill(other, 0, count, null);
         }
+        Arrays.fill(stopped, 0, stops, null);
+        Arrays.fill(stopper, 0, stops, null);
+        stops = 0;
         count = 0;
         notes = 0;
         before = after;
@@ -131,6 +148,57 @@ public final class ContactLog {
     /** Whether there is such a contact in the step after, as far as that has come. */
     public boolean goesOn(int entry) {
         return goesOn[entry];
+    }
+
+    // ---- who was stopped ----
+
+    /**
+     * Notes that a body was stopped; the first cause in a step counts.
+     *
+     * @param index  of the body
+     * @param id     of its object
+     * @param object the id of what stopped it; below 0 for the border and where that is unknown
+     */
+    public void stop(int index, int id, int object, Cause cause) {
+        int at = Arrays.binarySearch(stoppedIndex, 0, stops, index);
+        if (at >= 0) {
+            return;
+        }
+        at = -1 - at;
+        if (stops == stopped.length) {
+            stoppedIndex = Arrays.copyOf(stoppedIndex, 2 * stops);
+            stopped = Arrays.copyOf(stopped, 2 * stops);
+            stopper = Arrays.copyOf(stopper, 2 * stops);
+            causes = Arrays.copyOf(causes, 2 * stops);
+        }
+        System.arraycopy(stoppedIndex, at, stoppedIndex, at + 1, stops - at);
+        System.arraycopy(stopped, at, stopped, at + 1, stops - at);
+        System.arraycopy(stopper, at, stopper, at + 1, stops - at);
+        System.arraycopy(causes, at, causes, at + 1, stops - at);
+        stoppedIndex[at] = index;
+        stopped[at] = objects.value(id);
+        stopper[at] = object < 0 ? null : objects.value(object);
+        causes[at] = cause;
+        stops++;
+    }
+
+    /** How many bodies were stopped. */
+    public int stops() {
+        return stops;
+    }
+
+    /** The name of a body that was stopped. */
+    public String stopped(int stop) {
+        return Objects.requireNonNull(Objects.requireNonNull(stopped[stop]).name());
+    }
+
+    /** What stopped it, as it was added; null for the border, and where it is unknown. */
+    public @Nullable GeometryObject stopper(int stop) {
+        return stopper[stop];
+    }
+
+    public Cause cause(int stop) {
+        return Objects.requireNonNull(causes[stop]);
     }
 
     // ---- what touches at one time ----

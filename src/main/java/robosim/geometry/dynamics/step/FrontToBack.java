@@ -73,6 +73,9 @@ final class FrontToBack {
     /** Whether a body could not be carried where it was to go. */
     boolean[] isBlocked = new boolean[FIRST];
 
+    /** The object that blocks a body; below 0 for the border. */
+    int[] blocker = new int[FIRST];
+
     /** Whether what blocks a body is another one that moves. */
     boolean[] isBehind = new boolean[FIRST];
 
@@ -118,6 +121,7 @@ final class FrontToBack {
             isOnWay = new boolean[room];
             isLate = new boolean[room];
             isBlocked = new boolean[room];
+            blocker = new int[room];
             isBehind = new boolean[room];
         }
         for (int b = 0; b < bodies.count; b++) {
@@ -403,6 +407,7 @@ final class FrontToBack {
         double fromZ = world.objects.places()[world.objects.place(id) + 2];
         boolean isThere = world.moveToContact(id, dx, dz, Degrees.toDegrees(by), gap);
         int obstacle = isThere ? -1 : world.obstacle();
+        blocker[b] = obstacle;
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
         isBehind[b] = other >= 0 && bodies.lightness[other] > 0 && !bodies.isStill(other);
         double[] places = world.objects.places();

@@ -49,7 +49,6 @@ public final class PlanarStepper {
     /** The log of the step before that, for a step that is taken back. */
     private ContactLog older;
 
-    private boolean[] wasStopped = new boolean[0];
     private double[] hadWaited = new double[0];
 
     private double end;
@@ -63,9 +62,6 @@ public final class PlanarStepper {
 
     /** How many collisions have been solved since the step began. */
     int collisions;
-
-    /** Whether a body had to be stopped. */
-    boolean[] isStopped = new boolean[8];
 
     public PlanarStepper(World world) {
         scene = new Scene(world);
@@ -100,8 +96,7 @@ public final class PlanarStepper {
         bodies.id[b] = id;
         bodies.ownLightness[b] = mass == 0 ? 0 : 1 / mass;
         bodies.ownEase[b] = mass == 0 ? 0 : 1 / inertia;
-        if (b >= isStopped.length) {
-            isStopped = new boolean[2 * b];
+        if (b >= Math.min(isPressed.length, waited.length)) {
             isPressed = new boolean[2 * b];
             waited = Arrays.copyOf(waited, 2 * b);
         }
@@ -151,10 +146,6 @@ public final class PlanarStepper {
         return bodies.w[b];
     }
 
-    public boolean isStopped(int b) {
-        return isStopped[b];
-    }
-
     public int count() {
         return bodies.count;
     }
@@ -165,7 +156,7 @@ public final class PlanarStepper {
         return bodies.pieces[b] == 1 && pieces.reach[piece] == 0;
     }
 
-    /** Who touched whom in this step. */
+    /** Who touched whom in this step, and which bodies were stopped. */
     public ContactLog touches() {
         return touches;
     }
@@ -183,19 +174,16 @@ public final class PlanarStepper {
         touches = spare;
         touches.begin(before);
         collisions = 0;
-        Arrays.fill(isStopped, 0, bodies.count, false);
     }
 
     /** Keeps what a step changes that is about to begin. */
     public void keep() {
-        wasStopped = isStopped.clone();
         hadWaited = waited.clone();
         floor.keep();
     }
 
     /** Takes a step back that was not made; whether it had begun. */
     public void undo(boolean hasBegun) {
-        isStopped = wasStopped;
         waited = hadWaited;
         floor.undo();
         if (hasBegun) {
@@ -307,7 +295,9 @@ public final class PlanarStepper {
             int body = island.bodyList[isSwapped && k < 2 ? 1 - k : k];
             bodies.changes[body] += !isSlow && solver.isChanged(body) ? 1 : 0;
             if (!isSolved || bodies.changes[body] > MOST_CHANGES) {
-                isStopped[body] |= bodies.ownLightness[body] > 0;
+                if (bodies.ownLightness[body] > 0) {
+                    touches.stop(body, bodies.id[body], partner(body, hit), ContactLog.Cause.COLLISIONS);
+                }
                 bodies.hold(body);
             }
             carrying.leg(body);
@@ -320,6 +310,20 @@ public final class PlanarStepper {
             meetings.pause(hit, now, met.isChanged(hit));
         }
         again(hit, now);
+    }
+
+    /** The object with which a body collides: of several, that of the pair that met, or the first. */
+    private int partner(int body, int hit) {
+        int object = World.NOTHING;
+        for (int c = 0; c < island.count; c++) {
+            int pair = island.pair[c];
+            boolean isFirst = pieces.body[pairs.a[pair]] == body;
+            boolean isOf = isFirst || pieces.body[pairs.b[pair]] == body;
+            if (isOf && (object == World.NOTHING || pair == hit)) {
+                object = pieces.object[isFirst ? pairs.b[pair] : pairs.a[pair]];
+            }
+        }
+        return object;
     }
 
     /** Expects the next collisions of those whose velocities have changed. */
@@ -376,7 +380,7 @@ public final class PlanarStepper {
                 waited[b] += end; // and keeps its velocity
             } else {
                 bodies.stop(b);
-                isStopped[b] = true;
+                touches.stop(b, bodies.id[b], carrying.blocker[b], ContactLog.Cause.BLOCKED);
             }
         }
     }

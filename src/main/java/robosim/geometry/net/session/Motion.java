@@ -34,6 +34,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -134,7 +135,17 @@ public final class Motion {
                 new ArrayList<>(result.contacts().size() + result.ended().size());
         result.contacts().forEach(contact -> contacts.add(answer(contact)));
         result.ended().forEach(contact -> contacts.add(answer(contact)));
-        return new StepBundle.Answer(places(), contacts, result.stopped());
+        List<StopAnswer> stops = result.stops().stream().map(Motion::answer).toList();
+        return new StepBundle.Answer(places(), contacts, result.stopped(), stops);
+    }
+
+    private static StopAnswer answer(StepResult.Stop stop) {
+        StopAnswer.Reason reason = switch (stop.reason()) {
+            case COLLISIONS -> StopAnswer.Reason.COLLISIONS;
+            case BLOCKED -> StopAnswer.Reason.BLOCKED;
+            case OVERLAP -> StopAnswer.Reason.OVERLAP;
+        };
+        return new StopAnswer(stop.body(), reason, stop.other());
     }
 
     private static ContactAnswer answer(BodyContact contact) {

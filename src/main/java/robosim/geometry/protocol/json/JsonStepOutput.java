@@ -2,6 +2,7 @@ package robosim.geometry.protocol.json;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.StepBundle;
@@ -10,6 +11,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -101,6 +103,24 @@ final class JsonStepOutput {
         out.writeArrayFieldStart("stopped");
         for (String name : answer.stopped()) {
             out.writeString(name);
+        }
+        out.writeEndArray();
+        if (!answer.stops().isEmpty()) {
+            stops(answer.stops());
+        }
+    }
+
+    private void stops(List<StopAnswer> stops) throws IOException {
+        out.writeArrayFieldStart("stops");
+        for (StopAnswer stop : stops) {
+            out.writeStartObject();
+            out.writeStringField("objectName", stop.objectName());
+            out.writeStringField("reason", stop.reason().name());
+            @Nullable String other = stop.other();
+            if (other != null) {
+                out.writeStringField("other", other);
+            }
+            out.writeEndObject();
         }
         out.writeEndArray();
     }

@@ -17,6 +17,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -34,8 +35,9 @@ final class JsonSteps {
             Fields.of("kind", "base maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~");
     private static final Fields COMMAND = Fields.of("objectName", "forward right turn~");
     private static final Fields VELOCITY = Fields.of("x y z ry", "");
-    private static final Fields ANSWER = Fields.of("type bodies contacts stopped refused", "");
+    private static final Fields ANSWER = Fields.of("type bodies contacts stopped refused", "stops");
     private static final Fields PLACED = Fields.of("objectName center heading velocity", "rotation");
+    private static final Fields STOP = Fields.of("objectName reason", "other");
     private static final Fields CONTACT = Fields.of("objectName point normal impulse phase", "other");
 
     private final JsonInput in;
@@ -154,6 +156,7 @@ final class JsonSteps {
         List<BodyAnswer> bodies = new ArrayList<>();
         List<ContactAnswer> contacts = new ArrayList<>();
         List<String> stopped = new ArrayList<>();
+        List<StopAnswer> stops = new ArrayList<>();
         List<Problem> problems = new ArrayList<>();
         JsonMessages messages = new JsonMessages(in);
         var message = in.message(ANSWER);
@@ -163,11 +166,27 @@ final class JsonSteps {
                 case 1 -> items(bodies, this::placed);
                 case 2 -> items(contacts, this::contact);
                 case 3 -> items(stopped, in::text);
-                default -> items(problems, messages::problem);
+                case 4 -> items(problems, messages::problem);
+                default -> items(stops, this::stop);
             }
         }
         in.end();
-        return in.make(() -> new Reply(new StepBundle.Answer(bodies, contacts, stopped), problems));
+        return in.make(() -> new Reply(new StepBundle.Answer(bodies, contacts, stopped, stops), problems));
+    }
+
+    private StopAnswer stop() throws IOException {
+        String[] name = {""};
+        StopAnswer.Reason[] reason = {StopAnswer.Reason.BLOCKED};
+        @Nullable String[] other = new String[1];
+        var members = in.object(STOP);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0 -> name[0] = in.text();
+                case 1 -> reason[0] = in.constant(StopAnswer.Reason.class);
+                default -> other[0] = in.text();
+            }
+        }
+        return in.make(() -> new StopAnswer(name[0], reason[0], other[0]));
     }
 
     private BodyAnswer placed() throws IOException {

@@ -2,6 +2,7 @@ package robosim.geometry.scenario.drive;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -22,6 +23,7 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.world.World;
@@ -34,7 +36,7 @@ public final class DriveRun {
     private final Session session;
     private final @Nullable ScenarioWriter record;
     private final Map<String, Track> tracks = new LinkedHashMap<>();
-    private final Set<String> stopped = new LinkedHashSet<>();
+    private final Map<String, StopAnswer> stopped = new LinkedHashMap<>();
     private double time;
     private long steps;
     private long contacts;
@@ -137,7 +139,7 @@ public final class DriveRun {
                 }
             }
         }
-        stopped.addAll(answer.stopped());
+        answer.stops().forEach(stop -> stopped.putIfAbsent(stop.objectName(), stop));
     }
 
     private void meet(String name, String other) {
@@ -176,9 +178,9 @@ public final class DriveRun {
         return tracks;
     }
 
-    /** The bodies that were stopped because their motion could not be decided. */
-    public Set<String> stopped() {
-        return stopped;
+    /** The bodies that were stopped because their motion could not be decided, and why each was for the first time. */
+    public Collection<StopAnswer> stopped() {
+        return stopped.values();
     }
 
     /** Seconds so far. */

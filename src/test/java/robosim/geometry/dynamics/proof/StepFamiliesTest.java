@@ -17,7 +17,9 @@ class StepFamiliesTest {
         assertThat(proof.failures).isEmpty();
         assertThat(proof.steps()).isGreaterThanOrEqualTo(steps);
         assertThat(proof.contacts.get()).isGreaterThan(proof.steps() / 2);
-        assertThat(proof.stopped.get()).isLessThan(proof.steps() / 10);
+        // Speeds of 10 km/s, wedges and cages may need more collisions than a step has; ordinary drives never do.
+        proof.stopped.assertAtMost(8000);
+        proof.stops[StepFamily.DRIVEN.ordinal()].assertAtMost(0);
     }
 
     /** One digest, whatever the threads and the JVM. */

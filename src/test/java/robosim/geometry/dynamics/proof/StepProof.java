@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.proof;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +11,7 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.LongStream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.dynamics.StopCount;
 
 /** Runs many small scenes, step by step, and looks at each after every step. What comes of a scene depends on its seed alone. */
 public final class StepProof {
@@ -33,19 +35,20 @@ public final class StepProof {
 
     final AtomicLong digest = new AtomicLong();
     final AtomicLong contacts = new AtomicLong();
-    final AtomicLong stopped = new AtomicLong();
+    final StopCount stopped = new StopCount();
     final AtomicLong slowest = new AtomicLong();
     final AtomicLong bodies = new AtomicLong();
     volatile String slowestAt = "";
     final long[] nanos = new long[StepFamily.values().length];
     final long[] stepsOf = new long[StepFamily.values().length];
-    final long[] stops = new long[StepFamily.values().length];
+    final StopCount[] stops = new StopCount[StepFamily.values().length];
     final List<String> failures = new CopyOnWriteArrayList<>();
 
     StepProof(List<StepFamily> families, long steps, boolean isTold) {
         this.families = families;
         scenes = Math.max(families.size(), (steps + STEPS - 1) / STEPS);
         this.isTold = isTold;
+        Arrays.setAll(stops, k -> new StopCount());
     }
 
     long steps() {
@@ -107,12 +110,9 @@ public final class StepProof {
             }
             var result = scene.dynamics.last();
             contacts.addAndGet(result.contacts().size());
-            if (!result.stopped().isEmpty()) {
-                stopped.incrementAndGet();
-                synchronized (this) {
-                    stops[family.ordinal()]++;
-                }
-            }
+            String when = family + ", scene " + number + ", step " + step;
+            stops[family.ordinal()].add(result, scene.names.size(), when);
+            stopped.add(result, scene.names.size(), when);
             hash = scene.digest(hash);
             if (broken == null) {
                 broken = scene.broken();
@@ -135,14 +135,14 @@ public final class StepProof {
         if (isTold && time - last > TOLD && toldAt.compareAndSet(last, time)) {
             System.out.printf(
                     Locale.ROOT,
-                    "%,d of %,d steps (%.1f %%), %,.0f a second, %,d contacts, %,d steps with bodies stopped, slowest %.0f ms (%s),"
+                    "%,d of %,d steps (%.1f %%), %,.0f a second, %,d contacts, %s, slowest %.0f ms (%s),"
                             + " %d failures%n",
                     now,
                     scenes * STEPS,
                     100.0 * now / (scenes * STEPS),
                     now / ((time - start) * 1e-9),
                     contacts.get(),
-                    stopped.get(),
+                    stopped,
                     slowest.get() * 1e-6,
                     slowestAt,
                     failures.size());
@@ -159,11 +159,11 @@ public final class StepProof {
             }
             lines.append(String.format(
                     Locale.ROOT,
-                    "%-11s %,d steps, %.0f us a step, %.1f %% with bodies stopped%n",
+                    "%-11s %,d steps, %.0f us a step, %s%n",
                     family,
                     each,
                     nanos[family.ordinal()] * 1e-3 / each,
-                    100.0 * stops[family.ordinal()] / each));
+                    stops[family.ordinal()]));
         }
         lines.append(String.format(
                 Locale.ROOT,

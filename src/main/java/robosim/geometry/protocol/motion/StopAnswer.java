@@ -1,0 +1,42 @@
+package robosim.geometry.protocol.motion;
+
+import java.io.Serial;
+import java.io.Serializable;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.Text;
+
+/**
+ * Why a body was stopped in a step.
+ *
+ * @param objectName the body
+ * @param reason     the first one in the step
+ * @param other      what stopped it; null for an object without a name, for the border of the world, and if it is unknown
+ */
+public record StopAnswer(
+        String objectName, Reason reason, @Nullable String other) implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** Why. */
+    public enum Reason {
+        /** It collided more often than a step allows for a body, or impulses and friction found no balance. */
+        COLLISIONS,
+        /** It could not be moved: the other object is in the way, or no proof was found that it is not. */
+        BLOCKED,
+        /** In a SPATIAL world: it overlapped the other object when the step began. */
+        OVERLAP
+    }
+
+    /** Refuses null where it has no meaning. */
+    public StopAnswer {
+        Checks.present("objectName", objectName);
+        Checks.present("reason", reason);
+    }
+
+    /** As in a log: {@code "crate" (BLOCKED by "wall")}. */
+    public String words() {
+        String by = other == null ? "" : " by " + Text.quoted(other);
+        return Text.quoted(objectName) + " (" + reason + by + ")";
+    }
+}
