@@ -1,5 +1,6 @@
 package robosim.geometry;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Work;
 
@@ -31,9 +32,13 @@ public final class WorkLimit {
     private final Work.Limit counted = new Counted();
     private volatile boolean isCancelled;
 
-    private WorkLimit(long units, Runnable between) {
+    /** What counts the calls of all worlds together; null for a limit of each call. */
+    private final @Nullable Work together;
+
+    private WorkLimit(long units, Runnable between, @Nullable Work together) {
         this.units = units;
         this.between = between;
+        this.together = together;
     }
 
     /**
@@ -45,12 +50,12 @@ public final class WorkLimit {
         if (units < 0) {
             throw new IllegalArgumentException("units must be at least 0 (got: " + units + ")");
         }
-        return new WorkLimit(units, () -> {});
+        return new WorkLimit(units, () -> {}, null);
     }
 
     /** No limit of units: calls are counted, and can be cancelled. */
     public static WorkLimit none() {
-        return new WorkLimit(Long.MAX_VALUE, () -> {});
+        return new WorkLimit(Long.MAX_VALUE, () -> {}, null);
     }
 
     /**
@@ -58,7 +63,7 @@ public final class WorkLimit {
      * often. It may throw, which ends the call as exceeding the limit does. It must not use the world.
      */
     public WorkLimit pausing(Runnable pause) {
-        return new WorkLimit(units, Checks.present("pause", pause));
+        return new WorkLimit(units, Checks.present("pause", pause), together);
     }
 
     /** Begins to count work of another kind against this limit, as that of a check, or of a loop of one's own. */
@@ -119,6 +124,14 @@ public final class WorkLimit {
             }
             work.take(units);
         }
+
+        /**
+         * A limit for worlds, of which all calls count against this meter together. They are counted a little late: after every
+         * 256 units of a call, and the end of a call when the next one of its world begins.
+         */
+        public WorkLimit together() {
+            return new WorkLimit(Long.MAX_VALUE, () -> {}, work);
+        }
     }
 
     private final class Counted implements Work.Limit {
@@ -136,6 +149,13 @@ public final class WorkLimit {
                         true);
             }
             between.run();
+        }
+
+        @Override
+        public void took(long more) {
+            if (together != null) {
+                together.take(more);
+            }
         }
 
         @Override

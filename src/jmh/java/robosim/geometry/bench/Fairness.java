@@ -8,6 +8,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -67,27 +68,45 @@ public final class Fairness {
                 "worst",
                 java.lang.management.ManagementFactory.getOperatingSystemMXBean()
                         .getSystemLoadAverage());
-        Healthy healthy = new Healthy();
         for (Greed attack : attacks) {
-            measure(healthy, attack);
+            Waits[] waits = measure(attack, Duration.ofSeconds(Long.getLong("seconds", 8)));
+            print("nobody", waits[0]);
+            print(attack.name().toLowerCase(Locale.ROOT), waits[1]);
         }
     }
 
-    /** Beside nobody, then beside an attack, of one server. */
-    private static void measure(Healthy healthy, Greed attack) throws Exception {
-        long nanos = Long.getLong("seconds", 8) * 1_000_000_000;
+    /**
+     * How long answers took, in milliseconds.
+     *
+     * @param answers how many there were
+     */
+    record Waits(int answers, double p50, double p99, double p999, double worst) {
+        private static Waits of(long[] nanos) {
+            Arrays.sort(nanos);
+            return new Waits(nanos.length, at(nanos, 0.5), at(nanos, 0.99), at(nanos, 0.999), at(nanos, 1));
+        }
+
+        private static double at(long[] sorted, double share) {
+            return sorted[(int) Math.min(sorted.length - 1, (long) (share * sorted.length))] / 1e6;
+        }
+    }
+
+    /** What a healthy environment waits beside nobody, for half the time, then beside an attack, of one server. */
+    static Waits[] measure(Greed attack, Duration time) throws Exception {
+        Healthy healthy = new Healthy();
+        long nanos = time.toNanos();
         List<String> flags =
                 List.of(System.getProperty("server.flags", "").trim().split(" +"));
         Process server = start(flags.get(0).isEmpty() ? List.of() : flags, "serve");
         try {
             int port = Integer.parseInt(line(server));
             healthy.ask(port, WARM_MILLIS * 1_000_000L);
-            print("nobody", healthy.ask(port, nanos / 2));
+            Waits before = Waits.of(healthy.ask(port, nanos / 2));
             Process greedy = start(List.of("-XX:TieredStopAtLevel=1"), "attack", attack.name(), "" + port);
             try {
                 line(greedy); // its messages are made
                 Thread.sleep(WARM_MILLIS);
-                print(attack.name().toLowerCase(Locale.ROOT), healthy.ask(port, nanos));
+                return new Waits[] {before, Waits.of(healthy.ask(port, nanos))};
             } finally {
                 greedy.destroyForcibly().waitFor();
             }
@@ -96,21 +115,16 @@ public final class Fairness {
         }
     }
 
-    private static void print(String beside, long[] nanos) {
-        Arrays.sort(nanos);
+    private static void print(String beside, Waits waits) {
         System.out.printf(
                 Locale.ROOT,
                 "%-8s %9d %9.2f %9.2f %9.2f %9.2f%n",
                 beside,
-                nanos.length,
-                at(nanos, 0.5),
-                at(nanos, 0.99),
-                at(nanos, 0.999),
-                at(nanos, 1));
-    }
-
-    private static double at(long[] sorted, double share) {
-        return sorted[(int) Math.min(sorted.length - 1, (long) (share * sorted.length))] / 1e6;
+                waits.answers(),
+                waits.p50(),
+                waits.p99(),
+                waits.p999(),
+                waits.worst());
     }
 
     private static Process start(List<String> flags, String... arguments) throws IOException {

@@ -21,6 +21,9 @@ public final class Work {
 
         /** What is thrown if a call would take more than its units. */
         RuntimeException exceeded(String call);
+
+        /** Is told of units that were taken, each once: at every look, and of the end of a call when the next one begins. */
+        default void took(long units) {}
     }
 
     private @Nullable Limit limit;
@@ -33,6 +36,11 @@ public final class Work {
     private long left = Long.MAX_VALUE;
 
     private long rest;
+
+    /** The most units of the call, and how many of those taken the limit has been told of. */
+    private long most;
+
+    private long told;
 
     /** Begins a call, unless it is a part of one that has begun. */
     public void begin(@Nullable Limit of, String name) {
@@ -53,16 +61,27 @@ public final class Work {
     }
 
     private void start(@Nullable Limit of, String name) {
+        if (limit != null) {
+            tell(limit);
+        }
         limit = of;
         call = name;
         left = 0;
         rest = of == null ? 0 : of.units();
+        most = rest;
+        told = 0;
         next();
+    }
+
+    private void tell(Limit of) {
+        long units = done() - told;
+        told += units;
+        of.took(units);
     }
 
     /** How many units the last call with a limit has taken so far. */
     public long done() {
-        return limit == null ? 0 : Math.min(limit.units(), limit.units() - rest - left);
+        return limit == null ? 0 : Math.min(most, most - rest - left);
     }
 
     /** Counts a unit. */
@@ -88,6 +107,7 @@ public final class Work {
             return;
         }
         of.look(call);
+        tell(of);
         long over = -left;
         if (over > rest) {
             left = 0;

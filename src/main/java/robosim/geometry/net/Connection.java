@@ -8,6 +8,8 @@ import java.net.Socket;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.LongConsumer;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.WorkLimit;
@@ -73,7 +75,7 @@ final class Connection implements Runnable {
     private volatile @Nullable MessageChannel channel;
 
     /** What is being carried out, and since when; null if nothing is. */
-    private volatile @Nullable Bundle request;
+    private volatile @Nullable Object request;
 
     private volatile long requestSince;
 
@@ -231,13 +233,13 @@ final class Connection implements Runnable {
         Authenticator authenticator = new Authenticator(options.access(), in, times, newcomer);
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
         authenticator.watch(channel);
-        channel.loadBy(options.worlds());
+        WorkLimit limit = WorkLimit.of(options.quotas().work()).pausing(effort::breathe);
+        channel.loadBy(load -> load(load, channel, limit.meter("a request")::take));
         channel.onWrongRequest(reason -> warn("answered with an error: " + Text.line(reason)));
         this.channel = channel;
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
-            WorkLimit limit = WorkLimit.of(options.quotas().work()).pausing(effort::breathe);
             converse(
                     channel,
                     in,
@@ -302,7 +304,7 @@ final class Connection implements Runnable {
         return present == null ? 1 : present.messageNumber();
     }
 
-    private void begin(Bundle next, long start) {
+    private void begin(Object next, long start) {
         requestSince = start;
         request = next;
     }
@@ -315,7 +317,7 @@ final class Connection implements Runnable {
     }
 
     /** Makes the world with which connections begin; only now, when the peer has been admitted and needs one. */
-    private void open(MessageChannel channel, Session session) throws ProtocolException {
+    private void open(MessageChannel channel, Session session) throws IOException {
         Opening opening = around.opening();
         if (!opening.requests().isEmpty()) {
             refuse(channel, worldMemory.claim(opening.bytes()));
@@ -351,15 +353,50 @@ final class Connection implements Runnable {
         }
     }
 
-    private @Nullable Reply reply(MessageChannel channel, Session session, Bundle request, int bytes) {
+    private @Nullable Reply reply(MessageChannel channel, Session session, Bundle request, int bytes)
+            throws IOException {
+        isJson = channel.encoding() == MessageChannel.Encoding.JSON;
+        Reply reply = limited(channel, () -> session.reply(request));
+        if (request instanceof InitBundle && bytes >= HEAVY_BYTES) {
+            turn.heavy(); // the first queries build its indexes
+        }
+        return reply;
+    }
+
+    /** Reads a world file for the peer, which speaks JSON; what the file would exceed is answered as a mistake in it is. */
+    private InitBundle.Loaded load(InitBundle.Load load, MessageChannel channel, LongConsumer work) throws IOException {
+        begin(load, System.nanoTime());
+        newcomer.admit();
+        isJson = true;
         try {
-            isJson = channel.encoding() == MessageChannel.Encoding.JSON;
+            InitBundle.Loaded loaded = limited(channel, () -> {
+                try {
+                    return options.worlds().load(load, work);
+                } catch (IllegalArgumentException e) { // what is asked for cannot be
+                    throw new IOException(String.valueOf(e.getMessage()), e);
+                }
+            });
+            return Objects.requireNonNull(loaded, "what a loader returns");
+        } catch (WorkLimitException | Effort.Overtime e) {
+            around.figures().failed();
+            throw new IOException(Text.line(String.valueOf(e.getMessage())), e);
+        } finally {
+            this.request = null;
+        }
+    }
+
+    /** A part of a request. */
+    @FunctionalInterface
+    private interface Part<T> {
+        @Nullable
+        T carryOut() throws IOException;
+    }
+
+    /** Carries out a part of a request within its limits; if the connection ends instead, the peer is told why. */
+    private <T> @Nullable T limited(MessageChannel channel, Part<T> part) throws IOException {
+        try {
             effort.begin();
-            Reply reply = session.reply(request);
-            if (request instanceof InitBundle && bytes >= HEAVY_BYTES) {
-                turn.heavy(); // the first queries build its indexes
-            }
-            return reply;
+            return part.carryOut();
         } catch (CpuTurn.CutOff e) {
             String reason = ending ? "the module is shutting down" : String.valueOf(e.getMessage());
             channel.refuse(reason + ": message " + message() + " was cut off, and has no answer");
@@ -451,7 +488,7 @@ final class Connection implements Runnable {
 
     /** What this connection does at the moment. */
     GeometryServer.Peer report(long id) {
-        Bundle present = request;
+        Object present = request;
         Duration age = present == null ? Duration.ZERO : Duration.ofNanos(System.nanoTime() - requestSince);
         String kind = present == null ? null : present.getClass().getSimpleName();
         return new GeometryServer.Peer(

@@ -13,7 +13,8 @@ import robosim.geometry.protocol.MessageLimits;
  * @param requests    maximum number of moves or sonar requests in a bundle, or of beams, poses, edges and pixels of a batch
  * @param time        maximum processor time of one request, a millisecond to a day. One that takes more is ended, and the world
  *     is as before
- * @param work        maximum work of one request, in units of {@link robosim.geometry.WorkLimit}; of an init, of each object.
+ * @param work        maximum work of one request, in units of {@link robosim.geometry.WorkLimit}; of an init, of each object; of a load, of its file and
+ *     of each object.
  *     {@link Long#MAX_VALUE} for no limit
  */
 public record Quotas(int connections, int objects, int requests, Duration time, long work) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.Serial;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
@@ -90,6 +91,17 @@ public record InitBundle(
          * @throws IOException for people, if it cannot be read; the world that there is stays
          */
         Loaded load(Load load) throws IOException;
+
+        /**
+         * Reads a world, and counts its work, so that it can be limited and cancelled. Unless a loader overrides this method, it
+         * counts nothing.
+         *
+         * @param work is given units of work as they are done, as {@code WorkLimit.Meter} takes them; what it throws ends the
+         *     reading, and is thrown here
+         */
+        default Loaded load(Load load, LongConsumer work) throws IOException {
+            return load(load);
+        }
     }
 
     /**

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
@@ -19,6 +20,7 @@ import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.sdf.SdfManifest;
 import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.shared.TextureFiles;
@@ -124,6 +126,17 @@ public record WorldImport(
     public static WorldImport read(Path file, ImportOptions options, Consumer<Path> opened) throws WorldException {
         Checks.present("opened", opened);
         return RegularFile.told(opened, () -> read(file, options));
+    }
+
+    /**
+     * Reads a file as {@link #read(Path, ImportOptions)} does, within a limit of work. A unit is about 64 bytes or 256 pixels, or
+     * an element, a line, a vertex, a face or an object.
+     *
+     * @throws robosim.geometry.WorkLimitException if reading it takes more, or the limit is cancelled
+     */
+    public static WorldImport read(Path file, ImportOptions options, WorkLimit limit) throws WorldException {
+        WorkLimit.Meter meter = Checks.present("limit", limit).meter("reading a file");
+        return FileWork.counted(meter::take, () -> read(file, options));
     }
 
     private static void refuseByName(Path file, String ending) throws WorldException {

@@ -23,6 +23,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Floor;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
@@ -129,6 +130,7 @@ final class XmlWorld implements WorldHandler.Includes {
         boolean isSdf = included.format().equals(SdfReader.FORMAT) && place.isUpright();
         List<WorldObject> objects = new ArrayList<>(included.world().objects().size());
         for (WorldObject each : included.world().objects()) {
+            FileWork.take(1);
             if (isSdf
                     && Floor.isFloor(
                             each.object(),

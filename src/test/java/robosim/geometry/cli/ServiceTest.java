@@ -13,8 +13,12 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -79,6 +83,84 @@ class ServiceTest {
             assertThat(process.exitValue()).isEqualTo(143);
         } finally {
             process.destroyForcibly();
+        }
+    }
+
+    @Test
+    void aSecondSignalEndsTheDraining() throws Exception {
+        Process process = serve("--admin", "0", "--drain", "600").start();
+        try (BufferedReader output = reader(process.getInputStream())) {
+            int admin = port(output, "Admin on");
+            int port = port(output, "Listening on");
+            try (Socket session = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                session.setSoTimeout(20_000);
+                BufferedReader answers = reader(session.getInputStream());
+                session.getOutputStream().write(HELLO);
+                assertThat(answers.readLine()).contains("hello");
+                process.toHandle().destroy();
+                while (!AdminPortTest.http(admin, "GET", "/health").contains(" 503 ")) {
+                    TimeUnit.MILLISECONDS.sleep(20);
+                }
+                process.toHandle().destroy();
+                assertThat(answers.readLine()).isNull();
+                assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
+                assertThat(process.exitValue()).isEqualTo(143);
+            }
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    /** Polygons of many corners, whose ears are looked for in quadratic time: more than ten seconds in all. */
+    private static String longLoad() {
+        StringBuilder mesh = new StringBuilder();
+        int corners = 1000;
+        for (int k = 0; k < corners; k++) {
+            mesh.append("v ").append(k < corners / 2 ? k : corners - k - 0.5);
+            mesh.append(' ')
+                    .append(0)
+                    .append(' ')
+                    .append(k < corners / 2 ? k % 2 : 3)
+                    .append('\n');
+        }
+        String face =
+                "f" + IntStream.rangeClosed(1, corners).mapToObj(k -> " " + k).collect(Collectors.joining()) + "\n";
+        byte[] content = mesh.append(face.repeat(4000)).toString().getBytes(StandardCharsets.US_ASCII);
+        return "{\"type\":\"load\",\"file\":\"a.obj\",\"files\":{\"a.obj\":\""
+                + Base64.getEncoder().encodeToString(content) + "\"}}\n";
+    }
+
+    @Test
+    void aLoadThatASignalEndsLeavesNoFiles() throws Exception {
+        Path temporary = Files.createDirectory(folder.resolve("tmp"));
+        ProcessBuilder service = serve("--request-time", "3600");
+        service.command().add(1, "-Djava.io.tmpdir=" + temporary);
+        Process process = service.start();
+        try (BufferedReader output = reader(process.getInputStream())) {
+            int port = port(output, "Listening on");
+            try (Socket session = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                session.setSoTimeout(20_000);
+                BufferedReader answers = reader(session.getInputStream());
+                session.getOutputStream().write(HELLO);
+                session.getOutputStream().write(longLoad().getBytes(StandardCharsets.US_ASCII));
+                assertThat(answers.readLine()).contains("hello");
+                while (kept(temporary).isEmpty()) {
+                    TimeUnit.MILLISECONDS.sleep(5);
+                }
+                process.toHandle().destroy();
+                assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
+                assertThat(answers.readLine()).contains("the module is shutting down");
+                assertThat(kept(temporary)).isEmpty();
+            }
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    private static List<Path> kept(Path temporary) throws IOException {
+        try (Stream<Path> all = Files.list(temporary)) {
+            return all.filter(each -> String.valueOf(each.getFileName()).startsWith("robosim-world"))
+                    .toList();
         }
     }
 

@@ -5,14 +5,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.Rulings;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.WorkLimitException;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.render.ColorCamera;
@@ -23,6 +27,7 @@ import robosim.geometry.sweep.Result;
 import robosim.geometry.sweep.Sweep;
 import robosim.geometry.sweep.SweepWorld;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
 import robosim.geometry.world.check.WorldCheck;
 
@@ -93,13 +98,68 @@ class LimitedWorkTest {
     @Test
     void aCheckEndsAtItsLimit() throws Exception {
         World world = WorldReader.read(Path.of("worlds/rooms.xml"));
-        for (int time = 0; time < 2; time++) {
+        List<Long> all = new ArrayList<>();
+        for (long units : new long[] {100, 5000, 5000}) {
             long[] reports = new long[1];
-            assertThatThrownBy(() -> WorldCheck.of(world, (work, done, total) -> reports[0]++, WorkLimit.of(100)))
+            assertThatThrownBy(() -> WorldCheck.of(world, (work, done, total) -> reports[0]++, WorkLimit.of(units)))
                     .isInstanceOf(WorkLimitException.class)
-                    .hasMessageStartingWith("a check must take at most 100 units of work");
-            assertThat(reports[0]).isEqualTo(100);
+                    .hasMessageStartingWith("a check must take at most " + units + " units of work");
+            assertThat(reports[0]).isBetween(1L, units);
+            all.add(reports[0]);
         }
+        assertThat(all.get(1)).isEqualTo(all.get(2)).isGreaterThan(all.get(0));
+    }
+
+    /** Few objects and so few reports, but each question is of many pairs. */
+    @Test
+    void aCheckCountsWhatItsQuestionsTake() throws Exception {
+        List<WorldObject> objects = List.of(
+                new WorldObject(Rulings.mesh(2000, true, 0)),
+                new WorldObject(Rulings.mesh(2000, false, 1e-3).moveable("m")));
+        World world = new World(10, 10, 10, null, Dimension.SPATIAL, Accuracy.EXACT, objects);
+        AtomicReference<WorkLimit> cancelled = new AtomicReference<>();
+        int[] looks = new int[1];
+        for (WorkLimit limit : List.of(WorkLimit.of(200_000), WorkLimit.none().pausing(() -> {
+            if (++looks[0] == 500) {
+                cancelled.get().cancel();
+            }
+        }))) {
+            cancelled.set(limit);
+            long[] reports = new long[1];
+            assertThatThrownBy(() -> WorldCheck.of(world, (work, done, total) -> reports[0]++, limit))
+                    .isInstanceOf(WorkLimitException.class);
+            assertThat(reports[0]).isLessThan(100);
+        }
+        assertThat(looks[0]).isEqualTo(500);
+    }
+
+    /** The calls of two worlds together: the sum of what each takes alone, but for what is counted late. */
+    @Test
+    void theCallsOfWorldsCountTogether() {
+        Move move = new Move(0, 1e-6, 0, 0, 0);
+        long each = 0;
+        List<Geometry> worlds = List.of(Rulings.world(60), Rulings.world(60));
+        for (Geometry world : worlds) {
+            world.limitWork(WorkLimit.none());
+            world.move("m", move);
+            each = world.workDone();
+        }
+        assertThat(each).isGreaterThan(1000);
+        WorkLimit.Meter meter = WorkLimit.of(5 * each).meter("a plan");
+        worlds.forEach(world -> world.limitWork(meter.together()));
+        int made = 0;
+        while (made < 20) {
+            Geometry world = worlds.get(made % 2);
+            try {
+                world.move("m", move);
+            } catch (WorkLimitException e) {
+                assertThat(e).hasMessageStartingWith("a plan must take at most " + 5 * each + " units of work");
+                break;
+            }
+            made++;
+        }
+        assertThat(made).isIn(5, 6);
+        assertThatThrownBy(() -> worlds.get(0).move("m", move)).isInstanceOf(WorkLimitException.class);
     }
 
     @Test

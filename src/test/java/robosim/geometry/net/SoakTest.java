@@ -11,7 +11,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A server for a long time: several environments with long conversations, and beside them every fault again and again,
@@ -31,6 +34,23 @@ class SoakTest {
      * few samples, between which what is under way at a collection differs by some megabytes.
      */
     private static final long MOST_GROWTH = (LONG ? 4 : 12) << 20;
+
+    /** Each third of the time needs some, on a busy machine too. */
+    private static final int LEAST_SAMPLES = 6;
+
+    /** Of each of two meshes; a move of the larger ones would take days. */
+    private static final int SLIVERS = LONG ? 100_000 : 2500;
+
+    private static final int BODIES = LONG ? 3000 : 500;
+
+    @TempDir
+    private Path folder;
+
+    /** Held while worlds of many megabytes come and go, and while what is alive is measured. */
+    private final Lock large = new ReentrantLock(true);
+
+    /** Held while a few hundred peers dial: of twice as many, some are sent away to make room for others. */
+    private final Lock newcomers = new ReentrantLock(true);
 
     private final FaultTable table = new FaultTable();
     private final AtomicInteger conversations = new AtomicInteger();
@@ -77,7 +97,10 @@ class SoakTest {
             AtomicInteger seed = new AtomicInteger();
             FaultRun faults = new FaultRun(server.port(), table);
             threads.add(again("faults", () -> faults.all(seed.incrementAndGet(), 30)));
+            AttackRun attacks = new AttackRun(server, table, SLIVERS, BODIES);
+            threads.add(again("attacks", () -> attack(attacks)));
             if (LONG) {
+                threads.add(again("attacks with TLS", this::attackSecured));
                 Conversation beside = Conversation.of(77, 50);
                 threads.add(again("kills", () -> kill(server, beside)));
                 threads.add(again("crowds", () -> crowd(server)));
@@ -112,8 +135,46 @@ class SoakTest {
         Thread.sleep(2000);
     }
 
+    private void attack(AttackRun attacks) throws Exception {
+        large.lock();
+        try {
+            attacks.vanish();
+        } finally {
+            large.unlock();
+        }
+        attacks.wrong();
+        newcomers.lock();
+        try {
+            attacks.idle(null);
+        } finally {
+            newcomers.unlock();
+        }
+        if (LONG) {
+            attacks.trickle();
+        }
+    }
+
+    /** A server of its own, as all peers of one server speak TLS or none does. */
+    private void attackSecured() throws Exception {
+        Stores stores = new Stores(Files.createTempDirectory(folder, "stores"));
+        NetOptions options = NetOptions.defaults().withAccess(stores.of("module"), null);
+        try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+            AttackRun attacks = new AttackRun(server, table, 2, 1);
+            for (int k = 0; k < 10 && !isOver(); k++) {
+                attacks.idle(stores.of("environment"));
+                Thread.sleep(1000);
+            }
+        }
+    }
+
     private void crowd(GeometryServer server) throws InterruptedException {
-        List<String> differences = CrowdTest.crowd(server, 500);
+        List<String> differences;
+        newcomers.lock();
+        try {
+            differences = CrowdTest.crowd(server, 500);
+        } finally {
+            newcomers.unlock();
+        }
         table.enter("200 at once, 60 of them slow", differences.isEmpty() ? "" : differences.toString());
         Thread.sleep(5000);
     }
@@ -121,13 +182,22 @@ class SoakTest {
     /** What is alive after a collection, while all of this goes on. */
     private void sampleHeap() throws InterruptedException {
         Runtime runtime = Runtime.getRuntime();
-        while (!isOver()) {
+        while (!isOver() || heap.size() < LEAST_SAMPLES) {
             Thread.sleep(LONG ? 2000 : 100);
-            System.gc();
-            long used = runtime.totalMemory() - runtime.freeMemory();
-            if (!isOver()) { // else the environments may have left already
+            long used = used(runtime);
+            if (!isOver() || heap.size() < LEAST_SAMPLES) { // else the environments may have left already
                 heap.add(used);
             }
+        }
+    }
+
+    private long used(Runtime runtime) {
+        large.lock();
+        try {
+            System.gc();
+            return runtime.totalMemory() - runtime.freeMemory();
+        } finally {
+            large.unlock();
         }
     }
 

@@ -132,7 +132,8 @@ public final class ServeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        NetOptions options = common.options(connections, admission).withWorlds(loading());
+        WorldLoading loading = loading();
+        NetOptions options = common.options(connections, admission).withWorlds(loading);
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
         if (drain < 0) {
@@ -153,7 +154,11 @@ public final class ServeCommand implements Callable<Integer> {
         out.println("Listening on " + server.address());
         out.flush();
         FiguresPrinter.start(out, server.figures(), seconds, () -> {
+            if (drain > 0) {
+                NextSignal.runs(server::close);
+            }
             server.drain(Duration.ofSeconds(drain));
+            loading.close();
             watched.close();
             if (operator != null) {
                 operator.close();

@@ -170,6 +170,8 @@ public final class JsonCodec {
         InitBundle.Loaded loaded;
         try {
             loaded = worlds.load(load);
+        } catch (ProtocolException e) { // the peer is not admitted
+            throw e;
         } catch (IOException | IllegalArgumentException e) {
             refuseLine(String.valueOf(e.getMessage()));
             return null;

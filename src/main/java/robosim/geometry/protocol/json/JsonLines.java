@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.Set;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MessageLimits;
@@ -29,6 +30,9 @@ public final class JsonLines {
     /** This module's name and version, as given in its hello. */
     public static final String MODULE = "robosim-geometry 1.0.0-rc.1";
 
+    /** The types of requests that need no connection. */
+    private static final Set<String> REQUESTS = Set.of("init", "moves", "sonars", "batch", "step");
+
     private JsonLines() {}
 
     /**
@@ -48,7 +52,7 @@ public final class JsonLines {
     }
 
     /**
-     * Reads a request that an environment may send.
+     * Reads a request that has a bundle: an init, moves, sonars, a batch or a step. A load or a ping is a connection's to answer.
      *
      * @throws ProtocolException if the line is not a request; the message names the place
      */
@@ -56,6 +60,11 @@ public final class JsonLines {
         byte[] bytes = bytes(line);
         return guarded(() -> {
             String type = JsonMessages.typeOf(JsonInput.of(bytes, 0, bytes.length));
+            if (!REQUESTS.contains(type)) {
+                throw new ProtocolException(
+                        "a request's type must be init, moves, sonars, batch or step, where there is no connection"
+                                + " that answers a hello, a load or a ping (got: " + Text.quoted(type) + ")");
+            }
             try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
                 return request(type, in);
             }

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.LongConsumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
@@ -30,14 +31,52 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.shared.FileWork;
 
 /**
  * Reads world files for the peers of a server: what they send, and what they name within one folder. What is sent is kept in
  * a temporary folder while it is read, and nothing outside of it is opened.
  */
-public final class WorldLoading implements InitBundle.Loader {
+public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(WorldLoading.class.getPackageName());
+
     private final @Nullable Path folder;
     private final ImportOptions options;
+
+    /** The files that were sent and are being read; also the lock for {@code isClosed}. */
+    private final Set<Kept> kept = new HashSet<>();
+
+    private boolean isClosed;
+
+    /** The files of one load. */
+    private static final class Kept {
+        private final Path place;
+        private boolean isRemoved;
+
+        Kept(Path place) {
+            this.place = place;
+        }
+
+        synchronized void write(Path file, byte[] content) throws IOException {
+            if (isRemoved) {
+                throw closed();
+            }
+            Files.createDirectories(Objects.requireNonNull(file.getParent()));
+            Files.write(file, content);
+        }
+
+        synchronized void remove() throws IOException {
+            if (isRemoved) {
+                return;
+            }
+            isRemoved = true;
+            try (Stream<Path> all = Files.walk(place)) {
+                for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
+                    Files.delete(each);
+                }
+            }
+        }
+    }
 
     private WorldLoading(@Nullable Path folder, ImportOptions options) {
         this.folder = folder;
@@ -56,9 +95,15 @@ public final class WorldLoading implements InitBundle.Loader {
 
     @Override
     public InitBundle.Loaded load(InitBundle.Load load) throws IOException {
+        return load(load, units -> {});
+    }
+
+    @Override
+    public InitBundle.Loaded load(InitBundle.Load load, LongConsumer work) throws IOException {
         Checks.present("load", load);
+        Checks.present("work", work);
         if (!load.files().isEmpty()) {
-            return sent(load);
+            return sent(load, work);
         }
         if (folder == null) {
             throw new IOException(
@@ -70,32 +115,68 @@ public final class WorldLoading implements InitBundle.Loader {
             throw new IOException("file must be in the folder of worlds that the module was given (got: "
                     + Text.quoted(load.file()) + ")");
         }
-        return read(load, folder, file);
+        return read(load, folder, file, work);
     }
 
-    private InitBundle.Loaded sent(InitBundle.Load load) throws IOException {
+    private InitBundle.Loaded sent(InitBundle.Load load, LongConsumer work) throws IOException {
         if (!load.files().containsKey(load.file())) {
             throw new IOException("file must be one of the files sent (got: " + Text.quoted(load.file()) + ")");
         }
-        Path place = Files.createTempDirectory("robosim-world");
+        Kept files = keep();
+        Path place = files.place;
         try {
             for (Map.Entry<String, byte[]> each : load.files().entrySet()) {
-                Path file = inside(place, each.getKey());
-                Files.createDirectories(Objects.requireNonNull(file.getParent()));
-                Files.write(file, each.getValue());
+                files.write(inside(place, each.getKey()), each.getValue());
             }
-            return read(load, place, inside(place, load.file()));
+            return read(load, place, inside(place, load.file()), work);
         } catch (FileSystemException e) {
             throw new IOException("the files cannot be kept as they are named: " + shown(place, e.getMessage()), e);
         } finally {
-            remove(place);
+            forget(files);
         }
     }
 
-    private static void remove(Path place) throws IOException {
-        try (Stream<Path> all = Files.walk(place)) {
-            for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(each);
+    private void forget(Kept files) throws IOException {
+        try {
+            files.remove();
+        } finally {
+            synchronized (kept) {
+                kept.remove(files);
+            }
+        }
+    }
+
+    private Kept keep() throws IOException {
+        synchronized (kept) {
+            if (isClosed) {
+                throw closed();
+            }
+            Kept files = new Kept(Files.createTempDirectory("robosim-world"));
+            kept.add(files);
+            return files;
+        }
+    }
+
+    private static IOException closed() {
+        return new IOException("no world files are loaded any more, as the module is shutting down");
+    }
+
+    /**
+     * Loads nothing more that is sent, and removes the files that are still being read: where a process ends, nobody else may
+     * have the time to do so.
+     */
+    @Override
+    public void close() {
+        List<Kept> left;
+        synchronized (kept) {
+            isClosed = true;
+            left = List.copyOf(kept);
+        }
+        for (Kept files : left) {
+            try {
+                files.remove();
+            } catch (IOException e) {
+                LOG.log(System.Logger.Level.WARNING, "the folder " + files.place + " could not be removed: " + e);
             }
         }
     }
@@ -114,14 +195,15 @@ public final class WorldLoading implements InitBundle.Loader {
                 "a file must be a relative path that stays in its folder (got: " + Text.quoted(name) + ")");
     }
 
-    private InitBundle.Loaded read(InitBundle.Load load, Path root, Path file) throws IOException {
+    private InitBundle.Loaded read(InitBundle.Load load, Path root, Path file, LongConsumer work) throws IOException {
         WorldImport read;
         try {
-            read = WorldImport.read(file, options);
+            read = FileWork.counted(work, () -> WorldImport.read(file, options));
         } catch (WorldException e) {
             throw new IOException(shown(root, e.getMessage()), e);
         }
         World world = read.world();
+        work.accept(world.objects().size()); // each is named and measured below
         List<GeometryObject> objects = new ArrayList<>(
                 world.objects().stream().map(WorldObject::object).toList());
         if (load.isNaming()) {

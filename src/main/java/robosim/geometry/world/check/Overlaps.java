@@ -3,6 +3,7 @@ package robosim.geometry.world.check;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.collision.Budget;
 import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
@@ -24,14 +25,19 @@ final class Overlaps {
     /** Number of bisections of a depth that is known to within a factor of two. */
     private static final int HALVINGS = 7;
 
+    /** Steps of a question whether two objects touch, after which it is asked again with more: so it can be cancelled. */
+    private static final long STEPS = 1 << 14;
+
     private final List<WorldObject> objects;
     private final Dimension dimension;
+    private final WorkLimit.Meter meter;
     private final List<Overlap> found = new ArrayList<>();
     private int staticCount;
 
-    Overlaps(World world, Watch watch) {
+    Overlaps(World world, Watch watch, WorkLimit.Meter meter) {
         objects = world.objects();
         dimension = world.dimension();
+        this.meter = meter;
         List<Bounds> bounds = objects.stream().map(o -> o.object().bounds()).toList();
         // Apart, as of static objects not all pairs need be looked at: of n that lie in one place there are n^2 / 2.
         QuadTree fixed = tree(world);
@@ -48,6 +54,7 @@ final class Overlaps {
             }
             near(movingCursor, e, near);
             near.sort(null);
+            meter.take(near.size());
             for (int other : near) {
                 boolean level = dimension == Dimension.PLANAR || haveCommonHeight(e, bounds.get(other));
                 if (level) {
@@ -97,6 +104,9 @@ final class Overlaps {
             staticCount += touches(first.object(), second.object()) ? 1 : 0;
             return;
         }
+        if (!touches(first.object(), second.object())) {
+            return;
+        }
         List<Contact> contacts = ContactQuery.contacts(first.object(), second.object(), dimension, 1);
         if (contacts.isEmpty()) {
             return;
@@ -112,7 +122,12 @@ final class Overlaps {
     }
 
     private boolean touches(GeometryObject a, GeometryObject b) {
-        return ContactQuery.ask(a, b, dimension, Budget.UNLIMITED).answer() == Verdict.Answer.YES;
+        Verdict verdict = null;
+        for (long steps = STEPS; verdict == null || verdict.answer() == Verdict.Answer.UNDECIDED; steps *= 4) {
+            verdict = ContactQuery.ask(a, b, dimension, Budget.steps(steps));
+            meter.take(verdict.steps());
+        }
+        return verdict.answer() == Verdict.Answer.YES;
     }
 
     /** How far the first must move along the normal until it is clear of the second. */

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.World;
@@ -21,6 +22,7 @@ final class RobotReachability {
 
     private final World world;
     private final Watch watch;
+    private final WorkLimit.Meter meter;
     private final List<GeometryObject> robots = new ArrayList<>();
 
     /** By robot, one with which it shares a room; in the end the same one for all robots of a room. */
@@ -32,9 +34,10 @@ final class RobotReachability {
     private final Map<String, GridSearch> byName = new HashMap<>();
 
     /** @param touching names of robots that start in contact and are not tested */
-    RobotReachability(World world, Set<String> touching, Watch watch) {
+    RobotReachability(World world, Set<String> touching, Watch watch, WorkLimit.Meter meter) {
         this.world = world;
         this.watch = watch;
+        this.meter = meter;
         for (WorldObject object : world.objects()) {
             String name = object.object().name();
             if (object.object().isMoveable() && name != null && !touching.contains(name)) {
@@ -58,6 +61,8 @@ final class RobotReachability {
             }
         }
         Geometry geometry = statics.snapshot().toGeometry();
+        statics.limitWork(meter.together());
+        geometry.limitWork(meter.together());
         for (int level = 0; level <= LEVELS; level++) {
             for (int k : toSearch(level)) {
                 search(geometry, statics, k, level);

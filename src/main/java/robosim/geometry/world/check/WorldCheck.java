@@ -95,34 +95,33 @@ public record WorldCheck(
     }
 
     /**
-     * Checks a world within a limit, of which each report to the watch is a unit: an object that was compared, a place that was
-     * searched, or a question that was asked.
+     * Checks a world within a limit: all that is asked of it counts as one call, and each report to the watch as a unit.
      *
-     * @throws robosim.geometry.WorkLimitException if there would be more, or the limit was cancelled
+     * @throws robosim.geometry.WorkLimitException if it takes more, or the limit is cancelled
      */
     public static WorldCheck of(World world, Watch watch, WorkLimit limit) {
-        Checks.present("watch", watch);
-        WorkLimit.Meter meter = Checks.present("limit", limit).meter("a check");
-        return of(world, (work, done, total) -> {
-            meter.take(1);
-            watch.at(work, done, total);
-        });
+        return of(world, watch, true, Checks.present("limit", limit));
     }
 
     /** Checks a world and reports progress. */
     public static WorldCheck of(World world, Watch watch) {
-        return of(world, Checks.present("watch", watch), true);
+        return of(world, watch, true, WorkLimit.none());
     }
 
     /** Checks the world of a file and reports progress. If parts of the file were left out, {@code needs} is undecided. */
     public static WorldCheck of(WorldImport read, Watch watch) {
         Checks.present("read", read);
-        return of(read.world(), watch, read.isWhole());
+        return of(read.world(), watch, read.isWhole(), WorkLimit.none());
     }
 
-    private static WorldCheck of(World world, Watch watch, boolean isWhole) {
+    private static WorldCheck of(World world, Watch told, boolean isWhole, WorkLimit limit) {
         Checks.present("world", world);
-        Checks.present("watch", watch);
+        Checks.present("watch", told);
+        WorkLimit.Meter meter = limit.meter("a check");
+        Watch watch = (work, done, total) -> {
+            meter.take(1);
+            told.at(work, done, total);
+        };
         Map<GeometryObject.Kind, Integer> counts = new EnumMap<>(GeometryObject.Kind.class);
         Pieces pieces = new Pieces();
         int sonars = 0;
@@ -140,7 +139,7 @@ public record WorldCheck(
         World inside = outside.isEmpty() ? world : without(world, left);
         // What was dropped may be what the answers depend on.
         boolean isComplete = isWhole && outside.isEmpty();
-        Overlaps overlaps = new Overlaps(inside, watch);
+        Overlaps overlaps = new Overlaps(inside, watch, meter);
         World free = Standing.raised(inside, overlaps.found());
         // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
         CompletableFuture<List<SettingTally>> tallies =
@@ -155,7 +154,7 @@ public record WorldCheck(
             boolean both = overlap.second().object().isMoveable();
             touching.add(both ? String.valueOf(overlap.second().object().name()) : "");
         }
-        RobotReachability reachability = new RobotReachability(free, touching, watch);
+        RobotReachability reachability = new RobotReachability(free, touching, watch, meter);
         List<Room> found = reachability.find();
         return new WorldCheck(
                 world,
@@ -169,8 +168,15 @@ public record WorldCheck(
                 overlaps.staticCount(),
                 found,
                 isComplete
-                        ? new Questions(free, reachability, pieces.triangles, tallies.join(), watch).ask()
+                        ? new Questions(free, reachability, pieces.triangles, limited(tallies.join(), meter), watch)
+                                .ask()
                         : Needs.undecided(world));
+    }
+
+    /** The worlds of all settings, whose questions count from now on. */
+    private static List<SettingTally> limited(List<SettingTally> tallies, WorkLimit.Meter meter) {
+        tallies.forEach(tally -> tally.geometry.limitWork(meter.together()));
+        return tallies;
     }
 
     private static World without(World world, Set<WorldObject> left) {

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Limits;
 
 /** The vertices and faces of one mesh of a COLLADA file, in its own coordinates. */
@@ -62,6 +63,7 @@ final class ColladaFaces {
         }
         for (int k = 0; k < count; k++) {
             int at = offset + k * stride;
+            FileWork.take(1);
             try {
                 vertices.add(new Point(array.number(at), array.number(at + 1), array.number(at + 2)));
             } catch (IllegalArgumentException e) {
@@ -164,6 +166,7 @@ final class ColladaFaces {
     }
 
     private void bounded(ColladaElement list, int more) throws FileProblem {
+        FileWork.take(more);
         if (faces.size() + more > Limits.MAX_FACES) {
             throw list.wrong("a mesh must have at most " + Limits.MAX_FACES
                     + " faces, cut into triangles; simplify or split it (got: more)");

@@ -8,6 +8,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
 
@@ -105,6 +106,7 @@ public final class ColladaSurface {
         List<Visit> waiting = new ArrayList<>(List.of(new Visit(scene, place, 0)));
         while (!waiting.isEmpty()) {
             Visit visit = waiting.remove(waiting.size() - 1);
+            FileWork.take(1);
             if (++visits > Limits.MAX_OBJECTS || visit.depth > Limits.MAX_DEPTH) {
                 throw visit.element.wrong(
                         "a scene must have at most " + Limits.MAX_OBJECTS + " nodes, nested at most " + Limits.MAX_DEPTH

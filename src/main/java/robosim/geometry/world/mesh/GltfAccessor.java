@@ -3,6 +3,7 @@ package robosim.geometry.world.mesh;
 import java.nio.ByteBuffer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Limits;
 
 /** The numbers that an accessor of a glTF file takes from its buffers: of every type, dense or sparse. */
@@ -113,6 +114,7 @@ final class GltfAccessor {
         ByteBuffer bytes = bytes(from, count, stride, size * parts);
         int offset = from.whole("byteOffset", 0);
         for (int k = 0; k < count; k++) {
+            FileWork.take(1);
             int element = places == null ? k : places[k];
             for (int part = 0; part < parts; part++) {
                 double number = number(bytes, offset + k * stride + part * size, type);

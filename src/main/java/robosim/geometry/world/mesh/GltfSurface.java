@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.TextureFiles;
@@ -143,6 +144,7 @@ final class GltfSurface {
         int visits = 0;
         while (!waiting.isEmpty()) {
             Visit visit = waiting.remove(waiting.size() - 1);
+            FileWork.take(1);
             if (++visits > Limits.MAX_OBJECTS || visit.depth > Limits.MAX_DEPTH) {
                 throw new LimitProblem(
                         path.toString(),
@@ -293,6 +295,7 @@ final class GltfSurface {
         List<int[]> faces = new ArrayList<>();
         int step = mode == TRIANGLES ? 3 : 1;
         for (int k = 0; k + 2 < count; k += step) {
+            FileWork.take(1);
             // Every other triangle of a strip is written the other way round.
             int turned = mode == STRIP ? k % 2 : 0;
             int first = mode == FAN ? 0 : k;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.shared.FileWork;
 
 /** The faces of a mesh that is put together from parts. Equal vertices are joined, and those that no face uses left out. */
 final class JoinedFaces {
@@ -35,6 +36,7 @@ final class JoinedFaces {
         int[] known = new int[corners.size()]; // 1 more than the index
         boolean isMirror = place.isMirror();
         for (int[] face : part) {
+            FileWork.take(1);
             int[] copy = new int[face.length];
             for (int k = 0; k < face.length; k++) {
                 int corner = face[k];

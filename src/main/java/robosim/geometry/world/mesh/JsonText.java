@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
 
@@ -54,6 +55,7 @@ final class JsonText {
             throw wrong("the text must have at most " + Limits.MAX_ELEMENTS
                     + " values; simplify the scene, or write it as .glb (got: more)");
         }
+        FileWork.take(1);
         return switch (next()) {
             case '{' -> object(depth);
             case '[' -> list(depth);

@@ -19,6 +19,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.Bounded;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
@@ -154,6 +155,7 @@ public final class ObjSurface {
     }
 
     private void statement(String text) {
+        FileWork.take(1);
         if (text.isEmpty()) {
             return;
         }

@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.AsciiScanner;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 
 /** The numbers behind the header of a PLY file one after the other, in text or in bytes. */
 final class PlyNumbers {
@@ -28,6 +29,7 @@ final class PlyNumbers {
 
     /** Goes to an element, for messages. */
     void at(PlyHeader.Element of, long number) {
+        FileWork.take(1);
         element = of;
         row = number;
     }

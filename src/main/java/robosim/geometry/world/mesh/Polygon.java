@@ -3,6 +3,7 @@ package robosim.geometry.world.mesh;
 import java.util.List;
 import robosim.geometry.exact.Orientation;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.shared.FileWork;
 
 /**
  * Cuts a polygon into the triangles and quads of a mesh by ear clipping, projected along the axis along which its area
@@ -48,6 +49,9 @@ public final class Polygon {
     private static final class Clipping {
         private static final int UNKNOWN = 2;
 
+        /** So many corners are looked at in about the time of a unit of work. */
+        private static final int LOOKS = 64;
+
         private final double[][] flat;
         private final int[] corners;
         private final List<int[]> faces;
@@ -83,6 +87,7 @@ public final class Polygon {
         }
 
         void clip() {
+            FileWork.take((long) count * count / LOOKS); // it is quadratic
             while (count > 3) {
                 int ear = ear();
                 int before = left[(ear + count - 1) % count];

@@ -14,6 +14,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.AsciiScanner;
 import robosim.geometry.world.shared.Bounded;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.PlainBytes;
 
 /** The surface of an STL file while it is read: its triangles, with equal corners joined. */
@@ -113,6 +114,7 @@ public final class StlSurface {
         ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         int count = (bytes.length - HEADER) / TRIANGLE;
         for (int k = 0; k < count; k++) {
+            FileWork.take(1);
             int[] face = new int[3];
             for (int corner = 0; corner < 3; corner++) {
                 int at = HEADER + TRIANGLE * k + 12 * (corner + 1); // after the normal
@@ -135,6 +137,7 @@ public final class StlSurface {
         do {
             boolean isWanted = words.restOfLine().equals(part) || part == null; // the solid's name
             while (words.expect("facet or endsolid", "facet", "endsolid") == 0) {
+                FileWork.take(1);
                 facet(words, isWanted);
             }
             words.skipLine();

@@ -8,6 +8,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.world.shared.FileWork;
 
 /** The occupied cells of a map as a grid, and boxes along its edges, placed in the world. */
 public final class MapWalls {
@@ -67,6 +68,7 @@ public final class MapWalls {
         if (cells.isEmpty()) {
             return Optional.empty();
         }
+        FileWork.take((long) grid.width * grid.height / FileWork.PIXELS); // each is looked at again
         // Rows of the image, from its top, are rows of the grid, whose own Z is down in the image.
         GridObject walls = new GridObject(new Point(), settings.resolution(), height, grid.width, grid.height, cells);
         Point center = place(grid.width / 2.0 * settings.resolution(), grid.height / 2.0 * settings.resolution());

@@ -6,6 +6,7 @@ import robosim.geometry.image.PixelSink;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
 
@@ -90,6 +91,7 @@ final class SdfHeightmap implements PixelSink {
         int rows = rows();
         List<Point> vertices = new ArrayList<>(columns * rows);
         for (int row = 0; row < rows; row++) {
+            FileWork.take(columns);
             double y = place.y() + size.y() * (0.5 - (double) row / (rows - 1));
             for (int column = 0; column < columns; column++) {
                 double x = place.x() + size.x() * ((double) column / (columns - 1) - 0.5);

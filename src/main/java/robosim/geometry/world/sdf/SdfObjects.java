@@ -14,6 +14,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
@@ -286,6 +287,7 @@ public final class SdfObjects {
 
     private @Nullable GeometryObject shape(SdfNode link, SdfElement collision, String path, Placement place)
             throws FileProblem {
+        FileWork.take(1);
         if (++collisions > Limits.MAX_OBJECTS) {
             throw collision.beyond("a world must have at most " + Limits.MAX_OBJECTS
                     + " collisions; leave some out, or make one mesh of many (got: more)");

@@ -20,6 +20,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Floor;
 import robosim.geometry.world.shared.ImageFiles;
 import robosim.geometry.world.shared.Limits;
@@ -239,6 +240,7 @@ public final class SdfShapes {
     }
 
     private void count(int more, SdfElement uri) throws FileProblem {
+        FileWork.take(more);
         vertices += more;
         if (vertices > Limits.MAX_VERTICES) {
             throw uri.wrong("all meshes together must have at most " + Limits.MAX_VERTICES

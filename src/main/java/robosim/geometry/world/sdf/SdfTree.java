@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
@@ -177,6 +178,7 @@ public final class SdfTree {
                     + " deep, included ones too; nest less (got: one more)");
         }
         for (SdfElement child : element.children) {
+            FileWork.take(1);
             if (++nodes > Limits.MAX_FRAMES) {
                 throw child.beyond("a world must have at most " + Limits.MAX_FRAMES
                         + " models, links and frames, those of included files too; leave some out (got: more)");

@@ -24,7 +24,8 @@ public final class ImageFiles {
      *
      * @param source the name of the image in messages
      */
-    public static void read(byte[] bytes, String source, PixelSink sink) throws FileProblem {
+    public static void read(byte[] bytes, String source, PixelSink target) throws FileProblem {
+        PixelSink sink = FileWork.watched(target);
         String other = JdkImageReader.format(bytes);
         String kind = isPng(bytes) ? "PNG" : other == null ? "PGM" : other;
         try {

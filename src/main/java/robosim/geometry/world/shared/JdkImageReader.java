@@ -49,6 +49,8 @@ final class JdkImageReader {
             } else {
                 direct(image.getRaster(), colours, sink);
             }
+        } catch (FileWork.Ended e) {
+            throw e;
         } catch (RuntimeException e) { // a broken image throws any
             throw new IOException(e.toString(), e);
         } catch (OutOfMemoryError e) {

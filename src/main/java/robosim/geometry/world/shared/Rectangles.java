@@ -29,6 +29,7 @@ public final class Rectangles {
                 left.clear(from + (toRow - row) * columns, end + (toRow - row) * columns);
                 toRow++;
             }
+            FileWork.take(toRow - row);
             taker.take(from - row * columns, row, end - row * columns, toRow);
         }
     }

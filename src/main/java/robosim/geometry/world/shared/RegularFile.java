@@ -53,7 +53,7 @@ public final class RegularFile {
         if (listener != null) {
             listener.accept(file);
         }
-        return in;
+        return FileWork.watched(in);
     }
 
     /** All bytes of a file, whose size is checked before there is room for them. */

@@ -137,6 +137,8 @@ public final class TextureFiles {
             throw e;
         } catch (IllegalArgumentException e) {
             throw new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+        } catch (FileWork.Ended e) {
+            throw e;
         } catch (IOException | RuntimeException e) { // a broken JPEG throws either
             throw new FileProblem(
                     file.toString(), 0, 0, "the picture could not be read; save it as PNG (" + e.getMessage() + ")", e);

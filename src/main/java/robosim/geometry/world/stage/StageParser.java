@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.LimitProblem;
@@ -208,6 +209,7 @@ final class StageParser {
     }
 
     private void count(Text text, int more) throws FileProblem {
+        FileWork.take(more);
         entities += more;
         if (entities > Limits.MAX_OBJECTS) {
             throw new LimitProblem(
@@ -223,6 +225,7 @@ final class StageParser {
         if (!Character.isLetter(name.charAt(0))) {
             throw text.wrong("a property or an entity must begin with a letter (got: " + Numbers.shown(name) + ")");
         }
+        FileWork.take(1);
         String value = text.next();
         List<String> values = new ArrayList<>();
         if (value.equals("[")) {

@@ -12,6 +12,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
@@ -176,6 +177,7 @@ public final class StageWorld {
             passedOver.merge("body that is no obstacle", 1, Integer::sum);
         } else {
             for (GeometryObject part : StageShape.of(model, MODELS.contains(model.type), folder)) {
+                FileWork.take(1);
                 if (++parts > Limits.MAX_OBJECTS) {
                     throw new LimitProblem(
                             model.file.toString(),

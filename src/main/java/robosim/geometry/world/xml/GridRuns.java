@@ -2,6 +2,7 @@ package robosim.geometry.world.xml;
 
 import java.util.BitSet;
 import robosim.geometry.model.GridObject;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Numbers;
 
 /**
@@ -35,6 +36,7 @@ public final class GridRuns {
         for (int row = 0; row < rows; row++) {
             boolean isOccupied = false;
             for (int column = 0; column < columns; isOccupied = !isOccupied) {
+                FileWork.take(1);
                 int run = run(text, row, column, columns, isOccupied || column > 0 ? 1 : 0);
                 int cell = row * columns + column;
                 occupied.set(cell, cell + run, isOccupied);

@@ -14,6 +14,7 @@ import org.xml.sax.helpers.DefaultHandler;
 import org.xml.sax.helpers.XMLFilterImpl;
 import robosim.geometry.world.shared.Bounded;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Limits;
 
 /**
@@ -84,6 +85,7 @@ final class XmlLimitFilter extends XMLFilterImpl implements LexicalHandler {
     @Override
     public void startElement(String uri, String name, String qualified, Attributes attributes) throws SAXException {
         silent = 0;
+        FileWork.take(1);
         if (++depth > Limits.MAX_DEPTH) {
             throw new SAXException(new FileProblem(
                     source,

@@ -194,7 +194,10 @@ class JsonLinesTest {
                 Arguments.of("{\"type\":7}", "at /type: must be a string (got: a number)"),
                 Arguments.of(
                         "{\"type\":\"x\"}",
-                        "a request's type must be init, load, moves, sonars, batch, step or ping (got: \"x\")"),
+                        "a request's type must be init, moves, sonars, batch or step, where there is no connection"
+                                + " that answers a hello, a load or a ping (got: \"x\")"),
+                Arguments.of("{\"type\":\"load\",\"file\":\"a.xml\"}", "must be init, moves, sonars, batch or step"),
+                Arguments.of("{\"type\":\"ping\"}", "a hello, a load or a ping (got: \"ping\")"),
                 Arguments.of("{\"type\":\"moves\"}", "the message: must have the field \"moves\""),
                 Arguments.of(
                         "{\"type\":\"moves\",\"moves\":[],\"more\":1}", "at /more: a field must be one of type, moves"),

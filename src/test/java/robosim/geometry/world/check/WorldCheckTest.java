@@ -16,6 +16,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -409,7 +410,10 @@ class WorldCheckTest {
                 }
             }
         }
-        Overlaps overlaps = new Overlaps(world(dimension, objects), (work, done, total) -> {});
+        Overlaps overlaps = new Overlaps(
+                world(dimension, objects),
+                (work, done, total) -> {},
+                WorkLimit.none().meter("a check"));
         Set<Set<String>> found = new HashSet<>();
         for (Overlap overlap : overlaps.found()) {
             GeometryObject first = overlap.first().object();
@@ -440,7 +444,10 @@ class WorldCheckTest {
             objects[k] = new BoxObject(new Point(k * 1e-6, 0, 0), 1, 1, 1);
         }
         objects[20_001] = new CylinderObject(new Point(6, 0, 6.5), 0.3, 1).moveable("second");
-        Overlaps overlaps = new Overlaps(world(Dimension.PLANAR, objects), (work, done, total) -> {});
+        Overlaps overlaps = new Overlaps(
+                world(Dimension.PLANAR, objects),
+                (work, done, total) -> {},
+                WorkLimit.none().meter("a check"));
         assertThat(overlaps.staticCount()).isEqualTo(WorldCheck.MOST_COUNTED);
         assertThat(overlaps.found()).hasSize(WorldCheck.MAX_STATIC_OVERLAPS + 1);
         assertThat(overlaps.found().stream().filter(Overlap::isStart)).hasSize(1);

@@ -1,0 +1,49 @@
+package robosim.geometry.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.management.ManagementFactory;
+import java.time.Duration;
+import java.util.Locale;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * What docs/server.md promises of how long a healthy environment waits beside greedy ones. Under {@code -Psoak} each kind of them
+ * has a ninth of {@code soak.seconds}, and the promise is checked, which needs a machine without other work. In an ordinary build
+ * one of them has half a second, and only the answers are checked.
+ */
+class FairnessTest {
+    private static final long SECONDS = Long.getLong("soak.seconds", 0);
+
+    /** Milliseconds, as published. */
+    private static final double P99 = 20;
+
+    private static final double P999 = 100;
+
+    static Greed[] attacks() {
+        return SECONDS > 0 ? Greed.values() : new Greed[] {Greed.HYPAR};
+    }
+
+    @ParameterizedTest
+    @MethodSource("attacks")
+    void aHealthyEnvironmentIsAnsweredInTime(Greed attack) throws Exception {
+        Duration time =
+                SECONDS > 0 ? Duration.ofSeconds(Math.max(5, SECONDS / Greed.values().length)) : Duration.ofMillis(500);
+        Fairness.Waits[] waits = Fairness.measure(attack, time); // fails where an answer is not the right one
+        assertThat(waits[0].answers()).isPositive();
+        assertThat(waits[1].answers()).isPositive();
+        if (SECONDS > 0) {
+            String beside = String.format(
+                    Locale.ROOT,
+                    "beside %s, at a load of the machine of %.1f: %s; beside nobody %s",
+                    attack,
+                    ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage(),
+                    waits[1],
+                    waits[0]);
+            System.out.println(beside);
+            assertThat(waits[1].p99()).as(beside).isLessThan(P99);
+            assertThat(waits[1].p999()).as(beside).isLessThan(P999);
+        }
+    }
+}
