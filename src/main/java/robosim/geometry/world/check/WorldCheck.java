@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
@@ -55,9 +56,12 @@ import robosim.geometry.world.WorldObject;
  * @param robots         the moveable objects
  * @param sonars         number of sensors in all rings
  * @param outside        objects that extend beyond the world's bounds; they are ignored in the rest of the check
- * @param overlaps       pairs in contact: all with a moveable object, and the first ones of two static objects
+ * @param overlaps       pairs in contact: those with a moveable object, and the first ones of two static objects. A moveable
+ *                       object has at most {@value #MAX_STARTING_CONTACTS} that hinder it, and where there are thousands of
+ *                       those, at least one
  * @param staticOverlaps number of pairs of static objects in contact, including those in {@code overlaps}; {@link #MOST_COUNTED}
  *                       for that many or more
+ * @param pile           the place with the most objects if not all pairs were compared; null if all were
  * @param rooms          groups of robots that can reach each other; the first room has the most
  * @param needs          which accuracy and dimension are sufficient
  */
@@ -71,11 +75,15 @@ public record WorldCheck(
         List<WorldObject> outside,
         List<Overlap> overlaps,
         int staticOverlaps,
+        @Nullable Pile pile,
         List<Room> rooms,
         Needs needs) {
 
     /** Maximum number of pairs of static objects in {@code overlaps}. */
     public static final int MAX_STATIC_OVERLAPS = 100;
+
+    /** Maximum number of contacts of one moveable object in {@code overlaps} that hinder it. */
+    public static final int MAX_STARTING_CONTACTS = 100;
 
     /** Maximum number of pairs of static objects that are counted. */
     public static final int MOST_COUNTED = 100_000;
@@ -167,6 +175,7 @@ public record WorldCheck(
                 outside,
                 overlaps.found(),
                 overlaps.staticCount(),
+                overlaps.pile(),
                 found,
                 isComplete
                         ? new Questions(free, reachability, pieces.triangles, tallies.join(), watch).ask()

@@ -16,6 +16,9 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -23,6 +26,7 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
+import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.Skipped;
@@ -444,6 +448,81 @@ class WorldCheckTest {
         assertThat(overlaps.staticCount()).isEqualTo(WorldCheck.MOST_COUNTED);
         assertThat(overlaps.found()).hasSize(WorldCheck.MAX_STATIC_OVERLAPS + 1);
         assertThat(overlaps.found().stream().filter(Overlap::isStart)).hasSize(1);
+        assertThat(overlaps.pile()).isNotNull().extracting(Pile::objects).isEqualTo(20_000);
+    }
+
+    /** Of robots in one place all are found to be in contact, by far fewer comparisons than there are pairs. */
+    @ParameterizedTest
+    @CsvSource({"0, 1", "2000, 1", "2000, 2"})
+    void manyRobotsInOnePlaceAreComparedWithFewOfThem(int fixed, int each) {
+        int count = 4000;
+        GeometryObject[] objects = new GeometryObject[fixed + count];
+        for (int k = 0; k < objects.length; k++) {
+            BoxObject box = new BoxObject(new Point(k * 1e-6, 0, 0), 1, 1, 1);
+            objects[k] = k % each == 0 && k / each < fixed ? box : box.moveable("robot " + k);
+        }
+        Overlaps overlaps = new Overlaps(world(Dimension.PLANAR, objects), (work, done, total) -> {});
+        Set<GeometryObject> touching = new HashSet<>();
+        for (Overlap overlap : overlaps.found()) {
+            touching.add(overlap.first().object());
+            touching.add(overlap.second().object());
+        }
+        for (GeometryObject object : objects) {
+            assertThat(!object.isMoveable() || touching.contains(object))
+                    .as("%s", object.name())
+                    .isTrue();
+        }
+        // There are 8 million pairs of 4,000 robots.
+        assertThat(overlaps.compared()).isBetween((long) count, 400_000L);
+        assertThat(overlaps.found()).hasSizeLessThan(10_000);
+        assertThat(overlaps.pile()).isNotNull().extracting(Pile::objects).isEqualTo(objects.length);
+    }
+
+    /** A robot that is found in many contacts hides none of those of others. */
+    @Test
+    void whoTouchesOnlyAFullRobotIsFoundToo() {
+        GeometryObject[] objects = new GeometryObject[302];
+        objects[0] = new BoxObject(new Point(0, 0, 0), 8, 1, 8).moveable("large");
+        for (int k = 1; k <= 300; k++) {
+            double x = -3.8 + k % 20 * 0.4;
+            double z = -3.8 + k / 20 * 0.4;
+            GeometryObject small = new BoxObject(new Point(x, 0, z), 0.1, 1, 0.1);
+            objects[k] = k % 2 == 0 ? small : small.moveable("small " + k);
+        }
+        objects[301] = new BoxObject(new Point(4.5, 0, 0), 1, 1, 1).moveable("last");
+        WorldCheck check = WorldCheck.of(world(Dimension.PLANAR, objects));
+        Set<String> touching = new HashSet<>();
+        for (Overlap overlap : check.startingContacts()) {
+            touching.add(String.valueOf(overlap.first().object().name()));
+            touching.add(String.valueOf(overlap.second().object().name()));
+        }
+        assertThat(touching).contains("large", "last", "small 1", "small 299");
+        assertThat(touching.stream().filter(name -> name.startsWith("small"))).hasSize(150);
+        assertThat(check.rooms()).isEmpty();
+        assertThat(check.pile()).isNotNull();
+    }
+
+    /** A move that is refused is not compared with each of many objects as often as there are objects. */
+    @Test
+    void theQuestionsOfAPileTakeWorkInProportionToIt() {
+        assertThat(refusedMove(8000)).isLessThan(10 * refusedMove(1000));
+    }
+
+    private static long refusedMove(int count) {
+        Geometry geometry = new Geometry(20, 4, 20);
+        geometry.limitWork(WorkLimit.none());
+        for (int k = 0; k < count; k++) {
+            geometry.addObjectUnchecked(new BoxObject(new Point(), 1, 1, 1).named("box " + k));
+        }
+        geometry.addObjectUnchecked(drum("robot", -3, 0, 0.3));
+        MoveResult result = geometry.move("robot", new Move(5, 0, 0, 0, 0));
+        assertThat(result.allowed()).isFalse();
+        assertThat(result.obstacle())
+                .isNotNull()
+                .extracting(GeometryObject::name)
+                .isEqualTo("box 0");
+        assertThat(geometry.workDone()).isGreaterThan(count);
+        return geometry.workDone();
     }
 
     @Test
