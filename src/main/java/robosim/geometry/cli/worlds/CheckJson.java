@@ -130,6 +130,7 @@ public final class CheckJson {
                 "maxX", room.maxX(),
                 "maxZ", room.maxZ(),
                 "area", room.area(),
+                "most", room.most(),
                 "places", room.places(),
                 "step", room.step(),
                 "told", room.isTold());

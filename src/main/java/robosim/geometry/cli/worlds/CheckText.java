@@ -262,12 +262,13 @@ public final class CheckText {
     private String room(Room room) {
         return String.format(
                 Locale.ROOT,
-                "x %s to %s, z %s to %s, an area of at least about %s%s (%,d places at a step of %s%s)",
+                "x %s to %s, z %s to %s, an area of about %s to %s%s (%,d places at a step of %s%s)",
                 number(room.minX()),
                 number(room.maxX()),
                 number(room.minZ()),
                 number(room.maxZ()),
                 number(room.area()),
+                number(room.most()),
                 unit.isEmpty() ? "" : unit + "^2",
                 room.places(),
                 length(room.step()),

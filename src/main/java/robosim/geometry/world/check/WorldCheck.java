@@ -30,7 +30,7 @@ import robosim.geometry.world.WorldObject;
  * place, by straight moves of one step along the world's X and Z at its own height. A robot that is not round also
  * turns in place, by 45 degrees at a time. Each of these moves is checked by a {@link robosim.geometry.Geometry} of the
  * static objects, so everything reached is truly reachable; what is not reached may still be reachable by moves off the
- * grid, so the step is reported. The first step is half of the robot's smaller extent, or coarser in a large world; it
+ * grid, so the step is reported, and with it an upper bound of what any motion reaches, {@link Room#most}. The first step is half of the robot's smaller extent, or coarser in a large world; it
  * is halved until it is half of that extent or the places become too many, and then twice more if not every robot is
  * reached. All other moveable objects are removed, as they may drive away. A
  * robot reaches another if, from a place at which the bodies are within two steps of touching, its body moves straight
