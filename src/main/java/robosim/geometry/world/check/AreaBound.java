@@ -111,7 +111,7 @@ final class AreaBound {
     }
 
     private static long key(int x, int z) {
-        return (long) x << 32 | z & 0xffffffffL;
+        return (long) x << 32 | (z & 0xffffffffL);
     }
 
     /** The radius of the largest disc about the vertical through the centre that the robot contains at all of its heights. */
