@@ -227,6 +227,7 @@ class Contact(NamedTuple):
     normal: List[float]  # at that point, towards the body
     impulse: float  # the sum over the step, newton seconds; 0 where they only touch, or part
     phase: str  # "BEGIN"; "LAST" for a contact that lasts from the step before, and goes on; "END"
+    fall: float = 0.0  # world units: how far the body fell before it landed here, if more than its own height; else 0
 
 
 class Stop(NamedTuple):
@@ -245,6 +246,11 @@ class Step(NamedTuple):
     stopped: List[str]  # whose motion could not be decided; they stand still
     refused: Dict[int, str]  # why bodies, counted first, and commands were left out, by their index
     stops: List[Stop] = []  # why each body in `stopped` was; empty from a server that gives no reasons
+
+    @property
+    def falls(self) -> Dict[str, float]:
+        """By name, how far bodies fell that have landed in this step: where it is the ground, mostly a floor is missing."""
+        return {contact.name: contact.fall for contact in self.contacts if contact.fall > 0}
 
 
 class Picture(NamedTuple):
@@ -794,7 +800,8 @@ class Module:
         try:
             return Step({b["objectName"]: Body(b["center"], b["heading"], Velocity(**b["velocity"]), b.get("rotation"))
                          for b in answer["bodies"]},
-                        [Contact(c["objectName"], c.get("other"), c["point"], c["normal"], c["impulse"], c["phase"])
+                        [Contact(c["objectName"], c.get("other"), c["point"], c["normal"], c["impulse"], c["phase"],
+                                 c.get("fall", 0.0))
                          for c in answer["contacts"]],
                         answer["stopped"], {problem["index"]: problem["reason"] for problem in answer["refused"]},
                         [Stop(s["objectName"], s["reason"], s.get("other")) for s in answer.get("stops", [])])

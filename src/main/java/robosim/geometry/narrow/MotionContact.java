@@ -66,8 +66,16 @@ public final class MotionContact {
     private double[] contacts = new double[8 * CONTACT];
 
     private double[] ahead = new double[8];
-    private int[] ranks = new int[8];
+    private long[] ranks = new long[8];
     private int[] pairOf = new int[8];
+
+    /** By contact, the first one with its normal: many objects in one place have few different normals. */
+    private int[] sameAs = new int[8];
+
+    /** The contacts that are the first with their normals. */
+    private int[] distinct = new int[8];
+
+    private int distinctCount;
 
     /** Whether the plane of a contact parts the mover from all that is near, and from all that blocks. */
     private boolean[] partsNear = new boolean[8];
@@ -85,7 +93,7 @@ public final class MotionContact {
     private double gap;
     private double slack;
 
-    private int rank;
+    private long rank;
 
     @SuppressWarnings("NullAway.Init") // begin sets the motion
     public MotionContact(Scratch scratch) {
@@ -98,7 +106,7 @@ public final class MotionContact {
      *
      * @param first the rank of the other piece's object
      */
-    public void begin(Dimension inDimension, Sweep sweep, LeafColumn own, LeafColumn met, int first) {
+    public void begin(Dimension inDimension, Sweep sweep, LeafColumn own, LeafColumn met, long first) {
         dimension = inDimension;
         motion = sweep;
         pairs = 0;
@@ -119,7 +127,7 @@ public final class MotionContact {
      * @param of the rank of the second leaf's object: of equal contacts, the one of least rank is reported; -1 if none of its
      *     contacts may be reported
      */
-    public void add(LeafColumn own, int i, LeafColumn met, int j, int of) {
+    public void add(LeafColumn own, int i, LeafColumn met, int j, long of) {
         own.bounds(i, box);
         met.bounds(j, other);
         for (int k = 0; k < 3; k++) {
@@ -198,6 +206,8 @@ public final class MotionContact {
             ahead = Arrays.copyOf(ahead, 2 * found);
             ranks = Arrays.copyOf(ranks, 2 * found);
             pairOf = Arrays.copyOf(pairOf, 2 * found);
+            sameAs = Arrays.copyOf(sameAs, 2 * found);
+            distinct = Arrays.copyOf(distinct, 2 * found);
             partsNear = Arrays.copyOf(partsNear, 2 * found);
             partsBlocking = Arrays.copyOf(partsBlocking, 2 * found);
         }
@@ -224,11 +234,16 @@ public final class MotionContact {
     }
 
     /** Writes the contact that is reported, six numbers; returns the rank of its object. */
-    public int choose(double[] out) {
+    public long choose(double[] out) {
+        sort();
         Arrays.fill(partsNear, 0, found, true);
         Arrays.fill(partsBlocking, 0, found, true);
         for (int k = 0; k < pairs && pairs > 1; k++) {
             part(k);
+        }
+        for (int k = 0; k < found; k++) {
+            partsNear[k] = partsNear[sameAs[k]];
+            partsBlocking[k] = partsBlocking[sameAs[k]];
         }
         int best = best(partsNear, -ALONG);
         best = best >= 0 ? best : best(partsNear, ALONG);
@@ -249,8 +264,31 @@ public final class MotionContact {
         return ranks[best];
     }
 
+    /** Finds the different normals: each is compared with the pairs once, however many contacts have it. */
+    private void sort() {
+        distinctCount = 0;
+        for (int k = 0; k < found; k++) {
+            int first = k;
+            for (int d = 0; d < distinctCount && first == k; d++) {
+                first = haveSameNormal(distinct[d], k) ? distinct[d] : k;
+            }
+            if (first == k) {
+                distinct[distinctCount++] = k;
+            }
+            sameAs[k] = first;
+            s.work.take(distinctCount);
+        }
+    }
+
+    private boolean haveSameNormal(int a, int b) {
+        int n = CONTACT * a + 3;
+        int m = CONTACT * b + 3;
+        return contacts[n] == contacts[m] && contacts[n + 1] == contacts[m + 1] && contacts[n + 2] == contacts[m + 2];
+    }
+
     /** Finds the normals whose planes do not part a pair; no plane parts a deep overlap. */
     private void part(int pair) {
+        s.work.take(distinctCount);
         if (isDeep[pair]) {
             return;
         }
@@ -265,7 +303,8 @@ public final class MotionContact {
         } else {
             error = closing.load(flat, kindA, rows, at, kindB, rows, at + Leaf.STRIDE);
         }
-        for (int k = 0; k < found; k++) {
+        for (int d = 0; d < distinctCount; d++) {
+            int k = distinct[d];
             int n = CONTACT * k + 3;
             boolean isParted = closing.gap(contacts[n], contacts[n + 1], contacts[n + 2]) >= -error;
             partsNear[k] &= isParted;
@@ -299,7 +338,7 @@ public final class MotionContact {
     private boolean isBefore(int k, int than) {
         int n = CONTACT * k + 3;
         int m = CONTACT * than + 3;
-        int order = Integer.compare(ranks[than], ranks[k]);
+        int order = Long.compare(ranks[than], ranks[k]);
         order = order != 0 ? order : Double.compare(contacts[n], contacts[m]);
         order = order != 0 ? order : Double.compare(contacts[n + 2], contacts[m + 2]);
         return (order != 0 ? order : Double.compare(contacts[n + 1], contacts[m + 1])) > 0;

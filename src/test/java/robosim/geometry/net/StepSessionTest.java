@@ -7,8 +7,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
@@ -383,27 +385,42 @@ class StepSessionTest {
         assertThatThrownBy(() -> session.reply(hour)).isInstanceOf(CpuTurn.CutOff.class);
     }
 
-    /** It stood on nothing, and drives on below the walls: that is logged, once. */
+    /** Onto the border and onto a floor, in the contact that ends it; the border's is logged too, once. */
     @Test
-    void aFallIsLogged() {
+    void aFallIsAnsweredAndLogged() {
         try (LogCapture log = new LogCapture()) {
             Session session = new Session();
             List<GeometryObject> objects = List.of(
                     new BoxObject(new Point(0, 0, 6), 20, 0.5, 2).named("table"),
                     new CylinderObject(new Point(0, 0.5, 6), 0.5, 0.5).moveable("cart"),
-                    new CylinderObject(new Point(0, 0.5, 0), 0.5, 0.5).moveable("ball"));
+                    new CylinderObject(new Point(0, 0.5, 0), 0.5, 0.5).moveable("ball"),
+                    new CylinderObject(new Point(5, 1.5, 6), 0.5, 0.5).moveable("jar"));
             session.reply(new InitBundle(objects, new WorldSettings(40, 5, 40, Dimension.SPATIAL, Accuracy.EXACT)));
-            List<BodyRequest> bodies = List.of(BodyRequest.of("cart"), BodyRequest.of("ball"));
-            step(session, new StepBundle(0.1, bodies, List.of()));
+            List<BodyRequest> bodies = List.of(BodyRequest.of("cart"), BodyRequest.of("ball"), BodyRequest.of("jar"));
+            Map<String, Double> falls = new TreeMap<>();
+            falls(step(session, new StepBundle(0.1, bodies, List.of())), falls);
             for (int k = 0; k < 20; k++) {
-                step(session, new StepBundle(0.1, List.of(), List.of()));
+                falls(step(session, new StepBundle(0.1, List.of(), List.of())), falls);
             }
+            assertThat(falls).containsOnlyKeys("ball onto null", "jar onto table");
+            assertThat(falls.get("ball onto null")).isCloseTo(2.75, within(0.01));
+            assertThat(falls.get("jar onto table")).isCloseTo(1, within(0.01));
             assertThat(log.lines().stream().filter(line -> line.contains("has fallen")))
                     .singleElement()
                     .asString()
                     .containsPattern(
                             "\"ball\" has fallen 2\\.7.* onto the lower border of the world; if it should stand on a"
                                     + " floor, add one");
+        }
+    }
+
+    private static void falls(StepBundle.Answer answer, Map<String, Double> falls) {
+        for (ContactAnswer contact : answer.contacts()) {
+            if (contact.fall() > 0) {
+                assertThat(falls.put(contact.objectName() + " onto " + contact.other(), contact.fall()))
+                        .as("the same fall in two steps: %s", contact)
+                        .isNull();
+            }
         }
     }
 }

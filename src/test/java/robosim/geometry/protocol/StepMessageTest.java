@@ -32,6 +32,7 @@ class StepMessageTest {
     @Test
     void stepsComeBackAsTheyWere() throws IOException {
         List<Bundle> all = new ArrayList<>(StepSamples.everyBundle());
+        all.add(StepSamples.landing());
         SplittableRandom random = new SplittableRandom(21);
         for (int k = 0; k < 500; k++) {
             all.add(StepSamples.random(random));
@@ -46,6 +47,11 @@ class StepMessageTest {
         Reply reply = new Reply(StepSamples.answer());
         assertThat(JsonLines.readReply(JsonLines.write(reply))).isEqualTo(reply);
         assertThat(JsonLines.isReply(JsonLines.write(reply))).isTrue();
+        // What older clients know is all that they get, unless there is a fall.
+        assertThat(JsonLines.write(reply)).doesNotContain("fall");
+        Reply landing = new Reply(StepSamples.landing());
+        assertThat(JsonLines.write(landing)).contains("\"fall\":1.25");
+        assertThat(JsonLines.readReply(JsonLines.write(landing))).isEqualTo(landing);
     }
 
     @Test
@@ -112,6 +118,12 @@ class StepMessageTest {
         refuses(
                 () -> new ContactAnswer("b", null, new Point(), new Point(), -1, ContactAnswer.Phase.BEGIN),
                 "impulse must be");
+        refuses(
+                () -> new ContactAnswer("b", null, new Point(), new Point(), 0, ContactAnswer.Phase.BEGIN, -1),
+                "fall must be");
+        refuses(
+                () -> new ContactAnswer("b", null, new Point(), new Point(), 0, ContactAnswer.Phase.BEGIN, Double.NaN),
+                "fall must be");
     }
 
     @Test

@@ -65,6 +65,15 @@ public final class StepSamples {
                         new StopAnswer("a", StopAnswer.Reason.OVERLAP, null)));
     }
 
+    /** An answer whose contact has ended a fall; apart from the others, which stored bytes have. */
+    public static StepBundle.Answer landing() {
+        return new StepBundle.Answer(
+                List.of(),
+                List.of(new ContactAnswer(
+                        "b", null, new Point(), new Point(0, 1, 0), 3, ContactAnswer.Phase.BEGIN, 1.25)),
+                List.of());
+    }
+
     public static List<Bundle> everyBundle() {
         List<Bundle> all = new ArrayList<>(requests());
         all.add(answer());

@@ -14,6 +14,7 @@ import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.check.Needs;
 import robosim.geometry.world.check.Overlap;
+import robosim.geometry.world.check.Pile;
 import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.check.StandIn;
@@ -62,6 +63,8 @@ public final class CheckJson {
                 "outside", check.outside().stream().map(o -> object(o.object())).toList());
         json.put("overlaps", check.overlaps().stream().map(CheckJson::overlap).toList());
         json.put("staticOverlaps", check.staticOverlaps());
+        Pile pile = check.pile();
+        json.put("pile", pile == null ? null : fields("at", point(pile.at()), "objects", pile.objects()));
         json.put(
                 "falls",
                 WorldCheck.falls(check.world()).stream().map(CheckJson::fall).toList());
@@ -127,6 +130,7 @@ public final class CheckJson {
                 "maxX", room.maxX(),
                 "maxZ", room.maxZ(),
                 "area", room.area(),
+                "most", room.most(),
                 "places", room.places(),
                 "step", room.step(),
                 "told", room.isTold());

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -17,6 +18,7 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.check.Needs;
 import robosim.geometry.world.check.Overlap;
+import robosim.geometry.world.check.Pile;
 import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.check.StandIn;
@@ -26,6 +28,9 @@ import robosim.geometry.world.check.WorldCheck;
 public final class CheckText {
     /** How many pairs of static objects are listed; the rest are counted. */
     private static final int STATIC_PAIRS = 10;
+
+    /** How many contacts of robots. */
+    private static final int STARTS = 50;
 
     /** How many falls. */
     private static final int FALLS = 3;
@@ -140,8 +145,14 @@ public final class CheckText {
         if (starts.isEmpty() && !check.robots().isEmpty()) {
             add("contacts", "no robot starts in contact");
         }
-        starts.forEach(
-                overlap -> add("contacts", "%s starts out %s", overlap(overlap).toArray()));
+        starts.stream()
+                .limit(STARTS)
+                .forEach(overlap ->
+                        add("contacts", "%s starts out %s", overlap(overlap).toArray()));
+        if (starts.size() > STARTS) {
+            add("", "  and %,d more; --json lists them", starts.size() - STARTS);
+        }
+        pile();
         if (check.staticOverlaps() == 0) {
             add("overlaps", "no static objects touch or overlap");
             return;
@@ -163,6 +174,17 @@ public final class CheckText {
                     check.staticOverlaps() < WorldCheck.MOST_COUNTED ? "" : "at least ",
                     check.staticOverlaps() - STATIC_PAIRS,
                     WorldCheck.MAX_STATIC_OVERLAPS);
+        }
+    }
+
+    private void pile() {
+        Pile pile = check.pile();
+        if (pile != null) {
+            add(
+                    "overlaps",
+                    "%,d objects overlap in one place, at %s; not all pairs were compared, and not all contacts are listed",
+                    pile.objects(),
+                    point(pile.at()));
         }
     }
 
@@ -240,12 +262,13 @@ public final class CheckText {
     private String room(Room room) {
         return String.format(
                 Locale.ROOT,
-                "x %s to %s, z %s to %s, an area of at least about %s%s (%,d places at a step of %s%s)",
+                "x %s to %s, z %s to %s, an area of about %s to %s%s (%,d places at a step of %s%s)",
                 number(room.minX()),
                 number(room.maxX()),
                 number(room.minZ()),
                 number(room.maxZ()),
                 number(room.area()),
+                number(room.most()),
                 unit.isEmpty() ? "" : unit + "^2",
                 room.places(),
                 length(room.step()),
@@ -373,7 +396,8 @@ public final class CheckText {
         count(
                 findings,
                 (int) check.startingContacts().stream()
-                        .map(Overlap::first)
+                        .flatMap(contact -> Stream.of(contact.first(), contact.second()))
+                        .filter(each -> each.object().isMoveable())
                         .distinct()
                         .count(),
                 "starting in contact");

@@ -26,7 +26,7 @@ final class StopContact {
     private final LeafColumn other = new LeafColumn(1);
     private final double[] around = new double[6];
 
-    /** The objects that share the least free share, in no order. */
+    /** The objects that share the least free share, in no order until one is chosen. */
     private int[] tied = new int[4];
 
     private int tiedCount;
@@ -71,9 +71,10 @@ final class StopContact {
      * @param share the share of the segment after which the mover is compared; NaN for its end
      */
     int contact(AccuracyView view, int obstacle, double share, double[] out) {
-        if (rank(obstacle) < 0) {
+        if (!isTied(obstacle)) {
             note(obstacle, 0, 1); // it ends the motion by more than others are touched earlier
         }
+        Arrays.sort(tied, 0, tiedCount);
         LeafColumn at = Double.isNaN(share) ? segment.atEnd() : segment.after(share);
         own.setPiece(at, ownLeaf, ownPiece);
         other.setPiece(view.table(obstacle).leaves(), otherLeaf, otherPiece);
@@ -99,7 +100,7 @@ final class StopContact {
                 compare(all, at, view.table(id), id, id == obstacle);
             }
         }
-        int chosen = all.choose(out);
+        long chosen = all.choose(out);
         for (int k = 0; k < tiedCount; k++) {
             if (rank(tied[k]) == chosen) {
                 return tied[k];
@@ -110,7 +111,7 @@ final class StopContact {
 
     /** Adds what else of an object the mover touches. */
     private void compare(MotionContact all, LeafColumn at, LeafTable of, int id, boolean isFirst) {
-        int rank = rank(id);
+        long rank = rank(id);
         int first = of.first(id);
         boolean isWhole = ownPiece < 0 && otherPiece < 0;
         for (int j = first; j < first + of.count(id); j++) {
@@ -123,14 +124,18 @@ final class StopContact {
         }
     }
 
-    /** How many of the objects with the least free share were added before one of them; -1 for others. */
-    private int rank(int id) {
-        int rank = -1;
-        int before = 0;
+    /** Whether an object was noted; asked a few times only. */
+    private boolean isTied(int id) {
         for (int k = 0; k < tiedCount; k++) {
-            rank = tied[k] == id ? 0 : rank;
-            before += objects.isEarlier(tied[k], id) ? 1 : 0;
+            if (tied[k] == id) {
+                return true;
+            }
         }
-        return rank < 0 ? rank : before;
+        return false;
+    }
+
+    /** The arrival of one of the objects with the least free share, of which the earliest is named; -1 for others. */
+    private long rank(int id) {
+        return Arrays.binarySearch(tied, 0, tiedCount, id) >= 0 ? objects.arrival(id) : -1;
     }
 }

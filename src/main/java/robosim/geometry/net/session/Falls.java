@@ -90,6 +90,12 @@ public final class Falls {
         return other == null || !world.getObject(other).isMoveable();
     }
 
+    /** The drop of the fall that a contact of the last step has ended; 0 if it ended none. */
+    double endedBy(BodyContact contact) {
+        Fall fall = contact.normal().y() > CARRIES && isStatic(contact.other()) ? last.get(contact.body()) : null;
+        return fall == null || contact.phase() == BodyContact.Phase.END ? 0 : fall.drop();
+    }
+
     private void land(BodyContact contact) {
         String name = contact.body();
         Level level = levels.get(name);

@@ -148,14 +148,20 @@ public final class Motion {
         return new StopAnswer(stop.body(), reason, stop.other());
     }
 
-    private static ContactAnswer answer(BodyContact contact) {
+    private ContactAnswer answer(BodyContact contact) {
         ContactAnswer.Phase phase = switch (contact.phase()) {
             case BEGIN -> ContactAnswer.Phase.BEGIN;
             case LAST -> ContactAnswer.Phase.LAST;
             case END -> ContactAnswer.Phase.END;
         };
         return new ContactAnswer(
-                contact.body(), contact.other(), contact.point(), contact.normal(), contact.impulse(), phase);
+                contact.body(),
+                contact.other(),
+                contact.point(),
+                contact.normal(),
+                contact.impulse(),
+                phase,
+                falls == null ? 0 : falls.endedBy(contact));
     }
 
     private void attempt(int index, String name, BiConsumer<Integer, String> refused, Runnable what) {

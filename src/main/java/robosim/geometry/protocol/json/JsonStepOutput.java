@@ -136,6 +136,7 @@ final class JsonStepOutput {
         point("normal", contact.normal());
         out.writeNumberField("impulse", contact.impulse());
         out.writeStringField("phase", contact.phase().name());
+        unless(0, "fall", contact.fall());
         out.writeEndObject();
     }
 

@@ -38,7 +38,7 @@ final class JsonSteps {
     private static final Fields ANSWER = Fields.of("type bodies contacts stopped refused", "stops");
     private static final Fields PLACED = Fields.of("objectName center heading velocity", "rotation");
     private static final Fields STOP = Fields.of("objectName reason", "other");
-    private static final Fields CONTACT = Fields.of("objectName point normal impulse phase", "other");
+    private static final Fields CONTACT = Fields.of("objectName point normal impulse phase", "other fall");
 
     private final JsonInput in;
 
@@ -218,6 +218,7 @@ final class JsonSteps {
         Point[] point = {new Point()};
         Point[] normal = {new Point()};
         double[] impulse = new double[1];
+        double[] fall = new double[1];
         ContactAnswer.Phase[] phase = {ContactAnswer.Phase.BEGIN};
         @Nullable String[] other = new String[1];
         var members = in.object(CONTACT);
@@ -228,9 +229,10 @@ final class JsonSteps {
                 case 2 -> normal[0] = point();
                 case 3 -> impulse[0] = in.number();
                 case 4 -> phase[0] = in.constant(ContactAnswer.Phase.class);
-                default -> other[0] = in.text();
+                case 5 -> other[0] = in.text();
+                default -> fall[0] = in.number();
             }
         }
-        return in.make(() -> new ContactAnswer(name[0], other[0], point[0], normal[0], impulse[0], phase[0]));
+        return in.make(() -> new ContactAnswer(name[0], other[0], point[0], normal[0], impulse[0], phase[0], fall[0]));
     }
 }

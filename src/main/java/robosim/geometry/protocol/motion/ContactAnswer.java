@@ -17,9 +17,11 @@ import robosim.geometry.model.Point;
  * @param impulse    what {@code objectName} was given along the normal, newton seconds, the sum over the step; 0
  *                   where they only touch or part
  * @param phase      whether the contact has begun in this step, goes on since the one before, or has ended
+ * @param fall       by how much {@code objectName} has fallen before it landed here in this step, world units, if that is more
+ *                   than its own height; else 0. Onto the lower border of the world, mostly a floor is missing
  */
 public record ContactAnswer(
-        String objectName, @Nullable String other, Point point, Point normal, double impulse, Phase phase)
+        String objectName, @Nullable String other, Point point, Point normal, double impulse, Phase phase, double fall)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -34,7 +36,7 @@ public record ContactAnswer(
         END
     }
 
-    /** Refuses null where it has no meaning, and an impulse that is not a number of at least 0. */
+    /** Refuses null where it has no meaning, and an impulse or a fall that is not a number of at least 0. */
     public ContactAnswer {
         Checks.present("objectName", objectName);
         Checks.present("point", point);
@@ -44,5 +46,15 @@ public record ContactAnswer(
             throw new IllegalArgumentException("impulse must be a finite number of at least 0 (got: " + impulse + ")");
         }
         impulse += 0.0;
+        if (!(fall >= 0 && fall <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("fall must be a finite number of at least 0 (got: " + fall + ")");
+        }
+        fall += 0.0;
+    }
+
+    /** A contact that ends no fall. */
+    public ContactAnswer(
+            String objectName, @Nullable String other, Point point, Point normal, double impulse, Phase phase) {
+        this(objectName, other, point, normal, impulse, phase, 0);
     }
 }

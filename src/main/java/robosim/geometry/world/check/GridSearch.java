@@ -171,10 +171,20 @@ final class GridSearch {
         return places * step * step;
     }
 
-    Room room(List<String> names) {
+    Room room(List<String> names, AreaBound bound) {
         double half = narrow / 2;
+        double most = bound.of(body);
         return new Room(
-                names, minX - half, minZ - half, maxX + half, maxZ + half, area(), places, step, isFine() && isWhole);
+                names,
+                minX - half,
+                minZ - half,
+                maxX + half,
+                maxZ + half,
+                Math.min(area(), most),
+                most,
+                places,
+                step,
+                isFine() && isWhole);
     }
 
     /**

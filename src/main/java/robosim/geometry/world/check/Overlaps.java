@@ -14,10 +14,17 @@ import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
-/** The pairs of a world's objects that are in contact, in the order of the objects. */
+/**
+ * The pairs of a world's objects that are in contact, in the order of the objects.
+ *
+ * <p>Of n objects in one place there are n^2 / 2 pairs, so not all are looked at. Pairs of static objects are counted up to a
+ * limit. A moveable object that has been found in enough contacts is full, and is compared only with those that are not: a
+ * world without full ones has all of its pairs.
+ */
 final class Overlaps {
     /** A penetration depth below this fraction of the smaller object counts as touching. */
     private static final double TOUCH = 0x1p-30;
@@ -28,62 +35,195 @@ final class Overlaps {
     /** Steps of a question whether two objects touch, after which it is asked again with more: so it can be cancelled. */
     private static final long STEPS = 1 << 14;
 
+    /** Number of objects near a moveable one that are compared before it is asked whether it is full. */
+    private static final int CHUNK = 1024;
+
+    /** Number of contacts of moveable objects after which one contact of each is enough. */
+    private static final int MANY_STARTS = 2_000;
+
+    /** Number of contacts around which it is counted how many objects lie in one place. */
+    private static final int PILES = 16;
+
     private final List<WorldObject> objects;
+    private final List<Bounds> bounds;
     private final Dimension dimension;
     private final WorkLimit.Meter meter;
     private final List<Overlap> found = new ArrayList<>();
+    private final QuadTree fixed;
+
+    /** The moveable objects so far that are not full, and those that are. */
+    private final QuadTree open;
+
+    private final QuadTree full;
+    private final QuadCursor fixedCursor;
+    private final QuadCursor openCursor;
+    private final QuadCursor fullCursor;
+
+    /** By object, the number of its contacts that were found, and of those that hinder it. */
+    private final int[] contacts;
+
+    private final int[] hindered;
+    private final List<Integer> near = new ArrayList<>();
+    private int starts;
     private int staticCount;
+    private long compared;
+    private @Nullable Pile pile;
 
     Overlaps(World world, Watch watch, WorkLimit.Meter meter) {
         objects = world.objects();
         dimension = world.dimension();
         this.meter = meter;
-        List<Bounds> bounds = objects.stream().map(o -> o.object().bounds()).toList();
-        // Apart, as of static objects not all pairs need be looked at: of n that lie in one place there are n^2 / 2.
-        QuadTree fixed = tree(world);
-        QuadTree moving = tree(world);
-        QuadCursor fixedCursor = fixed.cursor();
-        QuadCursor movingCursor = moving.cursor();
+        bounds = objects.stream().map(o -> o.object().bounds()).toList();
+        fixed = tree(world);
+        open = tree(world);
+        full = tree(world);
+        fixedCursor = fixed.cursor();
+        openCursor = open.cursor();
+        fullCursor = full.cursor();
+        contacts = new int[objects.size()];
+        hindered = new int[objects.size()];
         for (int k = 0; k < objects.size(); k++) {
             watch.at("overlaps", k, objects.size());
-            Bounds e = bounds.get(k);
-            boolean isMoving = objects.get(k).object().isMoveable();
-            List<Integer> near = new ArrayList<>();
-            if (isMoving || staticCount < WorldCheck.MOST_COUNTED) {
-                near(fixedCursor, e, near);
+            if (objects.get(k).object().isMoveable()) {
+                moveable(k);
+            } else {
+                fixed(k);
             }
-            near(movingCursor, e, near);
-            near.sort(null);
-            meter.take(near.size());
-            for (int other : near) {
-                boolean level = dimension == Dimension.PLANAR || haveCommonHeight(e, bounds.get(other));
-                if (level) {
-                    compare(
-                            objects.get(other),
-                            objects.get(k),
-                            Math.min(e.size(), bounds.get(other).size()));
-                }
-            }
-            (isMoving ? moving : fixed).add(k, e.minX(), e.minZ(), e.maxX(), e.maxZ());
         }
+        if (full.size() > 0 || staticCount >= WorldCheck.MOST_COUNTED) {
+            pile = largestPile();
+        }
+    }
+
+    private void fixed(int k) {
+        near.clear();
+        if (staticCount < WorldCheck.MOST_COUNTED) {
+            start(fixedCursor, k);
+            collect(fixedCursor, Integer.MAX_VALUE);
+        }
+        start(openCursor, k);
+        collect(openCursor, Integer.MAX_VALUE);
+        compareNear(k);
+        add(fixed, k);
+    }
+
+    private void moveable(int k) {
+        near.clear();
+        start(fixedCursor, k);
+        while (collect(fixedCursor, CHUNK) && !isFull(k)) {
+            compareNear(k);
+        }
+        start(openCursor, k);
+        collect(openCursor, Integer.MAX_VALUE);
+        compareNear(k);
+        start(fullCursor, k);
+        while (!isFull(k) && collect(fullCursor, CHUNK)) {
+            compareNear(k);
+        }
+        compareNear(k);
+        add(isFull(k) ? full : open, k);
+    }
+
+    private void add(QuadTree tree, int k) {
+        Bounds e = bounds.get(k);
+        tree.add(k, e.minX(), e.minZ(), e.maxX(), e.maxZ());
+    }
+
+    private void start(QuadCursor cursor, int k) {
+        Bounds e = bounds.get(k);
+        cursor.startBox(e.minX(), e.minZ(), e.maxX(), e.maxZ());
+    }
+
+    /** Adds to the objects that are near until there are so many; returns false if there are no more. */
+    private boolean collect(QuadCursor cursor, int most) {
+        while (near.size() < most) {
+            int other = cursor.next();
+            if (other < 0) {
+                return false;
+            }
+            near.add(other);
+        }
+        return true;
+    }
+
+    private void compareNear(int k) {
+        near.sort(null);
+        meter.take(near.size());
+        Bounds e = bounds.get(k);
+        for (int other : near) {
+            if (dimension == Dimension.PLANAR || haveCommonHeight(e, bounds.get(other))) {
+                compare(other, k, Math.min(e.size(), bounds.get(other).size()));
+            }
+        }
+        near.clear();
+    }
+
+    /** Whether a moveable object has been found in enough contacts. */
+    private boolean isFull(int k) {
+        int most = starts < MANY_STARTS ? WorldCheck.MAX_STARTING_CONTACTS : 1;
+        return hindered[k] >= most || contacts[k] >= CHUNK;
+    }
+
+    /** Whether nothing would follow from another contact of two objects. */
+    private boolean isEnough(int a, int b) {
+        boolean isMovingA = objects.get(a).object().isMoveable();
+        boolean isMovingB = objects.get(b).object().isMoveable();
+        return (isMovingA || isMovingB) && (!isMovingA || isFull(a)) && (!isMovingB || isFull(b));
+    }
+
+    private void count(int k, boolean hinders) {
+        contacts[k]++;
+        hindered[k] += hinders ? 1 : 0;
+        if (isFull(k) && open.contains(k)) {
+            open.remove(k);
+            add(full, k);
+        }
+    }
+
+    /** The place where most objects were found. */
+    private @Nullable Pile largestPile() {
+        Pile largest = null;
+        for (int k = 0; k < PILES; k++) {
+            Point at = found.get((int) ((long) k * found.size() / PILES)).contact();
+            int count = countAt(at);
+            largest = largest == null || count > largest.objects() ? new Pile(at, count) : largest;
+        }
+        return largest;
+    }
+
+    /** How many objects contain a point. */
+    private int countAt(Point at) {
+        SphereObject point = new SphereObject(at, 0);
+        int count = 0;
+        for (QuadCursor cursor : List.of(fixedCursor, openCursor, fullCursor)) {
+            cursor.startBox(at.x(), at.z(), at.x(), at.z());
+            for (int k = cursor.next(); k >= 0; k = cursor.next()) {
+                count += touches(objects.get(k).object(), point) ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    /** The place with the most objects, if not all pairs were looked at. */
+    @Nullable
+    Pile pile() {
+        return pile;
+    }
+
+    /** How many pairs were looked at. */
+    long compared() {
+        return compared;
     }
 
     private static QuadTree tree(World world) {
         return new QuadTree(-world.width() / 2, -world.length() / 2, world.width() / 2, world.length() / 2);
     }
 
-    private static void near(QuadCursor cursor, Bounds e, List<Integer> near) {
-        cursor.startBox(e.minX(), e.minZ(), e.maxX(), e.maxZ());
-        for (int other = cursor.next(); other >= 0; other = cursor.next()) {
-            near.add(other);
-        }
-    }
-
     private static boolean haveCommonHeight(Bounds a, Bounds b) {
         return a.minY() <= b.maxY() && b.minY() <= a.maxY();
     }
 
-    /** All overlaps with a moveable object, and those of two static objects up to the limit. */
+    /** All overlaps with a moveable object that is not full, and those of two static objects up to the limit. */
     List<Overlap> found() {
         return found;
     }
@@ -92,33 +232,42 @@ final class Overlaps {
         return staticCount;
     }
 
-    private void compare(WorldObject earlier, WorldObject later, double size) {
-        boolean moves = later.object().isMoveable() && !earlier.object().isMoveable();
-        WorldObject first = moves ? later : earlier;
-        WorldObject second = moves ? earlier : later;
-        boolean fixed = !first.object().isMoveable();
-        if (fixed && staticCount >= WorldCheck.MOST_COUNTED) {
+    private void compare(int earlier, int later, double size) {
+        boolean isSwapped = objects.get(later).object().isMoveable()
+                && !objects.get(earlier).object().isMoveable();
+        WorldObject first = objects.get(isSwapped ? later : earlier);
+        WorldObject second = objects.get(isSwapped ? earlier : later);
+        boolean isStatic = !first.object().isMoveable();
+        if ((isStatic && staticCount >= WorldCheck.MOST_COUNTED) || isEnough(earlier, later)) {
             return;
         }
-        if (fixed && staticCount >= WorldCheck.MAX_STATIC_OVERLAPS) {
+        compared++;
+        if (isStatic && staticCount >= WorldCheck.MAX_STATIC_OVERLAPS) {
             staticCount += touches(first.object(), second.object()) ? 1 : 0;
             return;
         }
         if (!touches(first.object(), second.object())) {
             return;
         }
-        List<Contact> contacts = ContactQuery.contacts(first.object(), second.object(), dimension, 1);
-        if (contacts.isEmpty()) {
+        List<Contact> contact = ContactQuery.contacts(first.object(), second.object(), dimension, 1);
+        if (contact.isEmpty()) {
             return;
         }
-        staticCount += fixed ? 1 : 0;
-        Contact contact = contacts.get(0);
-        found.add(new Overlap(
-                first,
-                second,
-                contact.point(),
-                contact.normal(),
-                depth(first.object(), second.object(), contact.normal(), size)));
+        Contact at = contact.get(0);
+        double depth = depth(first.object(), second.object(), at.normal(), size);
+        Overlap overlap = new Overlap(first, second, at.point(), at.normal(), depth);
+        found.add(overlap);
+        if (isStatic) {
+            staticCount++;
+            return;
+        }
+        boolean hinders = !Standing.isStanding(overlap);
+        starts += hinders ? 1 : 0;
+        for (int k : new int[] {earlier, later}) {
+            if (objects.get(k).object().isMoveable()) {
+                count(k, hinders);
+            }
+        }
     }
 
     private boolean touches(GeometryObject a, GeometryObject b) {

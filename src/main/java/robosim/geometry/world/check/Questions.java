@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
@@ -292,12 +293,25 @@ final class Questions {
         }
     }
 
-    /** Adds the body, even in contact, tries the move and removes the body again. */
+    /**
+     * Adds the body, even in contact, tries the move and removes the body again. Only the verdict is asked for: a full result
+     * of a refused move compares all that is touched, and thousands of objects may lie in one place.
+     */
     private static boolean moves(SettingTally tally, GeometryObject body, String name, Move move) {
         boolean stands = tally.geometry.addObjectUnchecked(body);
-        boolean allowed = stands && tally.geometry.move(name, move).allowed();
+        boolean allowed = stands && allows(tally.geometry, body, name, move);
         tally.geometry.removeObject(name);
         return allowed;
+    }
+
+    private static boolean allows(Geometry geometry, GeometryObject body, String name, Move move) {
+        if (move.ry() == 0) {
+            return geometry.simpleMove(name, move.x(), move.y(), move.z());
+        }
+        // The turn of a move is about the body's own Y, that of simpleTurn about the vertical.
+        return body.pose().isUpright()
+                ? geometry.simpleTurn(name, move.ry())
+                : geometry.move(name, move).allowed();
     }
 
     private void listen(WorldObject robot, GeometryObject body, String name) {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
@@ -29,7 +30,7 @@ import robosim.geometry.world.WorldObject;
  * place, by straight moves of one step along the world's X and Z at its own height. A robot that is not round also
  * turns in place, by 45 degrees at a time. Each of these moves is checked by a {@link robosim.geometry.Geometry} of the
  * static objects, so everything reached is truly reachable; what is not reached may still be reachable by moves off the
- * grid, so the step is reported. The first step is half of the robot's smaller extent, or coarser in a large world; it
+ * grid, so the step is reported, and with it an upper bound of what any motion reaches, {@link Room#most}. The first step is half of the robot's smaller extent, or coarser in a large world; it
  * is halved until it is half of that extent or the places become too many, and then twice more if not every robot is
  * reached. All other moveable objects are removed, as they may drive away. A
  * robot reaches another if, from a place at which the bodies are within two steps of touching, its body moves straight
@@ -55,9 +56,12 @@ import robosim.geometry.world.WorldObject;
  * @param robots         the moveable objects
  * @param sonars         number of sensors in all rings
  * @param outside        objects that extend beyond the world's bounds; they are ignored in the rest of the check
- * @param overlaps       pairs in contact: all with a moveable object, and the first ones of two static objects
+ * @param overlaps       pairs in contact: those with a moveable object, and the first ones of two static objects. A moveable
+ *                       object has at most {@value #MAX_STARTING_CONTACTS} that hinder it, and where there are thousands of
+ *                       those, at least one
  * @param staticOverlaps number of pairs of static objects in contact, including those in {@code overlaps}; {@link #MOST_COUNTED}
  *                       for that many or more
+ * @param pile           the place with the most objects if not all pairs were compared; null if all were
  * @param rooms          groups of robots that can reach each other; the first room has the most
  * @param needs          which accuracy and dimension are sufficient
  */
@@ -71,11 +75,15 @@ public record WorldCheck(
         List<WorldObject> outside,
         List<Overlap> overlaps,
         int staticOverlaps,
+        @Nullable Pile pile,
         List<Room> rooms,
         Needs needs) {
 
     /** Maximum number of pairs of static objects in {@code overlaps}. */
     public static final int MAX_STATIC_OVERLAPS = 100;
+
+    /** Maximum number of contacts of one moveable object in {@code overlaps} that hinder it. */
+    public static final int MAX_STARTING_CONTACTS = 100;
 
     /** Maximum number of pairs of static objects that are counted. */
     public static final int MOST_COUNTED = 100_000;
@@ -166,6 +174,7 @@ public record WorldCheck(
                 outside,
                 overlaps.found(),
                 overlaps.staticCount(),
+                overlaps.pile(),
                 found,
                 isComplete
                         ? new Questions(free, reachability, pieces.triangles, limited(tallies.join(), meter), watch)

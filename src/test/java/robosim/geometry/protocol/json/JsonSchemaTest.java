@@ -185,6 +185,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(BatchSamples.listed().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
+                JsonLines.write(new Reply(StepSamples.landing())),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
                         new DistanceBundle(List.of(0.0, 1.5, Double.POSITIVE_INFINITY, Double.NaN)),

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
@@ -16,6 +17,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.model.Accuracy;
@@ -24,6 +27,7 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
+import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.Skipped;
@@ -451,6 +455,84 @@ class WorldCheckTest {
         assertThat(overlaps.staticCount()).isEqualTo(WorldCheck.MOST_COUNTED);
         assertThat(overlaps.found()).hasSize(WorldCheck.MAX_STATIC_OVERLAPS + 1);
         assertThat(overlaps.found().stream().filter(Overlap::isStart)).hasSize(1);
+        assertThat(overlaps.pile()).isNotNull().extracting(Pile::objects).isEqualTo(20_000);
+    }
+
+    /** Of robots in one place all are found to be in contact, by far fewer comparisons than there are pairs. */
+    @ParameterizedTest
+    @CsvSource({"0, 1", "2000, 1", "2000, 2"})
+    void manyRobotsInOnePlaceAreComparedWithFewOfThem(int fixed, int each) {
+        int count = 4000;
+        GeometryObject[] objects = new GeometryObject[fixed + count];
+        for (int k = 0; k < objects.length; k++) {
+            BoxObject box = new BoxObject(new Point(k * 1e-6, 0, 0), 1, 1, 1);
+            objects[k] = k % each == 0 && k / each < fixed ? box : box.moveable("robot " + k);
+        }
+        Overlaps overlaps = new Overlaps(
+                world(Dimension.PLANAR, objects),
+                (work, done, total) -> {},
+                WorkLimit.none().meter("check"));
+        Set<GeometryObject> touching = new HashSet<>();
+        for (Overlap overlap : overlaps.found()) {
+            touching.add(overlap.first().object());
+            touching.add(overlap.second().object());
+        }
+        for (GeometryObject object : objects) {
+            assertThat(!object.isMoveable() || touching.contains(object))
+                    .as("%s", object.name())
+                    .isTrue();
+        }
+        // There are 8 million pairs of 4,000 robots.
+        assertThat(overlaps.compared()).isBetween((long) count, 400_000L);
+        assertThat(overlaps.found()).hasSizeLessThan(10_000);
+        assertThat(overlaps.pile()).isNotNull().extracting(Pile::objects).isEqualTo(objects.length);
+    }
+
+    /** A robot that is found in many contacts hides none of those of others. */
+    @Test
+    void whoTouchesOnlyAFullRobotIsFoundToo() {
+        GeometryObject[] objects = new GeometryObject[302];
+        objects[0] = new BoxObject(new Point(0, 0, 0), 8, 1, 8).moveable("large");
+        for (int k = 1; k <= 300; k++) {
+            double x = -3.8 + k % 20 * 0.4;
+            double z = -3.8 + k / 20 * 0.4;
+            GeometryObject small = new BoxObject(new Point(x, 0, z), 0.1, 1, 0.1);
+            objects[k] = k % 2 == 0 ? small : small.moveable("small " + k);
+        }
+        objects[301] = new BoxObject(new Point(4.5, 0, 0), 1, 1, 1).moveable("last");
+        WorldCheck check = WorldCheck.of(world(Dimension.PLANAR, objects));
+        Set<String> touching = new HashSet<>();
+        for (Overlap overlap : check.startingContacts()) {
+            touching.add(String.valueOf(overlap.first().object().name()));
+            touching.add(String.valueOf(overlap.second().object().name()));
+        }
+        assertThat(touching).contains("large", "last", "small 1", "small 299");
+        assertThat(touching.stream().filter(name -> name.startsWith("small"))).hasSize(150);
+        assertThat(check.rooms()).isEmpty();
+        assertThat(check.pile()).isNotNull();
+    }
+
+    /** A move that is refused is not compared with each of many objects as often as there are objects. */
+    @Test
+    void theQuestionsOfAPileTakeWorkInProportionToIt() {
+        assertThat(refusedMove(8000)).isLessThan(10 * refusedMove(1000));
+    }
+
+    private static long refusedMove(int count) {
+        Geometry geometry = new Geometry(20, 4, 20);
+        geometry.limitWork(WorkLimit.none());
+        for (int k = 0; k < count; k++) {
+            geometry.addObjectUnchecked(new BoxObject(new Point(), 1, 1, 1).named("box " + k));
+        }
+        geometry.addObjectUnchecked(drum("robot", -3, 0, 0.3));
+        MoveResult result = geometry.move("robot", new Move(5, 0, 0, 0, 0));
+        assertThat(result.allowed()).isFalse();
+        assertThat(result.obstacle())
+                .isNotNull()
+                .extracting(GeometryObject::name)
+                .isEqualTo("box 0");
+        assertThat(geometry.workDone()).isGreaterThan(count);
+        return geometry.workDone();
     }
 
     @Test
@@ -557,8 +639,92 @@ class WorldCheckTest {
             assertThat(room.isTold()).isTrue();
             // The corners of the cells take some of the band.
             assertThat(room.area()).isBetween(0.8 * 302, 302.0);
+            assertThat(room.most()).isBetween(0.85 * 302, 310.0).isGreaterThanOrEqualTo(room.area());
             assertThat(room.minX()).isLessThan(-29);
         });
+    }
+
+    /** A race track of 2.2 m with bends of many widths, as the cells of a map; what is reachable is known from its middle line. */
+    @Test
+    void theBoundsOfARaceTrackHoldWhatIsReachable() {
+        int count = 640;
+        double cell = 0.125;
+        double[] least = new double[count * count];
+        Arrays.fill(least, Double.POSITIVE_INFINITY);
+        for (int k = 0; k < 20_000; k++) {
+            double angle = 2 * Math.PI * k / 20_000;
+            double r = 28 + 5 * Math.sin(3 * angle) + 3 * Math.sin(7 * angle);
+            double x = r * Math.cos(angle);
+            double z = r * Math.sin(angle);
+            for (int j = (int) ((z + 38.5) / cell); j < (z + 41.5) / cell; j++) {
+                for (int i = (int) ((x + 38.5) / cell); i < (x + 41.5) / cell; i++) {
+                    double d = Math.hypot((i + 0.5) * cell - 40 - x, (j + 0.5) * cell - 40 - z);
+                    least[j * count + i] = Math.min(least[j * count + i], d);
+                }
+            }
+        }
+        BitSet taken = new BitSet();
+        int inside = 0;
+        int outside = 0;
+        for (int k = 0; k < least.length; k++) {
+            taken.set(k, least[k] > 1.1);
+            // A cell's middle is within 0.09 of all of it.
+            inside += least[k] < 1.1 - 0.3 - 2 * 0.09 ? 1 : 0;
+            outside += least[k] < 1.1 - 0.3 + 0.09 ? 1 : 0;
+        }
+        double lower = inside * cell * cell;
+        double upper = outside * cell * cell;
+        assertThat(lower).isGreaterThan(250);
+        GridObject track = new GridObject(new Point(), cell, 2, count, count, taken);
+        WorldCheck check = large(Dimension.PLANAR, 80.2, track, drum("a", 28, 0, 0.3));
+        assertThat(check.rooms()).singleElement().satisfies(room -> {
+            assertThat(room.isTold()).isTrue();
+            assertThat(room.area()).isBetween(0.8 * lower, upper);
+            assertThat(room.most()).isBetween(lower, 1.1 * upper).isGreaterThanOrEqualTo(room.area());
+        });
+    }
+
+    /** In a square room of side s, the centre of a disc of radius r reaches (s - 2 r)^2, and that of a box no more than its disc. */
+    @Test
+    void whatIsReachableIsWithinTheUpperBound() {
+        SplittableRandom random = new SplittableRandom(7);
+        for (int k = 0; k < 12; k++) {
+            double side = random.nextDouble(2, 6);
+            double r = random.nextDouble(0.1, 0.4);
+            Point at = new Point(random.nextDouble(-0.5, 0.5), 0, random.nextDouble(-0.5, 0.5));
+            GeometryObject robot = switch (k % 3) {
+                case 0 -> new CylinderObject(at, r, 1);
+                case 1 -> new SphereObject(at, r);
+                default -> new BoxObject(at, 2 * r, 1, 2 * r).turned(0, 90 * random.nextInt(4));
+            };
+            double middle = side / 2 + 0.25;
+            WorldCheck check = WorldCheck.of(world(
+                    k % 2 == 0 ? Dimension.PLANAR : Dimension.SPATIAL,
+                    wall(middle, 0, 0.5, side),
+                    wall(-middle, 0, 0.5, side),
+                    wall(0, middle, side + 1, 0.5),
+                    wall(0, -middle, side + 1, 0.5),
+                    robot.moveable("robot")));
+            double truth = (side - 2 * r) * (side - 2 * r);
+            assertThat(check.rooms()).singleElement().satisfies(room -> {
+                assertThat(room.most()).as("side %s, r %s", side, r).isBetween(truth, 1.35 * truth);
+                assertThat(room.area()).isLessThanOrEqualTo(room.most());
+            });
+        }
+    }
+
+    /** Who may turn passes a door that is narrower than it is long, and the bound knows it at any heading. */
+    @Test
+    void theUpperBoundHoldsAtAnyHeading() {
+        GeometryObject cart = new BoxObject(new Point(-5, 0, 0), 3, 1, 0.6).turned(0, 90);
+        assertThat(check(1, cart.moveable("cart")).rooms().get(0).most()).isGreaterThan(2 * 8.9 * 19);
+        assertThat(check(0.4, cart.moveable("cart")).rooms().get(0).most()).isBetween(8.9 * 17, 9.9 * 20.25);
+        // Nothing is known of a disc within a tilted robot, so the bound is the floor.
+        assertThat(check(0.4, cart.turned(20, 0).moveable("cart"))
+                        .rooms()
+                        .get(0)
+                        .most())
+                .isEqualTo(20 * 20.25);
     }
 
     /** A hall that is too large for the desired step is searched at the finest one that can be afforded. */
