@@ -31,7 +31,6 @@ public final class WorldRequests {
     private final List<WorldAnswer.LeftOut> leftOut = new ArrayList<>();
     private int characters;
     private int added;
-    private @Nullable String failure;
     private final ObjectNumbers numbers = new ObjectNumbers();
 
     /** How many objects there are now, of groups their members. */
@@ -49,7 +48,6 @@ public final class WorldRequests {
     public void begin(List<GeometryObject> objects) {
         leftOut.clear();
         characters = 0;
-        failure = null;
         added = 0;
         present = 0;
         numbers.begin(objects);
@@ -69,11 +67,6 @@ public final class WorldRequests {
             count += object instanceof ObjectGroup group ? count(group.members()) : 1;
         }
         return count;
-    }
-
-    /** The last init made no world. */
-    public void failed(String reason) {
-        failure = reason;
     }
 
     /** An object of an init was added. */
@@ -150,10 +143,6 @@ public final class WorldRequests {
     }
 
     private WorldAnswer describe(Geometry world) {
-        if (failure != null) {
-            throw new IllegalArgumentException(
-                    "the world of the last init cannot be made, the one before it stays: " + failure);
-        }
         return new WorldAnswer.Described(
                 added,
                 List.copyOf(leftOut),
