@@ -382,8 +382,8 @@ def named(objects: Iterable[Json]) -> List[Json]:
 _BODY = ("mass", "inertia", "restitution", "staticFriction", "slidingFriction", "damping", "turnDamping", "maxSpeed",
          "maxTurn", "floorFriction")
 _LIMITS = ("base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration")
-_DRIVES = {"DIFFERENTIAL": _LIMITS[:3], "OMNIDIRECTIONAL": _LIMITS[1:], "ACKERMANN": _LIMITS[:4], "VELOCITY": (),
-           "FORCE": ()}
+_DRIVES = {"DIFFERENTIAL": _LIMITS[:3], "OMNIDIRECTIONAL": _LIMITS[1:], "ACKERMANN": (*_LIMITS[:4], "centreAhead"),
+           "VELOCITY": (), "FORCE": ()}
 
 
 def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
@@ -416,7 +416,8 @@ def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[
 def drive_settings(kind: str, **limits: float) -> Json:
     """A drive: "differential", "omnidirectional", "ackermann" (a car, which turns about its rear axle, at the centre of
     the object), "velocity" or "force"; with base, max_speed, max_acceleration, max_turn and max_turn_acceleration, as far
-    as its kind has them."""
+    as its kind has them, and of a car `centre_ahead`, metres from its rear axle forward to the object's centre. Turns are
+    in radians."""
     word = kind.upper()
     if word not in _DRIVES:
         raise TypeError(f"a drive must be one of {', '.join(_DRIVES)}, in small letters too (got: {kind})")
@@ -531,9 +532,14 @@ def go_to_contact(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx:
 
 
 def go_and_slide(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
-                 clearance: float = 0.0, bends: int = 4) -> Json:
-    """A move that goes on along what blocks it, at so many contacts."""
-    return {**go(name, x, y, z, rx, ry), "kind": "moveAndSlide", "clearance": clearance, "bends": bends}
+                 clearance: float = 0.0, bends: int = 4, step_height: float = 0.0, max_slope: float = math.pi / 2,
+                 snap: float = 0.0) -> Json:
+    """A move that goes on along what blocks it, at so many contacts. In a SPATIAL world it may walk: it climbs sills up to
+    `step_height`, treats surfaces steeper than `max_slope` radians as walls, and is put down on ground within `snap`."""
+    walk = {"stepHeight": step_height, "maxSlopeRadians": max_slope, "snap": snap}
+    usual = {"stepHeight": 0.0, "maxSlopeRadians": math.pi / 2, "snap": 0.0}
+    return {**go(name, x, y, z, rx, ry), "kind": "moveAndSlide", "clearance": clearance, "bends": bends,
+            **{field: value for field, value in walk.items() if value != usual[field]}}
 
 
 def world() -> Json:
@@ -876,9 +882,11 @@ class Module:
         return self._one(go_to_contact(name, x, y, z, rx, ry, clearance))
 
     def move_and_slide(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
-                       ry: float = 0.0, clearance: float = 0.0, bends: int = 4) -> Slid:
-        """Moves an object and, where it is blocked, on along what blocks it, at so many contacts; then turns it."""
-        return self._one(go_and_slide(name, x, y, z, rx, ry, clearance, bends))
+                       ry: float = 0.0, clearance: float = 0.0, bends: int = 4, step_height: float = 0.0,
+                       max_slope: float = math.pi / 2, snap: float = 0.0) -> Slid:
+        """Moves an object and, where it is blocked, on along what blocks it, at so many contacts; then turns it. In a
+        SPATIAL world it may walk, as the function `go_and_slide` describes."""
+        return self._one(go_and_slide(name, x, y, z, rx, ry, clearance, bends, step_height, max_slope, snap))
 
     def sense(self, name: str, pattern: Json, **options: Any) -> Scan:
         """All beams of a sensor on an object, with the options of the function `sense`; without a name, "", of one that

@@ -106,6 +106,7 @@ final class AllowedClasses {
             WorldRequest.Go.class,
             WorldRequest.GoToContact.class,
             WorldRequest.GoAndSlide.class,
+            WorldRequest.Walk.class,
             WorldRequest.Identify.class,
             WorldAnswer.LeftOut.class,
             WorldAnswer.Described.class,

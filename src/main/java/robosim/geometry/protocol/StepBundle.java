@@ -47,7 +47,7 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
      * @param contacts who collided or touches, one for each two objects, and of a mesh, a group, a grid or the border one for
      *                 each normal along which it is touched: those that collided in the order of their times, those that only touch, and then those that part
      * @param stopped  bodies that were stopped because their motion could not be decided or carried out without an overlap
-     * @param stops    why each of these was stopped, in the same order; empty where a JSON peer gives no reasons
+     * @param stops    why each of these was stopped, in the same order; empty where a peer gives no reasons
      */
     public record Answer(
             List<BodyAnswer> bodies, List<ContactAnswer> contacts, List<String> stopped, List<StopAnswer> stops)
@@ -60,7 +60,9 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
             bodies = Checks.copy("bodies", bodies, BodyAnswer.class);
             contacts = Checks.copy("contacts", contacts, ContactAnswer.class);
             stopped = Checks.copy("stopped", stopped, String.class);
-            stops = Checks.copy("stops", stops, StopAnswer.class);
+            stops = stops == null
+                    ? List.of()
+                    : Checks.copy("stops", stops, StopAnswer.class); // null in messages of before
         }
 
         /** An answer without reasons. */

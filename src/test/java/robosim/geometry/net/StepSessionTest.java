@@ -414,6 +414,28 @@ class StepSessionTest {
         }
     }
 
+    /** A car turns about its rear axle, so what is ahead of it goes sideways: v = w * ahead, with w = v * tan(steering) / base. */
+    @Test
+    void theCentreOfACarMayBeAheadOfItsRearAxle() {
+        for (double ahead : new double[] {0, 1.25}) {
+            Session session = new Session();
+            session.reply(new InitBundle(
+                    List.of(new BoxObject(new Point(), 3, 1, 1.5).moveable("car")),
+                    new WorldSettings(90, 5, 90, Dimension.PLANAR, Accuracy.EXACT)));
+            DriveSettings drive =
+                    new DriveSettings(DriveSettings.Kind.ACKERMANN, 2.5, 9, 1e6, 1, 1.0 / 0).withCentreAhead(ahead);
+            StepBundle.Answer answer = step(
+                    session,
+                    new StepBundle(
+                            0.1,
+                            List.of(BodyRequest.of("car").withDrive(drive)),
+                            List.of(new DriveCommand("car", 2, 0, 0.5))));
+            double turn = 2 * Math.tan(0.5) / 2.5;
+            assertThat(answer.bodies().get(0).velocity().ry()).isCloseTo(turn, within(1e-9));
+            assertThat(answer.bodies().get(0).velocity().z()).isCloseTo(-turn * ahead, within(1e-9));
+        }
+    }
+
     private static void falls(StepBundle.Answer answer, Map<String, Double> falls) {
         for (ContactAnswer contact : answer.contacts()) {
             if (contact.fall() > 0) {

@@ -1,8 +1,10 @@
 package robosim.geometry.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.SplittableRandom;
@@ -14,6 +16,7 @@ import robosim.geometry.SlideResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -410,5 +413,35 @@ class WorldRequestsTest extends SessionOfObjects {
         assertThat(made).isBetween(150, 560);
         assertThat(named).isPositive();
         assertThat(border + turns).isPositive();
+    }
+
+    /** A sill of 0.2 stops what slides, and a walker climbs it and is put down behind it. */
+    @Test
+    void aWalkerClimbsASill() {
+        double x = 0;
+        double y = 0;
+        for (WorldRequest.Walk walk : Arrays.asList(null, new WorldRequest.Walk(0.3, 0.5, 0.4))) {
+            Session walking = new Session();
+            walking.reply(new InitBundle(
+                    List.of(
+                            new BoxObject(new Point(0, -1.05, 0), 10, 0.1, 10),
+                            new BoxObject(new Point(2, -0.9, 0), 2, 0.2, 10),
+                            new CylinderObject(new Point(-1, -0.49, 0), 0.3, 1).moveable("robot")),
+                    new WorldSettings(20, 6, 20, Dimension.SPATIAL, Accuracy.EXACT)));
+            walking.reply(new BatchRequestBundle(
+                    List.of(new WorldRequest.GoAndSlide("robot", 3, 0, 0, 0, 0, 0.01, 8, walk))));
+            BatchAnswerBundle answer = (BatchAnswerBundle) Objects.requireNonNull(
+                            walking.reply(new BatchRequestBundle(List.of(new WorldRequest.Locate("robot")))))
+                    .bundle();
+            Point at = ((WorldAnswer.Located) answer.answers().get(0)).center();
+            if (walk == null) {
+                x = at.x();
+                y = at.y();
+                assertThat(x).isCloseTo(1 - 0.3 - 0.01, within(1e-3));
+            } else {
+                assertThat(at.x()).isGreaterThan(x + 0.5);
+                assertThat(at.y()).isCloseTo(-0.8 + 0.5 + 0.01, within(1e-2)).isGreaterThan(y + 0.1);
+            }
+        }
     }
 }

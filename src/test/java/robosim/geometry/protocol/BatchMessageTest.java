@@ -24,6 +24,7 @@ import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** Batches in Java serialization. */
 class BatchMessageTest {
@@ -33,6 +34,7 @@ class BatchMessageTest {
     private static final String WORLD = "world-requests.ser";
     private static final String OBSTACLES = "obstacles.ser";
     private static final String LISTED = "listed.ser";
+    private static final String WALKS = "walks.ser";
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
@@ -96,6 +98,14 @@ class BatchMessageTest {
                         () -> MessageTest.readAll(MessageTest.write(new BatchRequestBundle(times(most + 1, asking)))))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("must have at most 16000000 parts, counted at every reference");
+    }
+
+    @Test
+    void walksComeBackAsTheyWere() throws IOException {
+        Bundle walks = BatchSamples.walks();
+        assertThat(MessageTest.readAll(MessageTest.write(walks))).isEqualTo(List.of(walks));
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(WALKS))).isEqualTo(List.of(walks));
+        assertThat(JsonLines.readRequest(JsonLines.write(walks))).isEqualTo(walks);
     }
 
     /** A few bytes ask for an answer of many contacts: its memory is claimed before the work begins. */
@@ -197,6 +207,7 @@ class BatchMessageTest {
             Files.write(
                     Path.of(args[0], PICTURES),
                     MessageTest.write(BatchSamples.pictures().toArray(Bundle[]::new)));
+            Files.write(Path.of(args[0], WALKS), MessageTest.write(BatchSamples.walks()));
             Files.write(
                     Path.of(args[0], WORLD),
                     MessageTest.write(BatchSamples.world().toArray(Bundle[]::new)));

@@ -211,6 +211,12 @@ public final class BatchSamples {
                                         new WorldAnswer.Contact(named, new Point(), new Point(0, 0, 1)))))));
     }
 
+    /** How an object walks. */
+    public static Bundle walks() {
+        return new BatchRequestBundle(
+                List.of(new WorldRequest.GoAndSlide("r", 1, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0.25, 0.5, 1))));
+    }
+
     /** What came after those: what is in the world. */
     public static List<Bundle> listed() {
         Point low = new Point(-1, -2, -3);

@@ -136,6 +136,7 @@ def blocked(module):
     same(bool(module.move_and_slide("robot", x=-1, ry=0.5)), True)
     out = module.move_and_slide("robot", x=-50, bends=0, clearance=0.1)
     same((len(out.contacts), out.contacts[0].obstacle, out.turn_fraction), (1, None, 1))
+    same(bool(module.move_and_slide("robot", step_height=0.1, max_slope=0.5, snap=0.1)), True)
     answers = module.batch([robosim.go_to_contact("robot", x=1), robosim.go_and_slide("robot", z=1, bends=2),
                             robosim.go("robot", x=50, identify=True)])
     same((answers[0].made, answers[1].contacts, len(answers[2].obstacles)), (True, [], 1))

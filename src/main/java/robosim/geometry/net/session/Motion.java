@@ -273,6 +273,7 @@ public final class Motion {
                                 drive.maxTurn() == Double.POSITIVE_INFINITY ? CAR_STEERING : degrees(drive.maxTurn()),
                                 drive.maxSpeed(),
                                 drive.maxAcceleration())
+                        .withCentreAhead(drive.centreAhead())
                         .driving(command.forward(), turn);
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());

@@ -31,7 +31,8 @@ final class JsonBatches {
     private static final Fields REQUEST = Fields.of(
             "kind",
             "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors"
-                    + " light center heading~ object overlapping x y z rx~ ry~ clearance bends identify first count");
+                    + " light center heading~ object overlapping x y z rx~ ry~ clearance bends identify first count"
+                    + " stepHeight maxSlope~ snap");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
             new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion"},
@@ -45,7 +46,7 @@ final class JsonBatches {
             new String[] {"remove", "objectName", ""},
             new String[] {"move", "objectName", "x y z rx ry identify"},
             new String[] {"moveToContact", "objectName", "x y z rx ry clearance"},
-            new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends"},
+            new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends stepHeight maxSlope snap"},
             new String[] {"list", "", "first count"});
     private static final Fields MOTION = Fields.of("duration", "x y z ry~");
     private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
@@ -115,6 +116,7 @@ final class JsonBatches {
         private final double[] move = new double[6]; // and the clearance
         private int bends = WorldRequest.GoAndSlide.USUAL_BENDS;
         private boolean identify;
+        private final double[] walk = {0, Math.PI / 2, 0};
         private long first;
         private int count = WorldRequest.ListObjects.USUAL_LISTED;
         private int samples = 1;
@@ -126,6 +128,11 @@ final class JsonBatches {
                 return camera;
             }
             throw new IllegalArgumentException("pattern of a picture must be of kind \"pinhole\" (got: another)");
+        }
+
+        private WorldRequest.@Nullable Walk walk() {
+            WorldRequest.Walk made = new WorldRequest.Walk(walk[0], walk[1], walk[2]);
+            return made.equals(WorldRequest.Walk.NONE) ? null : made;
         }
 
         private BatchRequest make() {
@@ -148,7 +155,8 @@ final class JsonBatches {
                 case 9 -> new WorldRequest.Go(name, move[0], move[1], move[2], move[3], move[4]);
                 case 10 -> new WorldRequest.GoToContact(name, move[0], move[1], move[2], move[3], move[4], move[5]);
                 case 11 ->
-                    new WorldRequest.GoAndSlide(name, move[0], move[1], move[2], move[3], move[4], move[5], bends);
+                    new WorldRequest.GoAndSlide(
+                            name, move[0], move[1], move[2], move[3], move[4], move[5], bends, walk());
                 default -> new WorldRequest.ListObjects(first, count);
             };
         }
@@ -230,6 +238,7 @@ final class JsonBatches {
                 case BENDS + 1 -> draft.identify = in.flag();
                 case BENDS + 2 -> draft.first = in.whole(0, JsonInput.MAX_ID);
                 case BENDS + 3 -> draft.count = (int) in.whole(1, WorldRequest.ListObjects.MOST_LISTED);
+                case BENDS + 4, BENDS + 5, BENDS + 6 -> draft.walk[field - BENDS - 4] = in.number();
                 default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }
         }

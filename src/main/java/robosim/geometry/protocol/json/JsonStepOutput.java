@@ -71,6 +71,7 @@ final class JsonStepOutput {
             unless(NONE, "maxAcceleration", drive.maxAcceleration());
             unless(NONE, "maxTurn", drive.maxTurn());
             unless(NONE, "maxTurnAcceleration", drive.maxTurnAcceleration());
+            unless(0, "centreAhead", drive.centreAhead());
             out.writeEndObject();
         }
         Velocity velocity = body.velocity();

@@ -32,7 +32,8 @@ final class JsonSteps {
     private static final int FLOOR = BODY.indexOf("floorFriction");
     private static final int DRIVE = BODY.indexOf("drive");
     private static final Fields DRIVES =
-            Fields.of("kind", "base maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~");
+            Fields.of("kind", "base maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~ centreAhead");
+    private static final int CENTRE = DRIVES.indexOf("centreAhead");
     private static final Fields COMMAND = Fields.of("objectName", "forward right turn~");
     private static final Fields VELOCITY = Fields.of("x y z ry", "");
     private static final Fields ANSWER = Fields.of("type bodies contacts stopped refused", "stops");
@@ -106,7 +107,7 @@ final class JsonSteps {
     private DriveSettings drive() throws IOException {
         DriveSettings.Kind[] kind = {DriveSettings.Kind.DIFFERENTIAL};
         double[] numbers = new double[DRIVES.count()];
-        Arrays.fill(numbers, 2, numbers.length, Double.POSITIVE_INFINITY);
+        Arrays.fill(numbers, 2, CENTRE, Double.POSITIVE_INFINITY);
         var members = in.object(DRIVES);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
@@ -115,7 +116,8 @@ final class JsonSteps {
                 numbers[field] = in.number();
             }
         }
-        return in.make(() -> new DriveSettings(kind[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]));
+        return in.make(() -> new DriveSettings(
+                kind[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[CENTRE]));
     }
 
     /** A kind in capitals, or in small letters as in a world file. */

@@ -52,6 +52,12 @@ final class JsonWorldOutput {
             numbers(move.x(), move.y(), move.z(), move.rx(), move.ry());
             out.writeNumberField("clearance", move.clearance());
             out.writeNumberField("bends", move.bends());
+            WorldRequest.Walk walk = move.walk();
+            if (walk != null) {
+                out.writeNumberField("stepHeight", walk.stepHeight());
+                out.writeNumberField("maxSlope", walk.maxSlope());
+                out.writeNumberField("snap", walk.snap());
+            }
         } else {
             named(request instanceof WorldRequest.Locate ? "pose" : "remove", request);
         }

@@ -139,11 +139,16 @@ class JsonBatchesTest {
     void whatIsLeftOutHasItsDefault() throws ProtocolException {
         assertThat(JsonLines.readRequest(batch("{\"kind\":\"moveToContact\",\"objectName\":\"r\"},"
                         + "{\"objectName\":\"r\",\"z\":2,\"kind\":\"moveAndSlide\"},"
+                        + "{\"objectName\":\"r\",\"kind\":\"moveAndSlide\",\"maxSlopeRadians\":0.5},"
+                        + "{\"objectName\":\"r\",\"kind\":\"moveAndSlide\",\"stepHeight\":0.25,\"snap\":1},"
                         + "{\"identify\":false,\"kind\":\"move\",\"objectName\":\"r\"},"
                         + "{\"kind\":\"sense\",\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":4}}")))
                 .isEqualTo(new BatchRequestBundle(List.of(
                         new WorldRequest.GoToContact("r", 0, 0, 0, 0, 0, 0),
                         new WorldRequest.GoAndSlide("r", 0, 0, 2, 0, 0, 0, 4),
+                        new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0, 0.5, 0)),
+                        new WorldRequest.GoAndSlide(
+                                "r", 0, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0.25, Math.PI / 2, 1)),
                         new WorldRequest.Go("r", 0, 0, 0, 0, 0),
                         new SenseRequest("", new BeamPattern.Fan(0, 1, 4)))));
         BeamPattern pattern = new BeamPattern.Fan(0, 1, 4);
