@@ -39,7 +39,7 @@ from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Se
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
     "pinhole", "directions", "sense", "picture", "poses", "edges", "pose", "place", "add", "remove", "go", "go_to_contact",
-    "go_and_slide", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
+    "go_and_slide", "separate", "mixing", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
     "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
@@ -430,6 +430,12 @@ def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0
     return {"objectName": name, "forward": forward, "right": right, "turnRadians": turn}
 
 
+def mixing(restitution: str = "geometric_mean", friction: str = "geometric_mean") -> Json:
+    """How the numbers of two surfaces make that of their contact: "geometric_mean", "mean", "larger" (dyn4j and Box2D have
+    it for restitution), "smaller" (Gazebo has it for friction) or "product" (Bullet has it for both)."""
+    return {"restitution": restitution.upper(), "friction": friction.upper()}
+
+
 # The beams of a sensor.
 
 def fan(first: float, step: float, count: int) -> Json:
@@ -457,9 +463,10 @@ def directions(numbers: Iterable[float]) -> Json:
 def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 0.0,
           rotation: Optional[Vector] = None, min: float = 0.0, max: float = math.inf, width: float = 0.0,
           sees_carrier: bool = False, normals: bool = False, objects: bool = False,
-          motion: Optional[Json] = None) -> Json:
+          motion: Optional[Json] = None, rep117: bool = False) -> Json:
     """All beams of a sensor on an object: `at` a place of its own frame, facing a heading there or with a rotation.
-    Without a name, "", those of a sensor that nothing carries: `at` is a place of the world."""
+    Without a name, "", those of a sensor that nothing carries: `at` is a place of the world. An echo nearer than `min` is
+    reported as `min`; with `rep117` as -inf, as in ROS."""
     mount: Json = {"place": list(at)}
     if rotation is not None:
         mount["rotation"] = list(rotation)
@@ -470,6 +477,8 @@ def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 
                "normals": normals, "objects": objects}
     if name:
         request["objectName"] = name
+    if rep117:
+        request["rep117"] = True
     return request if motion is None else {**request, "motion": motion}
 
 
@@ -542,6 +551,11 @@ def go_and_slide(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: 
             **{field: value for field, value in walk.items() if value != usual[field]}}
 
 
+def separate(name: str, max: float) -> Json:
+    """Frees an object that touches or overlaps others, by the smallest displacement found, of at most `max` world units."""
+    return {"kind": "separate", "objectName": name, "max": max}
+
+
 def world() -> Json:
     """What became of the last init."""
     return {"kind": "world"}
@@ -552,7 +566,7 @@ def listed(first: int = 0, count: int = 65536) -> Json:
     return {"kind": "list", "first": first, "count": count}
 
 
-Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, RequestError]
+Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, List[float], None, RequestError]
 
 
 def _not_finite(value: Any, path: str = "") -> str:
@@ -790,10 +804,14 @@ class Module:
             message["settings"] = given
         return self._one(world(), self.ask(message, "answers")[0])
 
-    def step(self, seconds: float, bodies: Iterable[Json] = (), commands: Iterable[Json] = ()) -> Step:
+    def step(self, seconds: float, bodies: Iterable[Json] = (), commands: Iterable[Json] = (),
+             mixing: Optional[Json] = None) -> Step:
         """Gives bodies and commands, as `body` and `command` make them, and lets time pass. Robots keep their commands:
-        `module.step(0.1)` goes on with them. A step of 0 seconds moves nothing, and tells where all bodies are."""
+        `module.step(0.1)` goes on with them. A step of 0 seconds moves nothing, and tells where all bodies are. A `mixing`
+        holds for this step and all later ones of the world."""
         message = {"type": "step", "seconds": seconds, "bodies": list(bodies), "commands": list(commands)}
+        if mixing is not None:
+            message["mixing"] = mixing
         for given in message["bodies"]:
             # The module would close the connection on a field that it does not know.
             rest = {field: value for field, value in given.items() if field not in ("objectName", "drive", "velocity")}
@@ -887,6 +905,11 @@ class Module:
         """Moves an object and, where it is blocked, on along what blocks it, at so many contacts; then turns it. In a
         SPATIAL world it may walk, as the function `go_and_slide` describes."""
         return self._one(go_and_slide(name, x, y, z, rx, ry, clearance, bends, step_height, max_slope, snap))
+
+    def separate(self, name: str, max: float) -> Optional[List[float]]:
+        """Frees an object that touches or overlaps others by the smallest displacement found, of at most `max` world units.
+        That displacement, zero if it touched nothing; None if none was found, and the object stays where it is."""
+        return self._one(separate(name, max))
 
     def sense(self, name: str, pattern: Json, **options: Any) -> Scan:
         """All beams of a sensor on an object, with the options of the function `sense`; without a name, "", of one that
@@ -1011,6 +1034,8 @@ def _read(kind: str, answer: Json) -> Answer:
             contacts = [SlideContact(_obstacle(c["obstacle"]) if "obstacle" in c else None, c["point"], c["normal"])
                         for c in answer["contacts"]]
             return Slid(answer["displacement"], answer["length"], answer["left"], answer["turnFraction"], contacts)
+        if kind == "separate":
+            return answer["displacement"] if answer["done"] else None
         if kind == "world":
             left = [LeftOut(o["index"], o.get("name", ""), o["reason"]) for o in answer["leftOut"]]
             return World(answer["added"], left, answer["width"], answer["height"], answer["length"],

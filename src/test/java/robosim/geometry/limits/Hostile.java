@@ -102,6 +102,7 @@ final class Hostile {
             batches.addAll(BatchSamples.obstacles());
             batches.addAll(BatchSamples.listed());
             batches.add(BatchSamples.walks());
+            batches.addAll(BatchSamples.rules());
             batches.addAll(StepSamples.later());
             batches.add(
                     new InitBundle.Answered((InitBundle) BatchSamples.world().get(3)));
@@ -143,6 +144,9 @@ final class Hostile {
         lines.add(JsonLines.write(new Reply(BatchSamples.obstacles().get(1))));
         lines.add(JsonLines.write(BatchSamples.listed().get(0)));
         lines.add(JsonLines.write(BatchSamples.walks()));
+        lines.add(JsonLines.write(BatchSamples.rules().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.rules().get(1))));
+        lines.add(JsonLines.write(BatchSamples.rules().get(2)));
         lines.add(JsonLines.write(StepSamples.later().get(0)));
         lines.add(JsonLines.write(new Reply(StepSamples.later().get(1))));
         lines.add(JsonLines.write(new Reply(BatchSamples.listed().get(1))));

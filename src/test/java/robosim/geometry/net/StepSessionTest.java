@@ -29,18 +29,21 @@ import robosim.geometry.model.Point;
 import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.session.LogBudget;
 import robosim.geometry.net.session.Motion;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -433,6 +436,29 @@ class StepSessionTest {
             double turn = 2 * Math.tan(0.5) / 2.5;
             assertThat(answer.bodies().get(0).velocity().ry()).isCloseTo(turn, within(1e-9));
             assertThat(answer.bodies().get(0).velocity().z()).isCloseTo(-turn * ahead, within(1e-9));
+        }
+    }
+
+    /** By the geometric mean a surface that does not bounce makes none that does; by the larger of two the other counts. */
+    @Test
+    void rulesForSurfacesHoldUntilOthersAreGiven() {
+        Session session = new Session();
+        session.reply(new InitBundle(
+                List.of(
+                        new CylinderObject(new Point(), 0.5, 1).moveable("ball"),
+                        new BoxObject(new Point(3, 0, 0), 1, 1, 5)),
+                PLANE));
+        BodyRequest ball =
+                BodyRequest.of("ball").withSurface(new SurfaceSettings(1, 0, 0)).withVelocity(new Velocity(1, 0, 0, 0));
+        SurfaceMixing larger = new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.GEOMETRIC_MEAN);
+        SurfaceMixing mean = new SurfaceMixing(SurfaceMixing.Rule.GEOMETRIC_MEAN, SurfaceMixing.Rule.GEOMETRIC_MEAN);
+        SurfaceMixing[] given = {null, larger, null, mean};
+        double[] after = {0, -1, -1, 0};
+        for (int k = 0; k < given.length; k++) {
+            session.reply(new BatchRequestBundle(List.of(new WorldRequest.Place("ball", new Point(), 0))));
+            StepBundle.Answer answer =
+                    step(session, new StepBundle(3, List.of(ball.withFloorFriction(0)), List.of(), given[k]));
+            assertThat(answer.bodies().get(0).velocity().x()).as("step " + k).isCloseTo(after[k], within(1e-9));
         }
     }
 

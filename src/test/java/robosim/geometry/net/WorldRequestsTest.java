@@ -415,6 +415,38 @@ class WorldRequestsTest extends SessionOfObjects {
         assertThat(border + turns).isPositive();
     }
 
+    @Test
+    void whatOverlapsIsFreedOrStays() {
+        Session crowded = new Session();
+        crowded.reply(new InitBundle(
+                List.of(
+                        new BoxObject(new Point(), 1, 1, 1).moveable("crate"),
+                        new BoxObject(new Point(0.75, 0, 0), 1, 1, 4).named("wall")),
+                new WorldSettings(20, 6, 20, Dimension.PLANAR, Accuracy.EXACT)));
+        WorldRequest.Separate little = new WorldRequest.Separate("crate", 0.2);
+        WorldRequest.Separate enough = new WorldRequest.Separate("crate", 1);
+        BatchRequestBundle asked = new BatchRequestBundle(List.of(
+                little,
+                new WorldRequest.Locate("crate"),
+                enough,
+                new WorldRequest.Locate("crate"),
+                enough,
+                new WorldRequest.Separate("wall", 1)));
+        var reply = Objects.requireNonNull(crowded.reply(asked));
+        var answers = ((BatchAnswerBundle) reply.bundle()).answers();
+        assertThat(answers.get(0)).isEqualTo(new WorldAnswer.Changed(false, null));
+        assertThat(answers.get(0).fits(little)).isTrue();
+        assertThat(new WorldAnswer.Changed(true, null).fits(little)).isFalse();
+        assertThat(((WorldAnswer.Located) answers.get(1)).center()).isEqualTo(new Point());
+        Point freed = ((WorldAnswer.Separated) answers.get(2)).displacement();
+        assertThat(freed.x()).isBetween(-0.251, -0.25);
+        assertThat(answers.get(2).fits(enough)).isTrue();
+        assertThat(((WorldAnswer.Located) answers.get(3)).center()).isEqualTo(freed);
+        assertThat(answers.get(4)).isEqualTo(new WorldAnswer.Separated(new Point()));
+        assertThat(reply.problems()).hasSize(1);
+        assertThat(reply.problems().get(0).toString()).contains("no moveable object \"wall\"");
+    }
+
     /** A sill of 0.2 stops what slides, and a walker climbs it and is put down behind it. */
     @Test
     void aWalkerClimbsASill() {

@@ -35,6 +35,7 @@ import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -117,6 +118,10 @@ public final class Motion {
         if (falls != null) {
             falls.begin();
         }
+        SurfaceMixing mixing = step.mixing();
+        if (mixing != null) {
+            dynamics.mix(rule(mixing.restitution()), rule(mixing.friction()));
+        }
         int index = 0;
         for (BodyRequest body : step.bodies()) {
             attempt(index++, body.objectName(), refused, () -> add(body));
@@ -137,6 +142,16 @@ public final class Motion {
         result.ended().forEach(contact -> contacts.add(answer(contact)));
         List<StopAnswer> stops = result.stops().stream().map(Motion::answer).toList();
         return new StepBundle.Answer(places(), contacts, result.stopped(), stops);
+    }
+
+    private static Surface.Mixing rule(SurfaceMixing.Rule rule) {
+        return switch (rule) {
+            case GEOMETRIC_MEAN -> Surface.Mixing.GEOMETRIC_MEAN;
+            case MEAN -> Surface.Mixing.MEAN;
+            case LARGER -> Surface.Mixing.LARGER;
+            case SMALLER -> Surface.Mixing.SMALLER;
+            case PRODUCT -> Surface.Mixing.PRODUCT;
+        };
     }
 
     private static StopAnswer answer(StepResult.Stop stop) {

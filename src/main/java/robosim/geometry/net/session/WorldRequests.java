@@ -145,6 +145,12 @@ public final class WorldRequests {
             Move move = move(go.x(), go.y(), go.z(), go.rx(), go.ry());
             return identified(world.moveToContact(go.objectName(), move, go.clearance()));
         }
+        if (request instanceof WorldRequest.Separate free) {
+            Point displacement = world.separate(free.objectName(), free.max());
+            return displacement == null
+                    ? new WorldAnswer.Changed(false, null)
+                    : new WorldAnswer.Separated(displacement);
+        }
         return request instanceof WorldRequest.GoAndSlide go
                 ? slide(world, go)
                 : identify(world, ((WorldRequest.Identify) request).request(), moveable, watcher);

@@ -318,6 +318,30 @@ public sealed interface WorldRequest extends BatchRequest {
     }
 
     /**
+     * Frees an object that touches or overlaps others: moves it, without turning it, by the smallest displacement found to a
+     * place where it touches nothing. Answered by a {@link WorldAnswer.Separated}, or if there is none by a {@link
+     * WorldAnswer.Changed} that is not done.
+     *
+     * @param objectName the name of a moveable object
+     * @param max        world units, at least 0: the longest displacement
+     */
+    record Separate(String objectName, double max) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, and a length that is NaN or out of range. */
+        public Separate {
+            Checks.present("objectName", objectName);
+            Checks.size("max", max);
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
+    }
+
+    /**
      * A request whose answer says which objects are in the way, also those without a name. Answered by a {@link
      * WorldAnswer.Identified}.
      *

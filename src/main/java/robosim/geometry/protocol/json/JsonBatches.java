@@ -32,10 +32,11 @@ final class JsonBatches {
             "kind",
             "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors"
                     + " light center heading~ object overlapping x y z rx~ ry~ clearance bends identify first count"
-                    + " stepHeight maxSlope~ snap");
+                    + " stepHeight maxSlope~ snap rep117");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
-            new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion"},
+            new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion rep117"
+            },
             new String[] {"poses", "objectName poses", ""},
             new String[] {"edges", "objectName edges", ""},
             new String[] {"picture", "pattern", "objectName mount samples mirrors seesCarrier light"},
@@ -47,7 +48,8 @@ final class JsonBatches {
             new String[] {"move", "objectName", "x y z rx ry identify"},
             new String[] {"moveToContact", "objectName", "x y z rx ry clearance"},
             new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends stepHeight maxSlope snap"},
-            new String[] {"list", "", "first count"});
+            new String[] {"list", "", "first count"},
+            new String[] {"separate", "objectName max", ""});
     private static final Fields MOTION = Fields.of("duration", "x y z ry~");
     private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
     private static final Fields SOURCE = Fields.of("kind strength", "color direction place angle");
@@ -107,6 +109,7 @@ final class JsonBatches {
         private boolean seesCarrier;
         private boolean normals;
         private boolean objects;
+        private boolean rep117;
         private ScanMotion motion = ScanMotion.NONE;
         private Numbers places = Numbers.NONE;
         private Point center = new Point();
@@ -143,7 +146,8 @@ final class JsonBatches {
         private BatchRequest plain() {
             return switch (kind) {
                 case 0 ->
-                    new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
+                    new SenseRequest(
+                            name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, rep117);
                 case 1 -> new FreePosesRequest(name, places);
                 case 2 -> new FreeEdgesRequest(name, places);
                 case 3 -> new PictureRequest(name, mount, camera(), samples, mirrors, seesCarrier, light);
@@ -157,7 +161,8 @@ final class JsonBatches {
                 case 11 ->
                     new WorldRequest.GoAndSlide(
                             name, move[0], move[1], move[2], move[3], move[4], move[5], bends, walk());
-                default -> new WorldRequest.ListObjects(first, count);
+                case 12 -> new WorldRequest.ListObjects(first, count);
+                default -> new WorldRequest.Separate(name, max);
             };
         }
     }
@@ -239,6 +244,7 @@ final class JsonBatches {
                 case BENDS + 2 -> draft.first = in.whole(0, JsonInput.MAX_ID);
                 case BENDS + 3 -> draft.count = (int) in.whole(1, WorldRequest.ListObjects.MOST_LISTED);
                 case BENDS + 4, BENDS + 5, BENDS + 6 -> draft.walk[field - BENDS - 4] = in.number();
+                case BENDS + 7 -> draft.rep117 = in.flag();
                 default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }
         }
