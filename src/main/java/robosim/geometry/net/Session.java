@@ -15,6 +15,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.net.session.AngleCheck;
 import robosim.geometry.net.session.Batches;
 import robosim.geometry.net.session.Extent;
 import robosim.geometry.net.session.LogBudget;
@@ -75,6 +76,7 @@ public final class Session {
     private final SessionListener listener;
     private final World.Maker maker;
     private final WarningLog complaints;
+    private final AngleCheck angles;
 
     /** Runs between two parts of the work. */
     private Runnable breath = () -> {};
@@ -148,6 +150,7 @@ public final class Session {
         this.options = Checks.present("options", options);
         this.listener = Checks.present("listener", listener);
         this.complaints = new WarningLog(Checks.present("log", log), Checks.present("name", name));
+        this.angles = new AngleCheck(complaints);
         this.maker = maker;
         listener.opened(this);
     }
@@ -223,6 +226,7 @@ public final class Session {
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
+        angles.look(request);
         return observed(request);
     }
 
@@ -260,6 +264,7 @@ public final class Session {
 
     private void replaceWorld(InitBundle init) {
         complaints.forget();
+        angles.forget();
         World made;
         try {
             made = maker.make(Extent.settings(init, options.dimension(), options.accuracy()));
@@ -418,6 +423,7 @@ public final class Session {
             Motion moving = motion == null ? new Motion(geometry, () -> breath.run()) : motion;
             motion = moving;
             StepBundle.Answer answer = moving.step(step, (index, reason) -> problems.add(leftOut(index, reason)));
+            angles.look(step, moving);
             moving.falls().forEach((name, fall) -> {
                 if (fall.isBorder()) {
                     complaints.warn(Reasons.ofFall(name, fall.drop()));

@@ -1,5 +1,6 @@
 """Every message of examples/robosim.py against a module, whose place is the argument; PythonClientTest runs it."""
 
+import inspect
 import math
 import pathlib
 import sys
@@ -188,6 +189,22 @@ def sensors(module):
     refused(lambda: module.scan("nobody"), 'no moveable object "nobody"')
 
 
+def units():
+    """Whatever takes an angle says that it is in radians."""
+    angles, seen = {"heading", "turn", "rx", "ry", "first", "field_of_view", "elevations", "max_slope"}, 0
+    for owner in (robosim, robosim.Module):
+        for name, what in inspect.getmembers(owner, callable):
+            ours = not name.startswith("_") and getattr(what, "__module__", "") == robosim.__name__ and name != "listed"
+            if not ours or (inspect.isclass(what) and issubclass(what, Exception)):
+                continue
+            if angles & set(inspect.signature(what).parameters):
+                seen += 1
+                text = inspect.getdoc(what) or ""
+                text += inspect.getsource(what) if inspect.isclass(what) else ""
+                assert "radians" in text, f"{owner.__name__}.{name} must say that its angles are in radians"
+    assert seen >= 18, seen
+
+
 def together(module):
     answers = module.batch([
         robosim.place("robot", [1, 0, 0]), robosim.pose("robot"), robosim.sense("robot", robosim.fan(0, 0, 1)),
@@ -370,6 +387,7 @@ def main():
         steps(module)
         drives(module, sys.argv[2])
     mistakes(sys.argv[1])
+    units()
     try:
         box([0, 0, 0], 1, 1, 1, colour="red")
     except TypeError as e:

@@ -252,6 +252,10 @@ public final class Motion {
                     + " a body with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: "
                     + command.right() + ")");
         }
+        if (kind == DriveSettings.Kind.ACKERMANN && !(Math.abs(command.turn()) < Math.PI / 2)) {
+            throw new IllegalArgumentException("turn of a car must be an angle of its front wheels between -pi/2 and"
+                    + " pi/2, in radians (got: " + command.turn() + ")");
+        }
         GeometryObject object = world.getObject(name);
         if (!object.isMoveable()) {
             throw new IllegalArgumentException(
@@ -293,6 +297,11 @@ public final class Motion {
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
         };
+    }
+
+    /** What kind of drive an object has or, without a body, would get. */
+    DriveSettings.Kind kind(String name) {
+        return drives.getOrDefault(name, DriveSettings.DEFAULT).kind();
     }
 
     /** Whether an object has a body. */
