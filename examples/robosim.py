@@ -39,7 +39,7 @@ from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Se
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
     "pinhole", "directions", "sense", "picture", "poses", "edges", "pose", "place", "add", "remove", "go", "go_to_contact",
-    "go_and_slide", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
+    "go_and_slide", "separate", "mixing", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
     "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
@@ -85,7 +85,7 @@ class World(NamedTuple):
 
 
 class Pose(NamedTuple):
-    """Where an object is: its centre, nine numbers whose columns are its axes, and its heading."""
+    """Where an object is: its centre, nine numbers whose columns are its axes, and its heading in radians."""
 
     center: List[float]
     rotation: List[float]
@@ -169,7 +169,8 @@ class Slid(NamedTuple):
 
 
 class Move(NamedTuple):
-    """A move of one object: along its own axes, then a turn about its own Y, then about its own X."""
+    """A move of one object: along its own axes, then a turn about its own Y by `ry` radians, then about
+    its own X by `rx` radians."""
 
     name: str
     x: float = 0.0
@@ -187,7 +188,8 @@ class Moves(NamedTuple):
 
 
 class Sonar(NamedTuple):
-    """A sonar at the centre of an object, towards `x` ahead and `z` to its right, of any length but zero."""
+    """A sonar at the centre of an object, towards `x` ahead and `z` to its right, of any length but zero; `width`, its full opening
+    angle, is in radians."""
 
     name: str
     x: float = 1.0
@@ -210,7 +212,7 @@ class Body(NamedTuple):
     """Where a body is after a step, and its velocity."""
 
     center: List[float]
-    heading: float
+    heading: float  # radians about the vertical
     velocity: Velocity
     rotation: Optional[List[float]] = None  # nine numbers, for a body that does not stand upright
 
@@ -382,8 +384,8 @@ def named(objects: Iterable[Json]) -> List[Json]:
 _BODY = ("mass", "inertia", "restitution", "staticFriction", "slidingFriction", "damping", "turnDamping", "maxSpeed",
          "maxTurn", "floorFriction")
 _LIMITS = ("base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration")
-_DRIVES = {"DIFFERENTIAL": _LIMITS[:3], "OMNIDIRECTIONAL": _LIMITS[1:], "ACKERMANN": _LIMITS[:4], "VELOCITY": (),
-           "FORCE": ()}
+_DRIVES = {"DIFFERENTIAL": _LIMITS[:3], "OMNIDIRECTIONAL": _LIMITS[1:], "ACKERMANN": (*_LIMITS[:4], "centreAhead"),
+           "VELOCITY": (), "FORCE": ()}
 
 
 def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
@@ -402,9 +404,10 @@ def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
 
 def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[Sequence[float]] = None,
          **fields: float) -> Json:
-    """A body for a moveable object: mass and inertia, restitution, static_friction and sliding_friction, floor_friction,
-    damping and turn_damping, max_speed and max_turn; of a static object the surface alone. A drive is the name of its kind
-    or of `drive_settings`; a velocity has x, y, z and ry."""
+    """A body for a moveable object: mass in kg and inertia in kg m^2, restitution, static_friction, sliding_friction and
+    floor_friction without units, damping and turn_damping in shares a second, max_speed in m/s and max_turn in radians a
+    second; of a static object the surface alone. A drive is the name of its kind or of `drive_settings`; a velocity has x,
+    y and z in m/s along the object's own axes, and ry in radians a second."""
     told = {"objectName": name, **_fields("a body", fields, _BODY)}
     if drive is not None:
         told["drive"] = drive_settings(drive) if isinstance(drive, str) else drive
@@ -415,8 +418,10 @@ def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[
 
 def drive_settings(kind: str, **limits: float) -> Json:
     """A drive: "differential", "omnidirectional", "ackermann" (a car, which turns about its rear axle, at the centre of
-    the object), "velocity" or "force"; with base, max_speed, max_acceleration, max_turn and max_turn_acceleration, as far
-    as its kind has them."""
+    the object), "velocity" or "force"; with base in metres, max_speed in m/s, max_acceleration
+    in m/s^2, max_turn in radians a second (of a car the radians of its front wheels to each side) and max_turn_acceleration
+    in radians a second each second, as far as its kind has them; and of a car `centre_ahead`, metres from its rear axle
+    forward to the object's centre."""
     word = kind.upper()
     if word not in _DRIVES:
         raise TypeError(f"a drive must be one of {', '.join(_DRIVES)}, in small letters too (got: {kind})")
@@ -424,25 +429,33 @@ def drive_settings(kind: str, **limits: float) -> Json:
 
 
 def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
-    """What a robot is to do until it is told otherwise: m/s ahead, radians a second to the left, m/s to the right, for a
-    drive that is omnidirectional, velocity or force."""
+    """What a robot is to do until it is told otherwise: `forward` in m/s, `turn` in radians (not degrees) a second to the
+    left, and `right` in m/s for a drive that is omnidirectional, velocity or force. Of a car `turn` is the angle of its
+    front wheels in radians; of a force they are newtons and newton metres."""
     return {"objectName": name, "forward": forward, "right": right, "turnRadians": turn}
+
+
+def mixing(restitution: str = "geometric_mean", friction: str = "geometric_mean") -> Json:
+    """How the numbers of two surfaces make that of their contact: "geometric_mean", "mean", "larger" (dyn4j and Box2D have
+    it for restitution), "smaller" (Gazebo has it for friction) or "product" (Bullet has it for both)."""
+    return {"restitution": restitution.upper(), "friction": friction.upper()}
 
 
 # The beams of a sensor.
 
 def fan(first: float, step: float, count: int) -> Json:
-    """Beam k points first + k * step counter-clockwise from forward."""
+    """Beam k points first + k * step radians counter-clockwise from forward."""
     return {"kind": "fan", "first": first, "step": step, "count": count}
 
 
 def layers(elevations: Iterable[float], first: float, step: float, count: int) -> Json:
-    """A fan for each elevation."""
+    """A fan for each elevation; all angles in radians."""
     return {"kind": "layers", "elevations": list(elevations), "first": first, "step": step, "count": count}
 
 
 def pinhole(width: int, height: int, field_of_view: float) -> Json:
-    """A camera: a beam through the middle of each pixel, row by row from the top left."""
+    """A camera: a beam through the middle of each pixel, row by row from the top left. Its field of view is the angle in
+    radians from the left edge to the right one."""
     return {"kind": "pinhole", "width": width, "height": height, "fieldOfView": field_of_view}
 
 
@@ -456,9 +469,11 @@ def directions(numbers: Iterable[float]) -> Json:
 def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 0.0,
           rotation: Optional[Vector] = None, min: float = 0.0, max: float = math.inf, width: float = 0.0,
           sees_carrier: bool = False, normals: bool = False, objects: bool = False,
-          motion: Optional[Json] = None) -> Json:
+          motion: Optional[Json] = None, rep117: bool = False) -> Json:
     """All beams of a sensor on an object: `at` a place of its own frame, facing a heading there or with a rotation.
-    Without a name, "", those of a sensor that nothing carries: `at` is a place of the world."""
+    Without a name, "", those of a sensor that nothing carries: `at` is a place of the world. An echo nearer than `min` is
+    reported as `min`; with `rep117` as -inf, as in ROS. Distances are in world units, `heading` and `width`, the full
+    opening angle of each beam, in radians."""
     mount: Json = {"place": list(at)}
     if rotation is not None:
         mount["rotation"] = list(rotation)
@@ -469,12 +484,15 @@ def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 
                "normals": normals, "objects": objects}
     if name:
         request["objectName"] = name
+    if rep117:
+        request["rep117"] = True
     return request if motion is None else {**request, "motion": motion}
 
 
 def picture(name: str, width: int, height: int, field_of_view: float, *, at: Vector = (0, 0, 0), heading: float = 0.0,
             samples: int = 1, mirrors: int = 3, sees_carrier: bool = False, light: Optional[Json] = None) -> Json:
-    """A picture by a camera that an object carries; without a name, by one that stands in the world."""
+    """A picture by a camera that an object carries; without a name, by one that stands in the world. The field of view and
+    the heading are in radians."""
     request: Json = {"kind": "picture", "pattern": pinhole(width, height, field_of_view), "samples": samples,
                      "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": {"place": list(at), "headingRadians": heading}}
     if name:
@@ -485,7 +503,7 @@ def picture(name: str, width: int, height: int, field_of_view: float, *, at: Vec
 
 
 def poses(name: str, numbers: Iterable[float]) -> Json:
-    """Whether an object would touch nothing at each pose: X, Y, Z and heading, one after the other."""
+    """Whether an object would touch nothing at each pose: X, Y, Z and heading in radians, one after the other."""
     return {"kind": "poses", "objectName": name, "poses": _packed(numbers)}
 
 
@@ -500,7 +518,7 @@ def pose(name: str) -> Json:
 
 
 def place(name: str, center: Vector, heading: float = 0.0, identify: bool = False) -> Json:
-    """Puts an object upright at a place where it touches nothing, without a way to it."""
+    """Puts an object upright at a place where it touches nothing, without a way to it; the heading is in radians."""
     return _identified({"kind": "place", "objectName": name, "center": list(center), "headingRadians": heading}, identify)
 
 
@@ -520,20 +538,30 @@ def remove(name: str) -> Json:
 
 def go(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
        identify: bool = False) -> Json:
-    """A move whose answer says what blocks it."""
+    """A move whose answer says what blocks it: world units, and turns in radians."""
     return _identified({"kind": "move", "objectName": name, "x": x, "y": y, "z": z, "rxRadians": rx, "ryRadians": ry}, identify)
 
 
 def go_to_contact(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
                   clearance: float = 0.0) -> Json:
-    """A move as far as the way is free, and so far from what blocks it."""
+    """A move as far as the way is free, and so far from what blocks it: world units, and turns in radians."""
     return {**go(name, x, y, z, rx, ry), "kind": "moveToContact", "clearance": clearance}
 
 
 def go_and_slide(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
-                 clearance: float = 0.0, bends: int = 4) -> Json:
-    """A move that goes on along what blocks it, at so many contacts."""
-    return {**go(name, x, y, z, rx, ry), "kind": "moveAndSlide", "clearance": clearance, "bends": bends}
+                 clearance: float = 0.0, bends: int = 4, step_height: float = 0.0, max_slope: float = math.pi / 2,
+                 snap: float = 0.0) -> Json:
+    """A move that goes on along what blocks it, at so many contacts: world units, and turns in radians. In a SPATIAL world it may walk: it climbs sills up to
+    `step_height`, treats surfaces steeper than `max_slope` radians as walls, and is put down on ground within `snap`."""
+    walk = {"stepHeight": step_height, "maxSlopeRadians": max_slope, "snap": snap}
+    usual = {"stepHeight": 0.0, "maxSlopeRadians": math.pi / 2, "snap": 0.0}
+    return {**go(name, x, y, z, rx, ry), "kind": "moveAndSlide", "clearance": clearance, "bends": bends,
+            **{field: value for field, value in walk.items() if value != usual[field]}}
+
+
+def separate(name: str, max: float) -> Json:
+    """Frees an object that touches or overlaps others, by the smallest displacement found, of at most `max` world units."""
+    return {"kind": "separate", "objectName": name, "max": max}
 
 
 def world() -> Json:
@@ -546,7 +574,7 @@ def listed(first: int = 0, count: int = 65536) -> Json:
     return {"kind": "list", "first": first, "count": count}
 
 
-Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, RequestError]
+Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, List[float], None, RequestError]
 
 
 def _not_finite(value: Any, path: str = "") -> str:
@@ -784,10 +812,14 @@ class Module:
             message["settings"] = given
         return self._one(world(), self.ask(message, "answers")[0])
 
-    def step(self, seconds: float, bodies: Iterable[Json] = (), commands: Iterable[Json] = ()) -> Step:
+    def step(self, seconds: float, bodies: Iterable[Json] = (), commands: Iterable[Json] = (),
+             mixing: Optional[Json] = None) -> Step:
         """Gives bodies and commands, as `body` and `command` make them, and lets time pass. Robots keep their commands:
-        `module.step(0.1)` goes on with them. A step of 0 seconds moves nothing, and tells where all bodies are."""
+        `module.step(0.1)` goes on with them. A step of 0 seconds moves nothing, and tells where all bodies are. A `mixing`
+        holds for this step and all later ones of the world."""
         message = {"type": "step", "seconds": seconds, "bodies": list(bodies), "commands": list(commands)}
+        if mixing is not None:
+            message["mixing"] = mixing
         for given in message["bodies"]:
             # The module would close the connection on a field that it does not know.
             rest = {field: value for field, value in given.items() if field not in ("objectName", "drive", "velocity")}
@@ -809,7 +841,7 @@ class Module:
             raise ProtocolFault(f"bodies must have their fields (got: {str(answer)[:100]}): {e!r}") from None
 
     def drive(self, name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Body:
-        """Tells a robot what to do from now on; it moves with the next `step`. One without a body gets one, of a robot
+        """Tells a robot what to do from now on, in m/s and radians a second; it moves with the next `step`. One without a body gets one, of a robot
         with two wheels, which cannot go to the right: a RequestError says so."""
         told = self.step(0, commands=[command(name, forward, turn, right)])
         if told.refused:
@@ -840,7 +872,8 @@ class Module:
 
     def sonar(self, name: str, x: float = 1.0, z: float = 0.0, *, min: float = 0.0, max: float = math.inf,
               width: float = 0.0) -> float:
-        """The distance that one sonar measures, towards `x` ahead and `z` to the right."""
+        """The distance that one sonar measures, towards `x` ahead and `z` to the right; `width`, its full opening angle, is in
+        radians."""
         distance = self.sonars([Sonar(name, x, z, min, max, width)])[0]
         if isinstance(distance, RequestError):
             raise distance
@@ -865,20 +898,27 @@ class Module:
 
     def move(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
              ry: float = 0.0, identify: bool = False) -> Went:
-        """Moves an object along its own axes, then turns it; all or nothing. With `identify` the answer's `obstacles` tell
+        """Moves an object along its own axes, then turns it by radians; all or nothing. With `identify` the answer's `obstacles` tell
         what blocks by its index too, for objects without a name."""
         return self._one(go(name, x, y, z, rx, ry, identify))
 
     def move_to_contact(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
                         ry: float = 0.0, clearance: float = 0.0) -> Went:
-        """Moves an object as far as the way is free, up to a clearance from what blocks it. The answer's fractions are
+        """Moves an object as far as the way is free, up to a clearance from what blocks it; turns are in radians. The answer's fractions are
         the shares that were made; it is true where all of the move was."""
         return self._one(go_to_contact(name, x, y, z, rx, ry, clearance))
 
     def move_and_slide(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
-                       ry: float = 0.0, clearance: float = 0.0, bends: int = 4) -> Slid:
-        """Moves an object and, where it is blocked, on along what blocks it, at so many contacts; then turns it."""
-        return self._one(go_and_slide(name, x, y, z, rx, ry, clearance, bends))
+                       ry: float = 0.0, clearance: float = 0.0, bends: int = 4, step_height: float = 0.0,
+                       max_slope: float = math.pi / 2, snap: float = 0.0) -> Slid:
+        """Moves an object and, where it is blocked, on along what blocks it, at so many contacts; then turns it by radians. In a
+        SPATIAL world it may walk, as the function `go_and_slide` describes."""
+        return self._one(go_and_slide(name, x, y, z, rx, ry, clearance, bends, step_height, max_slope, snap))
+
+    def separate(self, name: str, max: float) -> Optional[List[float]]:
+        """Frees an object that touches or overlaps others by the smallest displacement found, of at most `max` world units.
+        That displacement, zero if it touched nothing; None if none was found, and the object stays where it is."""
+        return self._one(separate(name, max))
 
     def sense(self, name: str, pattern: Json, **options: Any) -> Scan:
         """All beams of a sensor on an object, with the options of the function `sense`; without a name, "", of one that
@@ -887,21 +927,23 @@ class Module:
 
     def scan(self, name: str, first: float = 0.0, step: Optional[float] = None, count: int = 360,
              **options: Any) -> Scan:
-        """A laser scan; without a step, a whole turn counter-clockwise."""
+        """A laser scan, its angles in radians; without a step, a whole turn counter-clockwise."""
         if count < 1:
             raise ValueError(f"count must be at least 1 (got: {count})")
         return self.sense(name, fan(first, math.tau / count if step is None else step, count), **options)
 
     def frame(self, name: str, width: int, height: int, field_of_view: float, **options: Any) -> Scan:
-        """A camera's frame, row by row from the top left: distances along the rays, objects and labels."""
+        """A camera's frame, row by row from the top left: distances along the rays, objects and labels. The field of view is
+        in radians."""
         return self.sense(name, pinhole(width, height, field_of_view), **{"objects": True, **options})
 
     def picture(self, name: str, width: int, height: int, field_of_view: float, **options: Any) -> Picture:
-        """A picture in colour, by a camera that an object carries; without a name, by one that stands in the world."""
+        """A picture in colour, by a camera that an object carries; without a name, by one that stands in the world. The field
+        of view is in radians."""
         return self._one(picture(name, width, height, field_of_view, **options))
 
     def free_poses(self, name: str, numbers: Iterable[float]) -> List[bool]:
-        """Whether an object would touch nothing at each pose: X, Y, Z and heading, one after the other."""
+        """Whether an object would touch nothing at each pose: X, Y, Z and heading in radians, one after the other."""
         return self._one(poses(name, numbers))
 
     def free_edges(self, name: str, numbers: Iterable[float]) -> List[bool]:
@@ -913,8 +955,8 @@ class Module:
         return self._one(pose(name))
 
     def place(self, name: str, center: Vector, heading: float = 0.0, identify: bool = False) -> Change:
-        """Puts an object upright at a place where it touches nothing, without a way to it. With `identify` the answer's
-        `obstacles` are all that it would touch there."""
+        """Puts an object upright at a place where it touches nothing, without a way to it; the heading is in radians. With
+        `identify` the answer's `obstacles` are all that it would touch there."""
         return self._one(place(name, center, heading, identify))
 
     def add(self, thing: Json, overlapping: bool = False, identify: bool = False) -> Change:
@@ -1003,6 +1045,8 @@ def _read(kind: str, answer: Json) -> Answer:
             contacts = [SlideContact(_obstacle(c["obstacle"]) if "obstacle" in c else None, c["point"], c["normal"])
                         for c in answer["contacts"]]
             return Slid(answer["displacement"], answer["length"], answer["left"], answer["turnFraction"], contacts)
+        if kind == "separate":
+            return answer["displacement"] if answer["done"] else None
         if kind == "world":
             left = [LeftOut(o["index"], o.get("name", ""), o["reason"]) for o in answer["leftOut"]]
             return World(answer["added"], left, answer["width"], answer["height"], answer["length"],

@@ -19,6 +19,8 @@ final class SurfaceTable implements Surfaces {
     private final Surface ground;
     private Surface.Mixing restitutions = Surface.Mixing.GEOMETRIC_MEAN;
     private Surface.Mixing frictions = Surface.Mixing.GEOMETRIC_MEAN;
+    private Surface.Mixing restitutionsKept = restitutions;
+    private Surface.Mixing frictionsKept = frictions;
 
     /**
      * A surface of an object.
@@ -42,15 +44,18 @@ final class SurfaceTable implements Surfaces {
         given.put(name, new Given(surface, objects.arrival(objects.find(name))));
     }
 
-    /** Keeps what was given, so that it can be taken back to this. */
+    /** Keeps what was given and how it is mixed, so that it can be taken back to this. */
     void keep() {
         kept = Map.copyOf(given);
+        restitutionsKept = restitutions;
+        frictionsKept = frictions;
     }
 
-    /** Takes back what was given since {@link #keep}. */
+    /** Takes back what was given and set since {@link #keep}. */
     void undo() {
         given.clear();
         given.putAll(kept);
+        mix(restitutionsKept, frictionsKept);
     }
 
     /** Begins anew with the surfaces of the objects that are still there. */

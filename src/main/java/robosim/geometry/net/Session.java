@@ -15,6 +15,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.net.session.AngleCheck;
 import robosim.geometry.net.session.Batches;
 import robosim.geometry.net.session.Extent;
 import robosim.geometry.net.session.LogBudget;
@@ -74,6 +75,7 @@ public final class Session {
     private final SessionOptions options;
     private final SessionListener listener;
     private final WarningLog complaints;
+    private final AngleCheck angles;
 
     /** Runs between two parts of the work. */
     private Runnable breath = () -> {};
@@ -119,6 +121,7 @@ public final class Session {
         this.options = Checks.present("options", options);
         this.listener = Checks.present("listener", listener);
         this.complaints = new WarningLog(Checks.present("log", log), Checks.present("name", name));
+        this.angles = new AngleCheck(complaints);
         listener.opened(this);
     }
 
@@ -211,6 +214,7 @@ public final class Session {
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
+        angles.look(request);
         return observed(request);
     }
 
@@ -248,6 +252,7 @@ public final class Session {
 
     private void replaceWorld(InitBundle init) {
         complaints.forget();
+        angles.forget();
         WorldSettings settings = Extent.settings(init, options.dimension(), options.accuracy());
         Geometry made = new Geometry(
                 settings.width(),
@@ -414,6 +419,7 @@ public final class Session {
             Motion moving = motion == null ? new Motion(geometry, () -> breath.run()) : motion;
             motion = moving;
             StepBundle.Answer answer = moving.step(step, (index, reason) -> problems.add(leftOut(index, reason)));
+            angles.look(step, moving);
             moving.falls().forEach((name, fall) -> {
                 if (fall.isBorder()) {
                     complaints.warn(Reasons.ofFall(name, fall.drop()));

@@ -41,6 +41,7 @@ import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -106,6 +107,9 @@ final class AllowedClasses {
             WorldRequest.Go.class,
             WorldRequest.GoToContact.class,
             WorldRequest.GoAndSlide.class,
+            WorldRequest.Walk.class,
+            WorldRequest.Separate.class,
+            WorldAnswer.Separated.class,
             WorldRequest.Identify.class,
             WorldAnswer.LeftOut.class,
             WorldAnswer.Described.class,
@@ -136,7 +140,9 @@ final class AllowedClasses {
             ContactAnswer.class,
             ContactAnswer.Phase.class,
             StopAnswer.class,
-            StopAnswer.Reason.class);
+            StopAnswer.Reason.class,
+            SurfaceMixing.class,
+            SurfaceMixing.Rule.class);
 
     private static final Set<Class<?>> MADE = Set.of(
             BoxObject.class,

@@ -2,12 +2,14 @@ package robosim.geometry.protocol;
 
 import java.io.Serial;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 
 /**
  * A request to let time pass: bodies move as they are driven, slide, push and bounce, and never overlap. Answered by an
@@ -16,8 +18,13 @@ import robosim.geometry.protocol.motion.StopAnswer;
  * @param seconds  how long, from 0 to an hour; 0 moves nothing, and gives bodies and commands, or asks where they are
  * @param bodies   given to objects before the step; what was given before stays
  * @param commands what robots are told to do from the beginning of the step on; what they were told before stays
+ * @param mixing   how the surfaces of two objects make that of their contact from this step on; null for the rules so far
  */
-public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCommand> commands) implements Bundle {
+public record StepBundle(
+        double seconds,
+        List<BodyRequest> bodies,
+        List<DriveCommand> commands,
+        @Nullable SurfaceMixing mixing) implements Bundle {
     @Serial
     private static final long serialVersionUID = 1;
 
@@ -35,6 +42,11 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
         commands = Checks.copy("commands", commands, DriveCommand.class);
     }
 
+    /** A step by the rules for surfaces so far. */
+    public StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCommand> commands) {
+        this(seconds, bodies, commands, null);
+    }
+
     /** How many bodies and commands there are. */
     public int size() {
         return bodies.size() + commands.size();
@@ -47,7 +59,7 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
      * @param contacts who collided or touches, one for each two objects, and of a mesh, a group, a grid or the border one for
      *                 each normal along which it is touched: those that collided in the order of their times, those that only touch, and then those that part
      * @param stopped  bodies that were stopped because their motion could not be decided or carried out without an overlap
-     * @param stops    why each of these was stopped, in the same order; empty where a JSON peer gives no reasons
+     * @param stops    why each of these was stopped, in the same order; empty where a peer gives no reasons
      */
     public record Answer(
             List<BodyAnswer> bodies, List<ContactAnswer> contacts, List<String> stopped, List<StopAnswer> stops)
@@ -60,7 +72,9 @@ public record StepBundle(double seconds, List<BodyRequest> bodies, List<DriveCom
             bodies = Checks.copy("bodies", bodies, BodyAnswer.class);
             contacts = Checks.copy("contacts", contacts, ContactAnswer.class);
             stopped = Checks.copy("stopped", stopped, String.class);
-            stops = Checks.copy("stops", stops, StopAnswer.class);
+            stops = stops == null
+                    ? List.of()
+                    : Checks.copy("stops", stops, StopAnswer.class); // null in messages of before
         }
 
         /** An answer without reasons. */

@@ -18,6 +18,7 @@ import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.Velocity;
 
 /**
@@ -36,6 +37,7 @@ final class BodyHistory {
     private final Map<String, BodyRequest> bodies = new LinkedHashMap<>();
     private final Map<String, DriveCommand> commands = new LinkedHashMap<>();
     private final Map<String, Velocity> velocities = new LinkedHashMap<>();
+    private @Nullable SurfaceMixing mixing;
 
     /** The world before the first step of bodies; null if there was none, or too much came after it. */
     private @Nullable Step base;
@@ -48,6 +50,7 @@ final class BodyHistory {
     void clear() {
         bodies.clear();
         commands.clear();
+        mixing = null;
         velocities.clear();
         forget();
         isTooLong = false;
@@ -104,6 +107,7 @@ final class BodyHistory {
     private void follow(StepBundle asked, StepBundle.Answer answer, List<Problem> problems) {
         Set<Integer> refused = new HashSet<>();
         problems.forEach(problem -> refused.add(problem.index()));
+        mixing = asked.mixing() == null ? mixing : asked.mixing();
         int index = 0;
         for (BodyRequest body : asked.bodies()) {
             if (!refused.contains(index++)) {
@@ -138,7 +142,7 @@ final class BodyHistory {
             all.addAll(changes);
             return all;
         }
-        if (bodies.isEmpty()) {
+        if (bodies.isEmpty() && mixing == null) {
             return List.of(now);
         }
         List<BodyRequest> moving = new ArrayList<>();
@@ -146,7 +150,7 @@ final class BodyHistory {
             Velocity velocity = velocities.get(body.objectName());
             moving.add(velocity == null ? body : body.withVelocity(velocity));
         }
-        StepBundle told = new StepBundle(0, moving, List.copyOf(commands.values()));
+        StepBundle told = new StepBundle(0, moving, List.copyOf(commands.values()), mixing);
         return List.of(now, new Step(0, List.of("the bodies as they are"), told, null, now.timing()));
     }
 }

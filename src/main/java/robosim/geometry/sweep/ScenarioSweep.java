@@ -312,7 +312,7 @@ public final class ScenarioSweep implements SweepScenario {
         for (DriveCommand command : step.commands()) {
             commands.add(errors.slipped(command, speed, turn));
         }
-        return new StepBundle(step.seconds(), bodies, commands);
+        return new StepBundle(step.seconds(), bodies, commands, step.mixing());
     }
 
     private static double amount(Replicate replicate, String parameter) {

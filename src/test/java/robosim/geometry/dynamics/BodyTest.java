@@ -177,6 +177,24 @@ class BodyTest {
         return -dynamics.velocity("ball").x();
     }
 
+    /** What is taken back takes the rules along. */
+    @Test
+    void rulesThatAreTakenBackHoldNoLonger() {
+        Geometry world = new Geometry(20, 20, 20, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObject(new SphereObject(new Point(), 0.5).moveable("ball"));
+        world.addObject(new BoxObject(new Point(3, 0, 0), 1, 5, 5));
+        Dynamics dynamics = new Dynamics(world, new Surface(0, 0, 0));
+        dynamics.add("ball", Body.of(1, 0.1).withSurface(new Surface(1, 0, 0)));
+        assertThatThrownBy(() -> dynamics.together(() -> {
+                    dynamics.mix(Mixing.LARGER, Mixing.LARGER);
+                    throw new IllegalStateException("taken back");
+                }))
+                .hasMessage("taken back");
+        dynamics.setVelocity("ball", new Twist(1, 0, 0, 0));
+        dynamics.step(3);
+        assertThat(dynamics.velocity("ball").x()).isCloseTo(0, within(1e-12));
+    }
+
     private static double slowed(Mixing rule, Surface one, Surface other) {
         Geometry world = new Geometry(20, 20, 20, Dimension.SPATIAL, Accuracy.EXACT);
         world.addObject(new BoxObject(new Point(0, -1, 0), 20, 2, 20));

@@ -30,6 +30,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
@@ -100,6 +101,9 @@ final class Hostile {
             batches.addAll(BatchSamples.world());
             batches.addAll(BatchSamples.obstacles());
             batches.addAll(BatchSamples.listed());
+            batches.add(BatchSamples.walks());
+            batches.addAll(BatchSamples.rules());
+            batches.addAll(StepSamples.later());
             batches.add(
                     new InitBundle.Answered((InitBundle) BatchSamples.world().get(3)));
             for (Bundle bundle : batches) {
@@ -139,6 +143,12 @@ final class Hostile {
         lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.obstacles().get(1))));
         lines.add(JsonLines.write(BatchSamples.listed().get(0)));
+        lines.add(JsonLines.write(BatchSamples.walks()));
+        lines.add(JsonLines.write(BatchSamples.rules().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.rules().get(1))));
+        lines.add(JsonLines.write(BatchSamples.rules().get(2)));
+        lines.add(JsonLines.write(StepSamples.later().get(0)));
+        lines.add(JsonLines.write(new Reply(StepSamples.later().get(1))));
         lines.add(JsonLines.write(new Reply(BatchSamples.listed().get(1))));
         lines.add(JsonLines.write(new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "why")))));
         lines.add(lines.get(1) + "\n" + lines.get(4) + "\n" + lines.get(1));

@@ -95,6 +95,42 @@ class BatchSessionTest {
         return new SenseRequest("robot", mount, pattern, 0.3, 12, width, seen, normals);
     }
 
+    /** What is nearer than the blind range is marked, and what echoes there or beyond has the same bits as ever. */
+    @Test
+    void anEchoBeforeTheRangeIsMarkedWhereThatIsAskedFor() {
+        for (Dimension dimension : Dimension.values()) {
+            init(dimension);
+            BeamPattern fan = new BeamPattern.Fan(0, 0.01, 629);
+            int near = 0;
+            int far = 0;
+            for (double width : new double[] {0, 0.2}) {
+                SenseAnswer all = (SenseAnswer) ask(range(fan, 0, width)).get(0);
+                double min = all.distances().values()[0];
+                SenseRequest clamped = range(fan, min, width);
+                SenseAnswer marked = (SenseAnswer) ask(clamped.asRep117()).get(0);
+                SenseAnswer usual = (SenseAnswer) ask(clamped).get(0);
+                assertThat(marked.fits(clamped.asRep117())).isTrue();
+                assertThat(usual.fits(clamped)).isTrue();
+                assertThat(marked.fits(clamped)).isFalse();
+                for (int k = 0; k < fan.size(); k++) {
+                    boolean isNear = all.distances().get(k) < min;
+                    double expected = isNear
+                            ? Double.NEGATIVE_INFINITY
+                            : usual.distances().get(k);
+                    assertThat(marked.distances().get(k)).as("beam " + k).isEqualTo(expected);
+                    near += isNear ? 1 : 0;
+                    far += isNear ? 0 : 1;
+                }
+            }
+            assertThat(near).isPositive();
+            assertThat(far).isPositive();
+        }
+    }
+
+    private static SenseRequest range(BeamPattern pattern, double min, double width) {
+        return new SenseRequest("robot", Mount.CENTER, pattern, min, 12, width, false, false);
+    }
+
     private static void same(SenseAnswer answer, Geometry world, SenseRequest request, RayPattern pattern) {
         SenseBuffer seen = request.normals() ? new SenseBuffer(SenseBuffer.Extra.NORMALS) : new SenseBuffer();
         SenseOptions options = SenseOptions.range(request.min(), request.max())

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -29,18 +30,22 @@ import robosim.geometry.model.Point;
 import robosim.geometry.net.pace.CpuTurn;
 import robosim.geometry.net.session.LogBudget;
 import robosim.geometry.net.session.Motion;
+import robosim.geometry.protocol.BatchRequestBundle;
+import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -412,6 +417,106 @@ class StepSessionTest {
                             "\"ball\" has fallen 2\\.7.* onto the lower border of the world; if it should stand on a"
                                     + " floor, add one");
         }
+    }
+
+    /** A car turns about its rear axle, so what is ahead of it goes sideways: v = w * ahead, with w = v * tan(steering) / base. */
+    @Test
+    void theCentreOfACarMayBeAheadOfItsRearAxle() {
+        for (double ahead : new double[] {0, 1.25}) {
+            Session session = new Session();
+            session.reply(new InitBundle(
+                    List.of(new BoxObject(new Point(), 3, 1, 1.5).moveable("car")),
+                    new WorldSettings(90, 5, 90, Dimension.PLANAR, Accuracy.EXACT)));
+            DriveSettings drive =
+                    new DriveSettings(DriveSettings.Kind.ACKERMANN, 2.5, 9, 1e6, 1, 1.0 / 0).withCentreAhead(ahead);
+            StepBundle.Answer answer = step(
+                    session,
+                    new StepBundle(
+                            0.1,
+                            List.of(BodyRequest.of("car").withDrive(drive)),
+                            List.of(new DriveCommand("car", 2, 0, 0.5))));
+            double turn = 2 * Math.tan(0.5) / 2.5;
+            assertThat(answer.bodies().get(0).velocity().ry()).isCloseTo(turn, within(1e-9));
+            assertThat(answer.bodies().get(0).velocity().z()).isCloseTo(-turn * ahead, within(1e-9));
+        }
+    }
+
+    /** By the geometric mean a surface that does not bounce makes none that does; by the larger of two the other counts. */
+    @Test
+    void rulesForSurfacesHoldUntilOthersAreGiven() {
+        Session session = new Session();
+        session.reply(new InitBundle(
+                List.of(
+                        new CylinderObject(new Point(), 0.5, 1).moveable("ball"),
+                        new BoxObject(new Point(3, 0, 0), 1, 1, 5)),
+                PLANE));
+        BodyRequest ball =
+                BodyRequest.of("ball").withSurface(new SurfaceSettings(1, 0, 0)).withVelocity(new Velocity(1, 0, 0, 0));
+        SurfaceMixing larger = new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.GEOMETRIC_MEAN);
+        SurfaceMixing mean = new SurfaceMixing(SurfaceMixing.Rule.GEOMETRIC_MEAN, SurfaceMixing.Rule.GEOMETRIC_MEAN);
+        SurfaceMixing[] given = {null, larger, null, mean};
+        double[] after = {0, -1, -1, 0};
+        for (int k = 0; k < given.length; k++) {
+            session.reply(new BatchRequestBundle(List.of(new WorldRequest.Place("ball", new Point(), 0))));
+            StepBundle.Answer answer =
+                    step(session, new StepBundle(3, List.of(ball.withFloorFriction(0)), List.of(), given[k]));
+            assertThat(answer.bodies().get(0).velocity().x()).as("step " + k).isCloseTo(after[k], within(1e-9));
+        }
+    }
+
+    /** Turns in degrees are told of once in a world, whichever request has them; those of forces are none. */
+    @Test
+    void turnsThatLookLikeDegreesAreToldOnce() {
+        BatchRequestBundle slide =
+                new BatchRequestBundle(List.of(new WorldRequest.GoAndSlide("cart", 0, 0, 0, 0, -90, 0, 4)));
+        BatchRequestBundle dock =
+                new BatchRequestBundle(List.of(new WorldRequest.GoToContact("cart", 0, 0, 0, 0, 90, 0)));
+        WorldRequest.Go go = new WorldRequest.Go("cart", 0, 0, 0, 0, 6.3);
+        List<BodyRequest> none = List.of();
+        Map<Bundle, String> asked = new LinkedHashMap<>();
+        asked.put(
+                new StepBundle(0, none, List.of(new DriveCommand("cart", 0, 90))),
+                "turn of \"cart\" is 90.0 radians a second, more than a whole turn; angles are in radians, and 90.0"
+                        + " degrees are 1.5707963267948966 of them. Others in this world are not logged");
+        asked.put(
+                new MoveBundle(List.of(new MoveRequest("cart", 0, 0, 0, 0, 360))), "ry of \"cart\" is 360.0 radians,");
+        asked.put(slide, "ry of \"cart\" is -90.0 radians,");
+        asked.put(dock, "ry of \"cart\" is 90.0 radians,");
+        asked.put(new BatchRequestBundle(List.of(new WorldRequest.Identify(go))), "ry of \"cart\" is 6.3 radians,");
+        asked.put(
+                new BatchRequestBundle(List.of(new WorldRequest.Place("cart", new Point(), 45))),
+                "heading of \"cart\" is 45.0 radians,");
+        BodyRequest pushed = BodyRequest.of("cart").withDrive(DriveSettings.of(DriveSettings.Kind.FORCE));
+        asked.put(new StepBundle(0, List.of(pushed), List.of(new DriveCommand("cart", 0, 90))), "");
+        asked.put(new StepBundle(0, none, List.of(new DriveCommand("cart", 0, 6.25))), "");
+        asked.put(new MoveBundle(List.of(new MoveRequest("cart", 0, 0, 0, 0, -2 * Math.PI))), "");
+        asked.forEach((request, words) -> {
+            try (LogCapture log = new LogCapture()) {
+                Session session = session();
+                for (int k = 0; k < 3; k++) {
+                    session.reply(request);
+                }
+                session.reply(new InitBundle(OBJECTS, PLANE));
+                session.reply(request);
+                List<String> told = log.lines().stream()
+                        .filter(line -> line.contains(" radians"))
+                        .toList();
+                assertThat(told).as(request.toString()).hasSize(words.isEmpty() ? 0 : 2);
+                assertThat(told).allMatch(line -> line.contains(words));
+            }
+        });
+    }
+
+    /** What a user means in degrees is refused in the unit of the request. */
+    @Test
+    void theWheelsOfACarAreRefusedInRadians() {
+        BodyRequest car = BodyRequest.of("cart").withDrive(DriveSettings.of(DriveSettings.Kind.ACKERMANN));
+        Reply reply = reply(session(), new StepBundle(1, List.of(car), List.of(new DriveCommand("cart", 1, 30))));
+        assertThat(reply.problems())
+                .extracting(Object::toString)
+                .containsExactly(
+                        "1: turn of a car must be an angle of its front wheels between -pi/2 and pi/2, in radians"
+                                + " (got: 30.0)");
     }
 
     private static void falls(StepBundle.Answer answer, Map<String, Double> falls) {

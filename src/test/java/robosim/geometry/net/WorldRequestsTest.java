@@ -1,8 +1,10 @@
 package robosim.geometry.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.SplittableRandom;
@@ -14,6 +16,7 @@ import robosim.geometry.SlideResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -410,5 +413,67 @@ class WorldRequestsTest extends SessionOfObjects {
         assertThat(made).isBetween(150, 560);
         assertThat(named).isPositive();
         assertThat(border + turns).isPositive();
+    }
+
+    @Test
+    void whatOverlapsIsFreedOrStays() {
+        Session crowded = new Session();
+        crowded.reply(new InitBundle(
+                List.of(
+                        new BoxObject(new Point(), 1, 1, 1).moveable("crate"),
+                        new BoxObject(new Point(0.75, 0, 0), 1, 1, 4).named("wall")),
+                new WorldSettings(20, 6, 20, Dimension.PLANAR, Accuracy.EXACT)));
+        WorldRequest.Separate little = new WorldRequest.Separate("crate", 0.2);
+        WorldRequest.Separate enough = new WorldRequest.Separate("crate", 1);
+        BatchRequestBundle asked = new BatchRequestBundle(List.of(
+                little,
+                new WorldRequest.Locate("crate"),
+                enough,
+                new WorldRequest.Locate("crate"),
+                enough,
+                new WorldRequest.Separate("wall", 1)));
+        var reply = Objects.requireNonNull(crowded.reply(asked));
+        var answers = ((BatchAnswerBundle) reply.bundle()).answers();
+        assertThat(answers.get(0)).isEqualTo(new WorldAnswer.Changed(false, null));
+        assertThat(answers.get(0).fits(little)).isTrue();
+        assertThat(new WorldAnswer.Changed(true, null).fits(little)).isFalse();
+        assertThat(((WorldAnswer.Located) answers.get(1)).center()).isEqualTo(new Point());
+        Point freed = ((WorldAnswer.Separated) answers.get(2)).displacement();
+        assertThat(freed.x()).isBetween(-0.251, -0.25);
+        assertThat(answers.get(2).fits(enough)).isTrue();
+        assertThat(((WorldAnswer.Located) answers.get(3)).center()).isEqualTo(freed);
+        assertThat(answers.get(4)).isEqualTo(new WorldAnswer.Separated(new Point()));
+        assertThat(reply.problems()).hasSize(1);
+        assertThat(reply.problems().get(0).toString()).contains("no moveable object \"wall\"");
+    }
+
+    /** A sill of 0.2 stops what slides, and a walker climbs it and is put down behind it. */
+    @Test
+    void aWalkerClimbsASill() {
+        double x = 0;
+        double y = 0;
+        for (WorldRequest.Walk walk : Arrays.asList(null, new WorldRequest.Walk(0.3, 0.5, 0.4))) {
+            Session walking = new Session();
+            walking.reply(new InitBundle(
+                    List.of(
+                            new BoxObject(new Point(0, -1.05, 0), 10, 0.1, 10),
+                            new BoxObject(new Point(2, -0.9, 0), 2, 0.2, 10),
+                            new CylinderObject(new Point(-1, -0.49, 0), 0.3, 1).moveable("robot")),
+                    new WorldSettings(20, 6, 20, Dimension.SPATIAL, Accuracy.EXACT)));
+            walking.reply(new BatchRequestBundle(
+                    List.of(new WorldRequest.GoAndSlide("robot", 3, 0, 0, 0, 0, 0.01, 8, walk))));
+            BatchAnswerBundle answer = (BatchAnswerBundle) Objects.requireNonNull(
+                            walking.reply(new BatchRequestBundle(List.of(new WorldRequest.Locate("robot")))))
+                    .bundle();
+            Point at = ((WorldAnswer.Located) answer.answers().get(0)).center();
+            if (walk == null) {
+                x = at.x();
+                y = at.y();
+                assertThat(x).isCloseTo(1 - 0.3 - 0.01, within(1e-3));
+            } else {
+                assertThat(at.x()).isGreaterThan(x + 0.5);
+                assertThat(at.y()).isCloseTo(-0.8 + 0.5 + 0.01, within(1e-2)).isGreaterThan(y + 0.1);
+            }
+        }
     }
 }

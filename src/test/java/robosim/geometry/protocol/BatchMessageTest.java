@@ -6,12 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
@@ -24,6 +29,7 @@ import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** Batches in Java serialization. */
 class BatchMessageTest {
@@ -33,6 +39,8 @@ class BatchMessageTest {
     private static final String WORLD = "world-requests.ser";
     private static final String OBSTACLES = "obstacles.ser";
     private static final String LISTED = "listed.ser";
+    private static final String WALKS = "walks.ser";
+    private static final String RULES = "rules.ser";
 
     @Test
     void batchesComeBackAsTheyWere() throws IOException {
@@ -59,11 +67,36 @@ class BatchMessageTest {
         assertThat(MessageTest.readAll(StoredBytesTest.stored(LISTED))).isEqualTo(BatchSamples.listed());
     }
 
-    /** Whoever knows no requests about the world, or none of the later ones, understands all others. */
+    @Test
+    void rulesComeBackAsTheyWere() throws IOException {
+        List<Bundle> rules = BatchSamples.rules();
+        assertThat(MessageTest.readAll(MessageTest.write(rules.toArray(Bundle[]::new))))
+                .isEqualTo(rules);
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(RULES))).isEqualTo(rules);
+        assertThat(JsonLines.readRequest(JsonLines.write(rules.get(0)))).isEqualTo(rules.get(0));
+        assertThat(JsonLines.readRequest(JsonLines.write(rules.get(2)))).isEqualTo(rules.get(2));
+        Reply answers = new Reply(rules.get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
+    }
+
+    /** The classes that a stream names: a peer that does not know one of them refuses it; fields it does not know it skips. */
+    private static Set<String> classes(byte[] bytes) {
+        return Pattern.compile("robosim\\.geometry\\.[\\w.$]+")
+                .matcher(new String(bytes, StandardCharsets.ISO_8859_1))
+                .results()
+                .map(MatchResult::group)
+                .collect(Collectors.toSet());
+    }
+
+    /** Whoever knows none of the later requests, nor of the later fields of others, understands all others. */
     @Test
     void batchesAreWrittenAsEver() throws IOException {
-        assertThat(MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new)))
-                .isEqualTo(StoredBytesTest.stored(FRAMES));
+        assertThat(classes(MessageTest.write(BatchSamples.frames().toArray(Bundle[]::new))))
+                .isEqualTo(classes(StoredBytesTest.stored(FRAMES)))
+                .contains(SenseRequest.class.getName());
+        assertThat(classes(MessageTest.write(StepSamples.everyBundle().toArray(Bundle[]::new))))
+                .isEqualTo(classes(StoredBytesTest.stored("steps.ser")))
+                .contains(StepBundle.class.getName());
         assertThat(MessageTest.write(BatchSamples.world().toArray(Bundle[]::new)))
                 .isEqualTo(StoredBytesTest.stored(WORLD));
     }
@@ -96,6 +129,14 @@ class BatchMessageTest {
                         () -> MessageTest.readAll(MessageTest.write(new BatchRequestBundle(times(most + 1, asking)))))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("must have at most 16000000 parts, counted at every reference");
+    }
+
+    @Test
+    void walksComeBackAsTheyWere() throws IOException {
+        Bundle walks = BatchSamples.walks();
+        assertThat(MessageTest.readAll(MessageTest.write(walks))).isEqualTo(List.of(walks));
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(WALKS))).isEqualTo(List.of(walks));
+        assertThat(JsonLines.readRequest(JsonLines.write(walks))).isEqualTo(walks);
     }
 
     /** A few bytes ask for an answer of many contacts: its memory is claimed before the work begins. */
@@ -197,6 +238,10 @@ class BatchMessageTest {
             Files.write(
                     Path.of(args[0], PICTURES),
                     MessageTest.write(BatchSamples.pictures().toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], RULES),
+                    MessageTest.write(BatchSamples.rules().toArray(Bundle[]::new)));
+            Files.write(Path.of(args[0], WALKS), MessageTest.write(BatchSamples.walks()));
             Files.write(
                     Path.of(args[0], WORLD),
                     MessageTest.write(BatchSamples.world().toArray(Bundle[]::new)));

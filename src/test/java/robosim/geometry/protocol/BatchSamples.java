@@ -27,6 +27,7 @@ import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 
 /** Requests with packed numbers, and answers. The stored bytes hold these: do not change them, add. */
 public final class BatchSamples {
@@ -209,6 +210,28 @@ public final class BatchSamples {
                                         new WorldAnswer.Contact(nameless, contact, normal),
                                         new WorldAnswer.Contact(null, contact, normal),
                                         new WorldAnswer.Contact(named, new Point(), new Point(0, 0, 1)))))));
+    }
+
+    /** How an object walks. */
+    public static Bundle walks() {
+        return new BatchRequestBundle(
+                List.of(new WorldRequest.GoAndSlide("r", 1, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0.25, 0.5, 1))));
+    }
+
+    /** Distances out of range, freed objects and rules for surfaces. */
+    public static List<Bundle> rules() {
+        SenseRequest fan = new SenseRequest("r", new BeamPattern.Fan(0, 1, 3));
+        return List.of(
+                new BatchRequestBundle(List.of(fan.asRep117(), new WorldRequest.Separate("r", 0.5))),
+                new BatchAnswerBundle(List.of(
+                        new SenseAnswer(Numbers.of(SenseAnswer.NEARER, 1, 1.0 / 0), Numbers.NONE),
+                        new WorldAnswer.Separated(new Point(0.25, 0, -1)),
+                        new WorldAnswer.Changed(false, null))),
+                new StepBundle(
+                        0.5,
+                        List.of(),
+                        List.of(),
+                        new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.PRODUCT)));
     }
 
     /** What came after those: what is in the world. */

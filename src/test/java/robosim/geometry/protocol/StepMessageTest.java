@@ -27,12 +27,14 @@ import robosim.geometry.protocol.motion.Velocity;
 /** Steps of bodies in both encodings. */
 class StepMessageTest {
     private static final String STORED = "steps.ser";
+    private static final String LATER = "stops.ser";
     private static final double NONE = Double.POSITIVE_INFINITY;
 
     @Test
     void stepsComeBackAsTheyWere() throws IOException {
         List<Bundle> all = new ArrayList<>(StepSamples.everyBundle());
         all.add(StepSamples.landing());
+        all.addAll(StepSamples.later());
         SplittableRandom random = new SplittableRandom(21);
         for (int k = 0; k < 500; k++) {
             all.add(StepSamples.random(random));
@@ -47,6 +49,8 @@ class StepMessageTest {
         Reply reply = new Reply(StepSamples.answer());
         assertThat(JsonLines.readReply(JsonLines.write(reply))).isEqualTo(reply);
         assertThat(JsonLines.isReply(JsonLines.write(reply))).isTrue();
+        Reply reasons = new Reply(StepSamples.later().get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(reasons))).isEqualTo(reasons);
         // What older clients know is all that they get, unless there is a fall.
         assertThat(JsonLines.write(reply)).doesNotContain("fall");
         Reply landing = new Reply(StepSamples.landing());
@@ -57,6 +61,7 @@ class StepMessageTest {
     @Test
     void storedStepsMeanWhatTheyMeant() throws IOException {
         assertThat(MessageTest.readAll(StoredBytesTest.stored(STORED))).isEqualTo(StepSamples.everyBundle());
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(LATER))).isEqualTo(StepSamples.later());
     }
 
     @Test
@@ -112,6 +117,8 @@ class StepMessageTest {
         refuses(
                 () -> new DriveSettings(Kind.ACKERMANN, 0, NONE, NONE, 1.6, NONE),
                 "maxTurn of a car must be below pi/2");
+        refuses(() -> DriveSettings.of(Kind.FORCE).withCentreAhead(1), "centreAhead must be left out");
+        refuses(() -> DriveSettings.of(Kind.ACKERMANN).withCentreAhead(Double.NaN), "centreAhead must be");
         Velocity rest = new Velocity(0, 0, 0, 0);
         refuses(() -> new BodyAnswer("b", new Point(), 4, Numbers.NONE, rest), "heading must be");
         refuses(() -> new BodyAnswer("b", new Point(), 0, Numbers.of(1, 2, 3), rest), "rotation");
@@ -163,6 +170,9 @@ class StepMessageTest {
             Files.write(
                     Path.of(args[0], STORED),
                     MessageTest.write(StepSamples.everyBundle().toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], LATER),
+                    MessageTest.write(StepSamples.later().toArray(Bundle[]::new)));
         }
     }
 }

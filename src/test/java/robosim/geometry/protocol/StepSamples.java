@@ -59,10 +59,25 @@ public final class StepSamples {
                         new ContactAnswer(
                                 "a", "b", new Point(0.5, 0, 0), new Point(1, 0, 0), 2.5, ContactAnswer.Phase.LAST),
                         new ContactAnswer("a", null, new Point(), new Point(0, 0, -1), 0, ContactAnswer.Phase.END)),
-                List.of("b", "a"),
-                List.of(
-                        new StopAnswer("b", StopAnswer.Reason.BLOCKED, "a"),
-                        new StopAnswer("a", StopAnswer.Reason.OVERLAP, null)));
+                List.of("b"));
+    }
+
+    /** A car whose centre is not on its rear axle, and an answer with reasons; apart from the others, as stored bytes are. */
+    public static List<Bundle> later() {
+        return List.of(
+                new StepBundle(
+                        0,
+                        List.of(BodyRequest.of("car")
+                                .withDrive(DriveSettings.of(DriveSettings.Kind.ACKERMANN)
+                                        .withCentreAhead(-1.25))),
+                        List.of()),
+                new StepBundle.Answer(
+                        List.of(),
+                        List.of(),
+                        List.of("b", "a"),
+                        List.of(
+                                new StopAnswer("b", StopAnswer.Reason.BLOCKED, "a"),
+                                new StopAnswer("a", StopAnswer.Reason.OVERLAP, null))));
     }
 
     /** An answer whose contact has ended a fall; apart from the others, which stored bytes have. */
@@ -77,7 +92,6 @@ public final class StepSamples {
     public static List<Bundle> everyBundle() {
         List<Bundle> all = new ArrayList<>(requests());
         all.add(answer());
-        all.add(new StepBundle.Answer(List.of(), List.of(), List.of("a")));
         return all;
     }
 

@@ -33,6 +33,7 @@ import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** What watchers are told, without sockets. */
@@ -103,7 +104,8 @@ class WatchingTest {
                         BodyRequest.of("r").withMass(9).withDrive(DriveSettings.of(DriveSettings.Kind.VELOCITY)),
                         BodyRequest.of("crate").withMass(2).withVelocity(new Velocity(0, 0, 0.25, 1.1)),
                         BodyRequest.of("nobody")),
-                List.of(new DriveCommand("r", 1, 0, 0.3))));
+                List.of(new DriveCommand("r", 1, 0, 0.3)),
+                new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.MEAN)));
         return held;
     }
 
@@ -142,6 +144,7 @@ class WatchingTest {
         assertThat(bodies.seconds()).isZero();
         assertThat(bodies.bodies()).extracting(BodyRequest::objectName).containsExactly("r", "crate");
         assertThat(bodies.commands()).containsExactly(new DriveCommand("r", 1, 0, 0.3));
+        assertThat(bodies.mixing()).isEqualTo(new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.MEAN));
         Replay replay = new Replay(SessionOptions.ROBOSIM);
         steps.forEach(replay::step);
         StepBundle.Answer replayed = (StepBundle.Answer) replay.reply().bundle();

@@ -1,5 +1,6 @@
 """Every message of examples/robosim.py against a module, whose place is the argument; PythonClientTest runs it."""
 
+import inspect
 import math
 import pathlib
 import sys
@@ -136,6 +137,16 @@ def blocked(module):
     same(bool(module.move_and_slide("robot", x=-1, ry=0.5)), True)
     out = module.move_and_slide("robot", x=-50, bends=0, clearance=0.1)
     same((len(out.contacts), out.contacts[0].obstacle, out.turn_fraction), (1, None, 1))
+    same(bool(module.move_and_slide("robot", step_height=0.1, max_slope=0.5, snap=0.1)), True)
+    same(module.separate("robot", 1), [0, 0, 0])
+    same(module.add(box([0, 0, -8], 1, 1, 1, name="crate", moveable=True)).done, True)
+    same(module.add(box([0.75, 0, -8], 1, 1, 1, name="lid"), overlapping=True).done, True)
+    same(module.separate("crate", 0.2), None)
+    freed = module.separate("crate", 1)
+    same((-0.26 < freed[0] < -0.25, freed[1:]), (True, [0, 0]))
+    near(module.pose("crate").center[0], freed[0])
+    refused_in(lambda: module.separate("crate", -1), "max must be a number from 0 to 2^100")
+    refused(lambda: module.separate("nobody", 1), 'no moveable object "nobody"')
     answers = module.batch([robosim.go_to_contact("robot", x=1), robosim.go_and_slide("robot", z=1, bends=2),
                             robosim.go("robot", x=50, identify=True)])
     same((answers[0].made, answers[1].contacts, len(answers[2].obstacles)), (True, [], 1))
@@ -160,6 +171,8 @@ def sensors(module):
     same(scan[3], 2.5)  # a fan turns to the left: its last quarter is to the right
     same(list(scan), list(scan.distances))
     same(memoryview(scan.distances).format, "d")
+    same(list(module.scan("robot", count=4, min=2.7, max=5, rep117=True))[3], -INF)
+    same(module.scan("robot", count=4, min=2.7, max=5)[3], 2.7)
     left = module.scan("robot", first=math.pi / 2, step=0, count=1, heading=math.pi)
     same(left[0], 2.5)
     frame = module.frame("robot", 8, 6, 1.0, normals=True)
@@ -174,6 +187,22 @@ def sensors(module):
     same(module.free_poses("robot", [0, 0, 0, 0, 3, 0, 0, 0, 1, 0, 1, 2]), [True, False, True])
     same(module.free_edges("robot", [0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 6, 0, 0, 0]), [True, False])
     refused(lambda: module.scan("nobody"), 'no moveable object "nobody"')
+
+
+def units():
+    """Whatever takes an angle says that it is in radians."""
+    angles, seen = {"heading", "turn", "rx", "ry", "first", "field_of_view", "elevations", "max_slope"}, 0
+    for owner in (robosim, robosim.Module):
+        for name, what in inspect.getmembers(owner, callable):
+            ours = not name.startswith("_") and getattr(what, "__module__", "") == robosim.__name__ and name != "listed"
+            if not ours or (inspect.isclass(what) and issubclass(what, Exception)):
+                continue
+            if angles & set(inspect.signature(what).parameters):
+                seen += 1
+                text = inspect.getdoc(what) or ""
+                text += inspect.getsource(what) if inspect.isclass(what) else ""
+                assert "radians" in text, f"{owner.__name__}.{name} must say that its angles are in radians"
+    assert seen >= 18, seen
 
 
 def together(module):
@@ -213,6 +242,8 @@ def drives(module, folder):
     same(said.refused[1], 'no object "nobody"')
     small = {"objectName": "cart", "drive": {"kind": "omnidirectional", "maxSpeed": 1}}
     same(module.ask({"type": "step", "seconds": 0, "bodies": [small]}, "bodies")[0]["refused"], [])
+    same(module.step(0, mixing=robosim.mixing(restitution="larger")).refused, {})
+    refused_in(lambda: module.step(0, mixing=robosim.mixing("largest")), "GEOMETRIC_MEAN")
     refused(lambda: module.drive("nobody", 1), 'no object "nobody"')
     refused(lambda: module.drive("drum", right=0.3), "right must be 0 for a drive of kind DIFFERENTIAL; give \"drum\" a body"
             " with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: 0.3)")
@@ -356,6 +387,7 @@ def main():
         steps(module)
         drives(module, sys.argv[2])
     mistakes(sys.argv[1])
+    units()
     try:
         box([0, 0, 0], 1, 1, 1, colour="red")
     except TypeError as e:

@@ -64,7 +64,9 @@ public final class Batches {
         breath.run();
         RayPattern pattern = patterns.of(request.pattern());
         Pose mount = request.mount().pose();
-        SenseOptions options = SenseOptions.range(request.min(), request.max())
+        // An echo at the blind range differs from a nearer one only where all are measured.
+        double min = request.rep117() ? 0 : request.min();
+        SenseOptions options = SenseOptions.range(min, request.max())
                 .withWidth(Degrees.toDegrees(request.width()))
                 .withCarrier(request.seesCarrier() ? SenseOptions.Carrier.SEEN : SenseOptions.Carrier.IGNORED);
         ScanMotion motion = request.motion();
@@ -83,6 +85,9 @@ public final class Batches {
             int count = Math.min(PART, size - first);
             sense(world, request.objectName(), mount, pattern, first, count, options, buffer);
             System.arraycopy(buffer.distances(), 0, measured, first, count);
+            if (request.rep117()) {
+                markNearer(measured, first, count, request.min());
+            }
             if (request.normals()) {
                 System.arraycopy(buffer.normals(), 0, faces, 3 * first, 3 * count);
             }
@@ -91,6 +96,14 @@ public final class Batches {
             }
         }
         return new SenseAnswer(new Numbers(measured), new Numbers(faces), seen.names(), seen.objects(), seen.labels());
+    }
+
+    private static void markNearer(double[] measured, int first, int count, double min) {
+        for (int k = first; k < first + count; k++) {
+            if (measured[k] < min) {
+                measured[k] = SenseAnswer.NEARER;
+            }
+        }
     }
 
     private static void sense(

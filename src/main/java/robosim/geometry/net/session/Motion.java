@@ -35,6 +35,7 @@ import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -117,6 +118,10 @@ public final class Motion {
         if (falls != null) {
             falls.begin();
         }
+        SurfaceMixing mixing = step.mixing();
+        if (mixing != null) {
+            dynamics.mix(rule(mixing.restitution()), rule(mixing.friction()));
+        }
         int index = 0;
         for (BodyRequest body : step.bodies()) {
             attempt(index++, body.objectName(), refused, () -> add(body));
@@ -137,6 +142,16 @@ public final class Motion {
         result.ended().forEach(contact -> contacts.add(answer(contact)));
         List<StopAnswer> stops = result.stops().stream().map(Motion::answer).toList();
         return new StepBundle.Answer(places(), contacts, result.stopped(), stops);
+    }
+
+    private static Surface.Mixing rule(SurfaceMixing.Rule rule) {
+        return switch (rule) {
+            case GEOMETRIC_MEAN -> Surface.Mixing.GEOMETRIC_MEAN;
+            case MEAN -> Surface.Mixing.MEAN;
+            case LARGER -> Surface.Mixing.LARGER;
+            case SMALLER -> Surface.Mixing.SMALLER;
+            case PRODUCT -> Surface.Mixing.PRODUCT;
+        };
     }
 
     private static StopAnswer answer(StepResult.Stop stop) {
@@ -237,6 +252,10 @@ public final class Motion {
                     + " a body with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: "
                     + command.right() + ")");
         }
+        if (kind == DriveSettings.Kind.ACKERMANN && !(Math.abs(command.turn()) < Math.PI / 2)) {
+            throw new IllegalArgumentException("turn of a car must be an angle of its front wheels between -pi/2 and"
+                    + " pi/2, in radians (got: " + command.turn() + ")");
+        }
         GeometryObject object = world.getObject(name);
         if (!object.isMoveable()) {
             throw new IllegalArgumentException(
@@ -273,10 +292,16 @@ public final class Motion {
                                 drive.maxTurn() == Double.POSITIVE_INFINITY ? CAR_STEERING : degrees(drive.maxTurn()),
                                 drive.maxSpeed(),
                                 drive.maxAcceleration())
+                        .withCentreAhead(drive.centreAhead())
                         .driving(command.forward(), turn);
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
         };
+    }
+
+    /** What kind of drive an object has or, without a body, would get. */
+    DriveSettings.Kind kind(String name) {
+        return drives.getOrDefault(name, DriveSettings.DEFAULT).kind();
     }
 
     /** Whether an object has a body. */

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.ObjectSearch;
+import robosim.geometry.SlideOptions;
 import robosim.geometry.SlideResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Bounds;
@@ -137,6 +138,12 @@ public final class WorldRequests {
             Move move = move(go.x(), go.y(), go.z(), go.rx(), go.ry());
             return identified(world.moveToContact(go.objectName(), move, go.clearance()));
         }
+        if (request instanceof WorldRequest.Separate free) {
+            Point displacement = world.separate(free.objectName(), free.max());
+            return displacement == null
+                    ? new WorldAnswer.Changed(false, null)
+                    : new WorldAnswer.Separated(displacement);
+        }
         return request instanceof WorldRequest.GoAndSlide go
                 ? slide(world, go)
                 : identify(world, ((WorldRequest.Identify) request).request(), moveable, watcher);
@@ -225,7 +232,7 @@ public final class WorldRequests {
 
     private WorldAnswer slide(Geometry world, WorldRequest.GoAndSlide go) {
         Move move = move(go.x(), go.y(), go.z(), go.rx(), go.ry());
-        SlideResult result = world.moveAndSlide(go.objectName(), move, go.clearance(), go.bends());
+        SlideResult result = world.moveAndSlide(go.objectName(), move, options(go));
         List<WorldAnswer.Contact> contacts = new ArrayList<>(result.contacts().size());
         for (SlideResult.SlideContact contact : result.contacts()) {
             GeometryObject met = contact.obstacle();
@@ -233,6 +240,12 @@ public final class WorldRequests {
                     new WorldAnswer.Contact(met == null ? null : obstacle(met), contact.point(), contact.normal()));
         }
         return new WorldAnswer.Slid(result.made(), result.length(), result.left(), result.turnFraction(), contacts);
+    }
+
+    private static SlideOptions options(WorldRequest.GoAndSlide go) {
+        WorldRequest.Walk walk = go.walk() == null ? WorldRequest.Walk.NONE : go.walk();
+        double maxSlope = Degrees.toDegrees(walk.maxSlope());
+        return new SlideOptions(go.clearance(), go.bends(), walk.stepHeight(), maxSlope, walk.snap());
     }
 
     private WorldAnswer identify(Geometry world, WorldRequest request, Set<String> moveable, Watcher watcher) {

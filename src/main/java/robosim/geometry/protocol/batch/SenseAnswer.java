@@ -7,7 +7,8 @@ import robosim.geometry.exact.Checks;
 /**
  * What the beams of a {@link SenseRequest} measured.
  *
- * @param distances world units, one for each beam, in order; {@code +Infinity} if nothing echoes
+ * @param distances world units, one for each beam, in order; {@code +Infinity} if nothing echoes, and
+ *                  {@code -Infinity} for an echo nearer than the blind range where that was asked for
  * @param normals   X, Y and Z of the unit normal of the surface that each ray met, (0, 0, 0) if none; empty unless asked for
  * @param names     the names of the objects that are seen, each once, in the order in which the beams meet them; empty for
  *                  one without a name
@@ -19,6 +20,9 @@ public record SenseAnswer(Numbers distances, Numbers normals, List<String> names
     @Serial
     private static final long serialVersionUID = 1;
 
+    /** The distance of an echo nearer than the blind range, as REP 117 of ROS has it. */
+    public static final double NEARER = Double.NEGATIVE_INFINITY;
+
     /**
      * Refuses null, a distance that is negative or NaN, normals that are no unit vectors, an object without a name, a negative
      * label, and what is not as many as the distances.
@@ -28,9 +32,9 @@ public record SenseAnswer(Numbers distances, Numbers normals, List<String> names
         objects = objects == null ? Integers.NONE : objects;
         labels = labels == null ? Integers.NONE : labels;
         for (int k = 0; k < Checks.present("distances", distances).size(); k++) {
-            if (!(distances.get(k) >= 0)) { // written so that NaN fails it
+            if (!(distances.get(k) >= 0 || distances.get(k) == NEARER)) { // written so that NaN fails it
                 throw new IllegalArgumentException(
-                        "distances[" + k + "] must be at least 0 (got: " + distances.get(k) + ")");
+                        "distances[" + k + "] must be at least 0, or -Infinity (got: " + distances.get(k) + ")");
             }
         }
         int size = Checks.present("normals", normals).size();
@@ -68,10 +72,20 @@ public record SenseAnswer(Numbers distances, Numbers normals, List<String> names
         }
     }
 
+    private boolean hasNearer() {
+        for (int k = 0; k < distances.size(); k++) {
+            if (distances.get(k) == NEARER) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     @Override
     public boolean fits(BatchRequest request) {
         return Checks.present("request", request) instanceof SenseRequest sense
                 && distances.size() == sense.size()
+                && (sense.rep117() || !hasNearer())
                 && normals.size() == (sense.normals() ? 3 * sense.size() : 0)
                 && objects.size() == (sense.objects() ? sense.size() : 0);
     }

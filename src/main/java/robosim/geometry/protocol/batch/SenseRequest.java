@@ -17,6 +17,7 @@ import robosim.geometry.exact.Checks;
  * @param normals     whether the answer has the normals of the surfaces too, for rays only
  * @param objects     whether the answer has the objects that are seen too, and the labels of their materials, for rays only
  * @param motion      how the object moves meanwhile; null stands for {@link ScanMotion#NONE}
+ * @param rep117      whether an echo nearer than {@code min} is reported as {@code -Infinity}, as REP 117 of ROS has it
  */
 public record SenseRequest(
         String objectName,
@@ -28,7 +29,8 @@ public record SenseRequest(
         boolean seesCarrier,
         boolean normals,
         boolean objects,
-        ScanMotion motion)
+        ScanMotion motion,
+        boolean rep117)
         implements BatchRequest {
     @Serial
     private static final long serialVersionUID = 1;
@@ -58,6 +60,21 @@ public record SenseRequest(
         }
     }
 
+    /** A sensor that reports a nearer echo as its blind range. */
+    public SenseRequest(
+            String objectName,
+            Mount mount,
+            BeamPattern pattern,
+            double min,
+            double max,
+            double width,
+            boolean seesCarrier,
+            boolean normals,
+            boolean objects,
+            ScanMotion motion) {
+        this(objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, false);
+    }
+
     /** Distances and, where they are asked for, normals, from a sensor at rest. */
     public SenseRequest(
             String objectName,
@@ -74,6 +91,12 @@ public record SenseRequest(
     /** A sensor of rays at the object's centre, facing forward, without an end: distances alone. */
     public SenseRequest(String objectName, BeamPattern pattern) {
         this(objectName, Mount.CENTER, pattern, 0, Double.POSITIVE_INFINITY, 0, false, false);
+    }
+
+    /** The same, which reports an echo nearer than its blind range as {@code -Infinity}. */
+    public SenseRequest asRep117() {
+        return new SenseRequest(
+                objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, true);
     }
 
     /** Whether an object carries the sensor. */

@@ -163,7 +163,8 @@ public sealed interface WorldAnswer extends BatchAnswer {
         public boolean fits(BatchRequest request) {
             return Checks.present("request", request) instanceof WorldRequest.Place
                     || request instanceof WorldRequest.Add
-                    || request instanceof WorldRequest.Remove;
+                    || request instanceof WorldRequest.Remove
+                    || (request instanceof WorldRequest.Separate && !done);
         }
     }
 
@@ -256,6 +257,26 @@ public sealed interface WorldAnswer extends BatchAnswer {
             return Checks.present("request", request) instanceof WorldRequest.Identify asked
                     ? answer.fits(asked.request())
                     : answer instanceof Went && request instanceof WorldRequest.GoToContact;
+        }
+    }
+
+    /**
+     * An object was freed.
+     *
+     * @param displacement of the object along the world's axes; zero if it touched nothing
+     */
+    record Separated(Point displacement) implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null. */
+        public Separated {
+            Checks.present("displacement", displacement);
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.Separate;
         }
     }
 

@@ -1,6 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
+import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
@@ -242,9 +243,18 @@ public sealed interface WorldRequest extends BatchRequest {
      * @param ry         <b>radians</b> about the own Y
      * @param clearance  world units between the object and what it meets; at least 0
      * @param bends      at how many contacts the way may go on; it ends at the next. From 0 to {@link #MOST_BENDS}
+     * @param walk       how the object walks on ground, in a SPATIAL world; null for one that slides along everything
      */
     record GoAndSlide(
-            String objectName, double x, double y, double z, double rx, double ry, double clearance, int bends)
+            String objectName,
+            double x,
+            double y,
+            double z,
+            double rx,
+            double ry,
+            double clearance,
+            int bends,
+            @Nullable Walk walk)
             implements WorldRequest {
         @Serial
         private static final long serialVersionUID = 1;
@@ -269,9 +279,65 @@ public sealed interface WorldRequest extends BatchRequest {
             return true;
         }
 
+        /** A move of an object that slides along everything. */
+        public GoAndSlide(
+                String objectName, double x, double y, double z, double rx, double ry, double clearance, int bends) {
+            this(objectName, x, y, z, rx, ry, clearance, bends, null);
+        }
+
         @Override
         public long answerBytes() {
             return Obstacle.BYTES * (bends + 1L);
+        }
+    }
+
+    /**
+     * How an object walks on ground, as {@link robosim.geometry.SlideOptions} describes it.
+     *
+     * @param stepHeight world units, at least 0: a sill up to this height is climbed
+     * @param maxSlope   <b>radians</b> from 0 to pi/2: steeper surfaces are walls
+     * @param snap       world units, at least 0: where there is ground within this distance below the object after the
+     *                   motion, it is put down on it
+     */
+    record Walk(double stepHeight, double maxSlope, double snap) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** What an object does that does not walk. */
+        public static final Walk NONE = new Walk(0, Math.PI / 2, 0);
+
+        /** Refuses numbers that are NaN or out of range. */
+        public Walk {
+            Checks.size("stepHeight", stepHeight);
+            if (!(maxSlope >= 0 && maxSlope <= Math.PI / 2)) {
+                throw new IllegalArgumentException(
+                        "maxSlope must be from 0 to pi / 2, in radians (got: " + maxSlope + ")");
+            }
+            Checks.size("snap", snap);
+        }
+    }
+
+    /**
+     * Frees an object that touches or overlaps others: moves it, without turning it, by the smallest displacement found to a
+     * place where it touches nothing. Answered by a {@link WorldAnswer.Separated}, or if there is none by a {@link
+     * WorldAnswer.Changed} that is not done.
+     *
+     * @param objectName the name of a moveable object
+     * @param max        world units, at least 0: the longest displacement
+     */
+    record Separate(String objectName, double max) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, and a length that is NaN or out of range. */
+        public Separate {
+            Checks.present("objectName", objectName);
+            Checks.size("max", max);
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
         }
     }
 

@@ -53,6 +53,7 @@ final class JsonAnswers {
     private static final int WENT = 31 << 20;
     private static final int RGB = 25;
     private static final int OBSTACLES = 1 << 26;
+    private static final int DISPLACEMENT = 1 << 27;
     private static final int SLID =
             7 << 27 | 1 << 12 | 1 << 22; // displacement, left, contacts; length and turnFraction
     private static final int LISTED = 1 << 30;
@@ -119,6 +120,7 @@ final class JsonAnswers {
             case DONE + OBSTACLES, DONE + OBSTACLE + OBSTACLES -> in.make(() -> world.identified(world.changed()));
             case MADE + OBSTACLES, WENT + OBSTACLES, WENT + OBSTACLE + OBSTACLES ->
                 in.make(() -> world.identified(world.went()));
+            case DONE + DISPLACEMENT -> in.make(world::separated);
             case SLID -> in.make(world::slid);
             case LISTED, LISTED + NEXT -> in.make(world::listed);
             case ERROR -> new NoAnswer();
@@ -318,6 +320,13 @@ final class JsonAnswers {
 
         WorldAnswer listed() {
             return new WorldAnswer.Listed(listed, next);
+        }
+
+        WorldAnswer separated() {
+            if (!flag) {
+                throw new IllegalArgumentException("done must be true with a displacement (got: false)");
+            }
+            return new WorldAnswer.Separated(displacement);
         }
 
         WorldAnswer slid() {

@@ -158,6 +158,9 @@ final class JsonBatchOutput {
         if (sense.objects()) {
             out.writeBooleanField("objects", true);
         }
+        if (sense.rep117()) {
+            out.writeBooleanField("rep117", true);
+        }
         ScanMotion motion = sense.motion();
         if (!motion.equals(ScanMotion.NONE)) {
             out.writeObjectFieldStart("motion");

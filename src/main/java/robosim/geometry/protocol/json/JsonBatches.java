@@ -31,10 +31,12 @@ final class JsonBatches {
     private static final Fields REQUEST = Fields.of(
             "kind",
             "objectName mount pattern min max width seesCarrier normals poses edges objects motion samples mirrors"
-                    + " light center heading~ object overlapping x y z rx~ ry~ clearance bends identify first count");
+                    + " light center heading~ object overlapping x y z rx~ ry~ clearance bends identify first count"
+                    + " stepHeight maxSlope~ snap rep117");
     private static final JsonKinds REQUESTS = new JsonKinds(
             REQUEST,
-            new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion"},
+            new String[] {"sense", "pattern", "objectName mount min max width seesCarrier normals objects motion rep117"
+            },
             new String[] {"poses", "objectName poses", ""},
             new String[] {"edges", "objectName edges", ""},
             new String[] {"picture", "pattern", "objectName mount samples mirrors seesCarrier light"},
@@ -45,8 +47,9 @@ final class JsonBatches {
             new String[] {"remove", "objectName", ""},
             new String[] {"move", "objectName", "x y z rx ry identify"},
             new String[] {"moveToContact", "objectName", "x y z rx ry clearance"},
-            new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends"},
-            new String[] {"list", "", "first count"});
+            new String[] {"moveAndSlide", "objectName", "x y z rx ry clearance bends stepHeight maxSlope snap"},
+            new String[] {"list", "", "first count"},
+            new String[] {"separate", "objectName max", ""});
     private static final Fields MOTION = Fields.of("duration", "x y z ry~");
     private static final Fields LIGHT = Fields.of("zenith horizon ground strength", "sources");
     private static final Fields SOURCE = Fields.of("kind strength", "color direction place angle");
@@ -106,6 +109,7 @@ final class JsonBatches {
         private boolean seesCarrier;
         private boolean normals;
         private boolean objects;
+        private boolean rep117;
         private ScanMotion motion = ScanMotion.NONE;
         private Numbers places = Numbers.NONE;
         private Point center = new Point();
@@ -115,6 +119,7 @@ final class JsonBatches {
         private final double[] move = new double[6]; // and the clearance
         private int bends = WorldRequest.GoAndSlide.USUAL_BENDS;
         private boolean identify;
+        private final double[] walk = {0, Math.PI / 2, 0};
         private long first;
         private int count = WorldRequest.ListObjects.USUAL_LISTED;
         private int samples = 1;
@@ -128,6 +133,11 @@ final class JsonBatches {
             throw new IllegalArgumentException("pattern of a picture must be of kind \"pinhole\" (got: another)");
         }
 
+        private WorldRequest.@Nullable Walk walk() {
+            WorldRequest.Walk made = new WorldRequest.Walk(walk[0], walk[1], walk[2]);
+            return made.equals(WorldRequest.Walk.NONE) ? null : made;
+        }
+
         private BatchRequest make() {
             BatchRequest plain = plain();
             return identify ? new WorldRequest.Identify((WorldRequest) plain) : plain;
@@ -136,7 +146,8 @@ final class JsonBatches {
         private BatchRequest plain() {
             return switch (kind) {
                 case 0 ->
-                    new SenseRequest(name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion);
+                    new SenseRequest(
+                            name, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, rep117);
                 case 1 -> new FreePosesRequest(name, places);
                 case 2 -> new FreeEdgesRequest(name, places);
                 case 3 -> new PictureRequest(name, mount, camera(), samples, mirrors, seesCarrier, light);
@@ -148,8 +159,10 @@ final class JsonBatches {
                 case 9 -> new WorldRequest.Go(name, move[0], move[1], move[2], move[3], move[4]);
                 case 10 -> new WorldRequest.GoToContact(name, move[0], move[1], move[2], move[3], move[4], move[5]);
                 case 11 ->
-                    new WorldRequest.GoAndSlide(name, move[0], move[1], move[2], move[3], move[4], move[5], bends);
-                default -> new WorldRequest.ListObjects(first, count);
+                    new WorldRequest.GoAndSlide(
+                            name, move[0], move[1], move[2], move[3], move[4], move[5], bends, walk());
+                case 12 -> new WorldRequest.ListObjects(first, count);
+                default -> new WorldRequest.Separate(name, max);
             };
         }
     }
@@ -230,6 +243,8 @@ final class JsonBatches {
                 case BENDS + 1 -> draft.identify = in.flag();
                 case BENDS + 2 -> draft.first = in.whole(0, JsonInput.MAX_ID);
                 case BENDS + 3 -> draft.count = (int) in.whole(1, WorldRequest.ListObjects.MOST_LISTED);
+                case BENDS + 4, BENDS + 5, BENDS + 6 -> draft.walk[field - BENDS - 4] = in.number();
+                case BENDS + 7 -> draft.rep117 = in.flag();
                 default -> draft.move[field - OVERLAPPING - 1] = in.number();
             }
         }

@@ -12,6 +12,7 @@ import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
@@ -46,6 +47,17 @@ final class JsonStepOutput {
             }
             out.writeEndArray();
         }
+        SurfaceMixing mixing = step.mixing();
+        if (mixing != null) {
+            mixing(mixing);
+        }
+    }
+
+    private void mixing(SurfaceMixing mixing) throws IOException {
+        out.writeObjectFieldStart("mixing");
+        out.writeStringField("restitution", mixing.restitution().name());
+        out.writeStringField("friction", mixing.friction().name());
+        out.writeEndObject();
     }
 
     private void body(BodyRequest body) throws IOException {
@@ -71,6 +83,7 @@ final class JsonStepOutput {
             unless(NONE, "maxAcceleration", drive.maxAcceleration());
             unless(NONE, "maxTurn", drive.maxTurn());
             unless(NONE, "maxTurnAcceleration", drive.maxTurnAcceleration());
+            unless(0, "centreAhead", drive.centreAhead());
             out.writeEndObject();
         }
         Velocity velocity = body.velocity();

@@ -18,12 +18,14 @@ import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.StopAnswer;
+import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** Reads steps of bodies, and their answers, from JSON. */
 final class JsonSteps {
-    private static final Fields STEP = Fields.of("type seconds", "bodies commands");
+    private static final Fields STEP = Fields.of("type seconds", "bodies commands mixing");
+    private static final Fields MIXING = Fields.of("restitution friction", "");
     private static final Fields BODY = Fields.of(
             "objectName",
             "mass inertia restitution staticFriction slidingFriction damping turnDamping maxSpeed maxTurn~"
@@ -32,7 +34,8 @@ final class JsonSteps {
     private static final int FLOOR = BODY.indexOf("floorFriction");
     private static final int DRIVE = BODY.indexOf("drive");
     private static final Fields DRIVES =
-            Fields.of("kind", "base maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~");
+            Fields.of("kind", "base maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~ centreAhead");
+    private static final int CENTRE = DRIVES.indexOf("centreAhead");
     private static final Fields COMMAND = Fields.of("objectName", "forward right turn~");
     private static final Fields VELOCITY = Fields.of("x y z ry", "");
     private static final Fields ANSWER = Fields.of("type bodies contacts stopped refused", "stops");
@@ -50,17 +53,28 @@ final class JsonSteps {
         double[] seconds = new double[1];
         List<BodyRequest> bodies = new ArrayList<>();
         List<DriveCommand> commands = new ArrayList<>();
+        @Nullable SurfaceMixing[] mixing = new SurfaceMixing[1];
         var message = in.message(STEP);
         for (int field = message.next(); field >= 0; field = message.next()) {
             switch (field) {
                 case 0 -> in.text();
                 case 1 -> seconds[0] = in.number();
                 case 2 -> items(bodies, this::body);
-                default -> items(commands, this::command);
+                case 3 -> items(commands, this::command);
+                default -> mixing[0] = mixing();
             }
         }
         in.end();
-        return in.make(() -> new StepBundle(seconds[0], bodies, commands));
+        return in.make(() -> new StepBundle(seconds[0], bodies, commands, mixing[0]));
+    }
+
+    private SurfaceMixing mixing() throws IOException {
+        SurfaceMixing.Rule[] rules = new SurfaceMixing.Rule[MIXING.count()];
+        var members = in.object(MIXING);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            rules[field] = in.constant(SurfaceMixing.Rule.class);
+        }
+        return in.make(() -> new SurfaceMixing(rules[0], rules[1]));
     }
 
     private <T> void items(List<T> items, JsonLines.Reading<T> item) throws IOException {
@@ -106,7 +120,7 @@ final class JsonSteps {
     private DriveSettings drive() throws IOException {
         DriveSettings.Kind[] kind = {DriveSettings.Kind.DIFFERENTIAL};
         double[] numbers = new double[DRIVES.count()];
-        Arrays.fill(numbers, 2, numbers.length, Double.POSITIVE_INFINITY);
+        Arrays.fill(numbers, 2, CENTRE, Double.POSITIVE_INFINITY);
         var members = in.object(DRIVES);
         for (int field = members.next(); field >= 0; field = members.next()) {
             if (field == 0) {
@@ -115,7 +129,8 @@ final class JsonSteps {
                 numbers[field] = in.number();
             }
         }
-        return in.make(() -> new DriveSettings(kind[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]));
+        return in.make(() -> new DriveSettings(
+                kind[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[CENTRE]));
     }
 
     /** A kind in capitals, or in small letters as in a world file. */

@@ -52,6 +52,15 @@ final class JsonWorldOutput {
             numbers(move.x(), move.y(), move.z(), move.rx(), move.ry());
             out.writeNumberField("clearance", move.clearance());
             out.writeNumberField("bends", move.bends());
+            WorldRequest.Walk walk = move.walk();
+            if (walk != null) {
+                out.writeNumberField("stepHeight", walk.stepHeight());
+                out.writeNumberField("maxSlope", walk.maxSlope());
+                out.writeNumberField("snap", walk.snap());
+            }
+        } else if (request instanceof WorldRequest.Separate free) {
+            named("separate", free);
+            out.writeNumberField("max", free.max());
         } else {
             named(request instanceof WorldRequest.Locate ? "pose" : "remove", request);
         }
@@ -89,6 +98,9 @@ final class JsonWorldOutput {
             out.writeFieldName("rotation");
             out.writeArray(pose.rotation().values(), 0, pose.rotation().size());
             out.writeNumberField("heading", pose.heading());
+        } else if (answer instanceof WorldAnswer.Separated freed) {
+            out.writeBooleanField("done", true);
+            point("displacement", freed.displacement());
         } else if (answer instanceof WorldAnswer.Changed change) {
             out.writeBooleanField("done", change.done());
             obstacle(change.obstacle());

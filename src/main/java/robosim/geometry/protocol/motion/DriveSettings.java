@@ -16,9 +16,17 @@ import robosim.geometry.exact.Degrees;
  * @param maxTurn             <b>radians</b> a second, of a car the radians that its front wheels turn to each side, below pi/2;
  *                            infinite for no limit, which is pi/3 for a car. A differential drive has none but that of its rims
  * @param maxTurnAcceleration radians a second, each second; infinite for no limit. Of an omnidirectional drive alone
+ * @param centreAhead         metres from the rear axle of a car forward to the object's centre; negative where the centre is
+ *                            behind it. 0 for other kinds
  */
 public record DriveSettings(
-        Kind kind, double base, double maxSpeed, double maxAcceleration, double maxTurn, double maxTurnAcceleration)
+        Kind kind,
+        double base,
+        double maxSpeed,
+        double maxAcceleration,
+        double maxTurn,
+        double maxTurnAcceleration,
+        double centreAhead)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -32,7 +40,10 @@ public record DriveSettings(
         DIFFERENTIAL,
         /** Speeds forward and to the right, and a turn. */
         OMNIDIRECTIONAL,
-        /** A car: a speed, and an angle of the front wheels. It turns about its rear axle, which is at the object's centre. */
+        /**
+         * A car: a speed, and an angle of the front wheels. It turns about its rear axle, which is at the object's centre
+         * unless {@code centreAhead} is given.
+         */
         ACKERMANN,
         /** Has the velocity that it is given at once. */
         VELOCITY,
@@ -54,7 +65,7 @@ public record DriveSettings(
             return switch (this) {
                 case DIFFERENTIAL -> "base, maxSpeed and maxAcceleration";
                 case OMNIDIRECTIONAL -> "maxSpeed, maxAcceleration, maxTurn and maxTurnAcceleration";
-                case ACKERMANN -> "base, maxSpeed, maxAcceleration and maxTurn";
+                case ACKERMANN -> "base, maxSpeed, maxAcceleration, maxTurn and centreAhead";
                 case VELOCITY, FORCE -> "none of these numbers";
             };
         }
@@ -68,10 +79,12 @@ public record DriveSettings(
         maxAcceleration = Amounts.limit("maxAcceleration", maxAcceleration);
         maxTurn = Amounts.limit("maxTurn", maxTurn);
         maxTurnAcceleration = Amounts.limit("maxTurnAcceleration", maxTurnAcceleration);
+        centreAhead = Amounts.finite("centreAhead", centreAhead);
         boolean isCar = kind == Kind.ACKERMANN;
         boolean isWheeled = isCar || kind == Kind.DIFFERENTIAL;
         boolean isFree = kind == Kind.VELOCITY || kind == Kind.FORCE;
         refuse(!isWheeled && base != 0, kind, "base", base);
+        refuse(!isCar && centreAhead != 0, kind, "centreAhead", centreAhead);
         refuse(isFree && maxSpeed < Double.POSITIVE_INFINITY, kind, "maxSpeed", maxSpeed);
         refuse(isFree && maxAcceleration < Double.POSITIVE_INFINITY, kind, "maxAcceleration", maxAcceleration);
         refuse((isFree || kind == Kind.DIFFERENTIAL) && maxTurn < Double.POSITIVE_INFINITY, kind, "maxTurn", maxTurn);
@@ -83,6 +96,22 @@ public record DriveSettings(
         if (isCar && maxTurn < Double.POSITIVE_INFINITY && maxTurn >= Math.PI / 2) {
             throw new IllegalArgumentException("maxTurn of a car must be below pi/2 (got: " + maxTurn + ")");
         }
+    }
+
+    /** A drive whose object's centre is on the rear axle, if it is a car. */
+    public DriveSettings(
+            Kind kind,
+            double base,
+            double maxSpeed,
+            double maxAcceleration,
+            double maxTurn,
+            double maxTurnAcceleration) {
+        this(kind, base, maxSpeed, maxAcceleration, maxTurn, maxTurnAcceleration, 0);
+    }
+
+    /** This car with the object's centre so many metres ahead of its rear axle. */
+    public DriveSettings withCentreAhead(double metres) {
+        return new DriveSettings(kind, base, maxSpeed, maxAcceleration, maxTurn, maxTurnAcceleration, metres);
     }
 
     private static void refuse(boolean wrong, Kind kind, String argument, double value) {

@@ -189,6 +189,12 @@ class BatchValuesTest {
         refuses("objectName", () -> new WorldRequest.GoToContact(null, 0, 0, 0, 0, 0, 0));
         refuses("clearance ", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, v, 1), Double.NaN, -1, 1e300);
         refuses("ry ", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, v, 0, 1), NO_ANGLES);
+        refuses("stepHeight ", v -> new WorldRequest.Walk(v, 1, 0), Double.NaN, -1, 1e300);
+        refuses("maxSlope must be from 0 to pi / 2", v -> new WorldRequest.Walk(0, v, 0), Double.NaN, -0.1, 1.6, 45);
+        refuses("max ", v -> new WorldRequest.Separate("r", v), Double.NaN, -1, 1e300, Double.POSITIVE_INFINITY);
+        refuses("objectName", () -> new WorldRequest.Separate(null, 1));
+        refuses("displacement", () -> new WorldAnswer.Separated(null));
+        refuses("snap ", v -> new WorldRequest.Walk(0, 1, v), Double.NaN, -1, 1e300);
         refuses("bends must be from 0 to 64", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, 0, (int) v), -1, 65);
         WorldRequest.Go go = new WorldRequest.Go("r", 1, 0, 0, 0, 0);
         refuses(

@@ -139,11 +139,18 @@ class JsonBatchesTest {
     void whatIsLeftOutHasItsDefault() throws ProtocolException {
         assertThat(JsonLines.readRequest(batch("{\"kind\":\"moveToContact\",\"objectName\":\"r\"},"
                         + "{\"objectName\":\"r\",\"z\":2,\"kind\":\"moveAndSlide\"},"
+                        + "{\"objectName\":\"r\",\"kind\":\"moveAndSlide\",\"maxSlopeRadians\":0.5},"
+                        + "{\"objectName\":\"r\",\"kind\":\"moveAndSlide\",\"stepHeight\":0.25,\"snap\":1},"
+                        + "{\"max\":2,\"objectName\":\"r\",\"kind\":\"separate\"},"
                         + "{\"identify\":false,\"kind\":\"move\",\"objectName\":\"r\"},"
                         + "{\"kind\":\"sense\",\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":4}}")))
                 .isEqualTo(new BatchRequestBundle(List.of(
                         new WorldRequest.GoToContact("r", 0, 0, 0, 0, 0, 0),
                         new WorldRequest.GoAndSlide("r", 0, 0, 2, 0, 0, 0, 4),
+                        new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0, 0.5, 0)),
+                        new WorldRequest.GoAndSlide(
+                                "r", 0, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0.25, Math.PI / 2, 1)),
+                        new WorldRequest.Separate("r", 2),
                         new WorldRequest.Go("r", 0, 0, 0, 0, 0),
                         new SenseRequest("", new BeamPattern.Fan(0, 1, 4)))));
         BeamPattern pattern = new BeamPattern.Fan(0, 1, 4);
@@ -201,7 +208,7 @@ class JsonBatchesTest {
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
                         "must be sense, poses, edges, picture, world, pose, place, add, remove, move, moveToContact,"
-                                + " moveAndSlide or list (got: \"x\")"),
+                                + " moveAndSlide, list or separate (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),
@@ -213,6 +220,25 @@ class JsonBatchesTest {
                 Arguments.of(
                         fan(",\"mount\":{\"place\":[0,0,0],\"rotation\":[1,0,0,0,1,0,0,0,2]}"),
                         "rotation must be 9 numbers"),
+                Arguments.of(
+                        batch("{\"kind\":\"separate\",\"objectName\":\"r\"}"),
+                        "of kind \"separate\" it must have the field \"max\""),
+                Arguments.of(
+                        batch("{\"kind\":\"separate\",\"objectName\":\"r\",\"max\":null}"),
+                        "max must be a number from 0 to 2^100 (got: Infinity)"),
+                Arguments.of(
+                        batch("{\"kind\":\"pose\",\"objectName\":\"r\",\"rep117\":true}"),
+                        "of kind \"pose\" it must not have the field \"rep117\""),
+                Arguments.of(fan(",\"rep117\":1"), "must be true or false"),
+                Arguments.of(
+                        "{\"type\":\"step\",\"seconds\":1,\"mixing\":{\"restitution\":\"MEAN\"}}",
+                        "must have the field \"friction\""),
+                Arguments.of(
+                        "{\"type\":\"step\",\"seconds\":1,\"mixing\":{\"restitution\":\"MEAN\",\"friction\":\"MOST\"}}",
+                        "GEOMETRIC_MEAN"),
+                Arguments.of(
+                        "{\"type\":\"answers\",\"answers\":[{\"done\":false,\"displacement\":[0,0,0]}]}",
+                        "done must be true with a displacement (got: false)"),
                 Arguments.of(pattern("\"kind\":\"cube\""), "must be fan, layers, pinhole or directions"),
                 Arguments.of(pattern("\"kind\":\"fan\",\"first\":0,\"step\":1"), "it must have the field \"count\""),
                 Arguments.of(

@@ -156,6 +156,10 @@ class JsonSchemaTest {
         }
         lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
         lines.add(JsonLines.write(BatchSamples.listed().get(0)));
+        lines.add(JsonLines.write(BatchSamples.walks()));
+        lines.add(JsonLines.write(BatchSamples.rules().get(0)));
+        lines.add(JsonLines.write(BatchSamples.rules().get(2)));
+        lines.add(JsonLines.write(StepSamples.later().get(0)));
         lines.add(JsonLines.write(
                 new InitBundle.Answered((InitBundle) BatchSamples.world().get(3))));
         lines.add("{\"type\":\"init\",\"answer\":true,\"objects\":[{\"kind\":\"box\",\"center\":[0,0,0],\"width\":1,"
@@ -186,6 +190,8 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(StepSamples.landing())),
+                JsonLines.write(new Reply(BatchSamples.rules().get(1))),
+                JsonLines.write(new Reply(StepSamples.later().get(1))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
                         new DistanceBundle(List.of(0.0, 1.5, Double.POSITIVE_INFINITY, Double.NaN)),

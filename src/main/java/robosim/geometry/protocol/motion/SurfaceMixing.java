@@ -1,0 +1,36 @@
+package robosim.geometry.protocol.motion;
+
+import java.io.Serial;
+import java.io.Serializable;
+import robosim.geometry.exact.Checks;
+
+/**
+ * How the surfaces of two objects make that of their contact, for all contacts of a world.
+ *
+ * @param restitution of the two numbers of restitution
+ * @param friction    of the two numbers of static friction, and of those of sliding friction
+ */
+public record SurfaceMixing(Rule restitution, Rule friction) implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** What two numbers make. */
+    public enum Rule {
+        /** The square root of the product, for both unless a step sets another rule. */
+        GEOMETRIC_MEAN,
+        /** The arithmetic mean. */
+        MEAN,
+        /** The larger one, as dyn4j and Box2D have it for restitution. */
+        LARGER,
+        /** The smaller one, as ODE, and so Gazebo, have it for friction. */
+        SMALLER,
+        /** The product, as Bullet has it for both. */
+        PRODUCT
+    }
+
+    /** Refuses null. */
+    public SurfaceMixing {
+        Checks.present("restitution", restitution);
+        Checks.present("friction", friction);
+    }
+}
