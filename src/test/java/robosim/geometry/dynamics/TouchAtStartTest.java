@@ -2,6 +2,7 @@ package robosim.geometry.dynamics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -99,5 +100,67 @@ class TouchAtStartTest {
         dynamics.setSpatialVelocity("crate", new SpatialVelocity(1, 0, 0, 0, 0, 0));
         assertThat(run(dynamics, 10).stopped()).isEmpty();
         assertThat(world.getObject("crate").center().x()).isGreaterThan(1.05);
+    }
+
+    /** A shape packed in exact contact; where one is, in the middle of a layer. */
+    private record Packed(GeometryObject shape, double size, boolean isHexagonal, double turned) {
+        GeometryObject at(int i, int j) {
+            double x = size * (i + (isHexagonal ? 0.5 * (j % 2) : 0));
+            double z = size * j * (isHexagonal ? Math.sqrt(0.75) : 1);
+            double cos = Math.cos(Math.toRadians(turned));
+            double sin = Math.sin(Math.toRadians(turned));
+            return shape.movedTo(new Point(x * cos + z * sin, shape.center().y(), z * cos - x * sin));
+        }
+    }
+
+    private static final Point LOW = new Point(0, 0.5, 0);
+
+    static List<Packed> packs() {
+        List<Packed> all = new ArrayList<>();
+        for (boolean isHexagonal : new boolean[] {false, true}) {
+            for (double r : new double[] {0.5, 0.3}) {
+                all.add(new Packed(new SphereObject(new Point(0, r, 0), r), 2 * r, isHexagonal, 0));
+                all.add(new Packed(new SphereObject(new Point(0, r, 0), r), 2 * r, isHexagonal, 20));
+            }
+            all.add(new Packed(new CylinderObject(LOW, 0.5, 1), 1, isHexagonal, 0));
+            all.add(new Packed(new CapsuleObject(new Point(0, 1, 0), 0.5, 1), 1, isHexagonal, 10));
+        }
+        all.add(new Packed(new CylinderObject(LOW, 0.5, 1).turned(90, 0), 1, false, 0));
+        all.add(new Packed(new BoxObject(LOW, 1, 1, 1), 1, false, 0));
+        all.add(new Packed(new BoxObject(LOW, 1, 1, 1).turned(0, 30), 1, false, 30));
+        all.add(new Packed(new BoxObject(new Point(0, 0.05, 0), 1, 0.1, 1), 1, false, 0));
+        return all;
+    }
+
+    /** In a corner, too, nobody has to make room by more than a few gaps: that is no reason to stop anybody. */
+    @ParameterizedTest
+    @MethodSource("packs")
+    void whatIsPackedInExactContactIsAtRest(Packed pack) {
+        int[] sizes = pack.shape instanceof SphereObject ? new int[] {3, 4, 8} : new int[] {4};
+        for (int columns : sizes) {
+            Geometry world = floor();
+            if (columns == 3 && pack.turned == 0) { // in a corner
+                double side = -pack.size / 2 - 0.5;
+                world.addObjectUnchecked(new BoxObject(new Point(side, 1, 0), 1, 1.9, 8));
+                world.addObjectUnchecked(new BoxObject(new Point(1, 1, side), 8, 1.9, 1));
+            }
+            Dynamics dynamics = new Dynamics(world, new Surface(0.2, 0.5, 0.4));
+            for (int k = 0; k < 4 * columns; k++) {
+                GeometryObject body = pack.at(k / 4, k % 4).moveable("b" + k);
+                assertThat(world.addObjectUnchecked(body)).isTrue();
+                dynamics.add("b" + k, Body.ofMass(body, 2));
+            }
+            for (int step = 0; step < 2; step++) {
+                assertThat(dynamics.step(0.001).stops())
+                        .as("%d columns", columns)
+                        .isEmpty();
+            }
+            for (int k = 0; k < 4 * columns; k++) {
+                Point was = pack.at(k / 4, k % 4).center();
+                Point is = world.getObject("b" + k).center();
+                double moved = Math.max(Math.abs(is.y() - was.y()), Math.hypot(is.x() - was.x(), is.z() - was.z()));
+                assertThat(moved).isLessThan(1e-6);
+            }
+        }
     }
 }

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics.space;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -91,6 +92,33 @@ final class ContactDetection {
             }
         }
         return -1;
+    }
+
+    /** How far a body is at least from all that is near it; 0 if no direction separates it from something. */
+    double apart(RigidBody body) {
+        near.find(body, 0, 0, 0, body.reach + TOUCH);
+        near.leaf(body, body.place, leaf);
+        double least = TOUCH;
+        for (int k = 0; k < near.count && least > 0; k++) {
+            boolean isApart = meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE);
+            least = isApart ? Math.min(least, meeting.apart) : 0;
+        }
+        return least;
+    }
+
+    /** Adds the bodies that are nearer to a body than a distance. */
+    void neighbours(RigidBody body, double within, BitSet out) {
+        near.find(body, 0, 0, 0, body.reach + TOUCH);
+        near.leaf(body, body.place, leaf);
+        for (int k = 0; k < near.count; k++) {
+            int other = bodyOf(near.object[k]);
+            boolean isNear = other >= 0
+                    && !(meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE)
+                            && meeting.apart > within);
+            if (isNear) {
+                out.set(other);
+            }
+        }
     }
 
     /**

@@ -8,7 +8,6 @@ import robosim.geometry.dynamics.step.Surfaces;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.motion.Placer;
 import robosim.geometry.engine.objects.ObjectTable;
-import robosim.geometry.model.Pose;
 
 /**
  * Moves rigid bodies in space by slices of time: impulses where they touch, then gravity against what holds them, and then
@@ -23,14 +22,7 @@ public final class SpatialStepper {
     /** Most parts of a slice; in the last of them bodies meet where the one that is carried first finds the other. */
     private static final int MOST_PARTS = 16;
 
-    /** How far a body goes from what it was put in contact with. */
-    private static final double APART = 1.5 * TurningSweep.GAP;
-
-    /** Ways to go where up is not enough. */
-    private static final double[] SIDES = {1, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1, 0, 0, -1, 0};
-
     private final Placer placer;
-    private final double[] behind = new double[Pose.PLACE];
     private final double[] gravity;
     private final List<RigidBody> bodies = new ArrayList<>();
     private final EnergyBudget budget;
@@ -41,6 +33,7 @@ public final class SpatialStepper {
     private final ContactDetection detection;
     private final Integrator carriage;
     private final TimeOfImpact impact;
+    private final Loosening loosening;
     private final double[] known = new double[ObjectTable.PLACE];
     private int[] order = new int[0];
     private Runnable betweenParts = () -> {};
@@ -76,6 +69,7 @@ public final class SpatialStepper {
         impulses = new SequentialImpulses(bodies, traction);
         detection = new ContactDetection(bodies, budget, near, contacts);
         impact = new TimeOfImpact(bodies, near);
+        loosening = new Loosening(bodies, placer, way, detection, this.gravity);
         carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, this::tell);
     }
 
@@ -215,30 +209,7 @@ public final class SpatialStepper {
         }
         if (isNew) {
             bodies.forEach(RigidBody::wake);
-            bodies.forEach(this::loosen);
-        }
-    }
-
-    /**
-     * Parts a body from what others have put it in contact with, by as much as bodies rest apart: no direction separates what
-     * touches, so it could never be carried. The border of the world counts too, although it may be touched.
-     */
-    private void loosen(RigidBody body) {
-        double g = RigidBody.length(gravity, 0);
-        loosen(body, g > 0 ? -gravity[0] / g : 0, g > 0 ? -gravity[1] / g : 1, g > 0 ? -gravity[2] / g : 0);
-        for (int side = 0; side < SIDES.length; side += 3) {
-            loosen(body, SIDES[side], SIDES[side + 1], SIDES[side + 2]);
-        }
-    }
-
-    /** Moves a body along a direction if it touches anything, or hardly more than touches what is behind it. */
-    private void loosen(RigidBody body, double x, double y, double z) {
-        System.arraycopy(body.place, 0, behind, 0, Pose.PLACE);
-        behind[0] -= TurningSweep.GAP / 2 * x;
-        behind[1] -= TurningSweep.GAP / 2 * y;
-        behind[2] -= TurningSweep.GAP / 2 * z;
-        if (!placer.isFree(body.id, body.place) || !placer.isFree(body.id, behind)) {
-            way.lift(body, APART * x, APART * y, APART * z);
+            loosening.loosen();
         }
     }
 
