@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -21,6 +22,7 @@ import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 
 /** Robots that move and turn for a long time come to where exact arithmetic says, and no worse in the end than early. */
+@Tag("slow")
 class LongRunTest {
     /** How many moves or turns; ten and a hundred times as many under the profile for stress. */
     private static final int STEPS = 100_000;

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -31,6 +32,7 @@ import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
 
 /** Calls end at their limit of work, always at the same one, and leave the world and its later answers as they were. */
+@Tag("slow")
 class WorkLimitTest {
     private static final Move UP = new Move(0, 1e-5, 0, 0, 0);
 

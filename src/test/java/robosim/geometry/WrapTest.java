@@ -7,6 +7,7 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -23,6 +24,7 @@ import robosim.geometry.model.Ray;
 import robosim.geometry.model.SphereObject;
 
 /** Where angles wrap, where they are huge, and that no answer is ever NaN. */
+@Tag("slow")
 class WrapTest {
     private static final double NONE = Double.POSITIVE_INFINITY;
 

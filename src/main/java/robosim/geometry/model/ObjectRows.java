@@ -98,7 +98,7 @@ public record ObjectRows(
             kinds[k] = size(object, sizes, SIZES * k);
             if (kinds[k] == OTHER) {
                 shapeOf[k] = seen.computeIfAbsent(shape(object), s -> {
-                    shapes.add(with(object, Tag.NONE, Pose.ORIGIN));
+                    shapes.add(with(object, PlacedObject.Tag.NONE, Pose.ORIGIN));
                     return shapes.size() - 1;
                 });
             }
@@ -150,7 +150,7 @@ public record ObjectRows(
         };
     }
 
-    private static GeometryObject with(GeometryObject object, Tag tag, Pose pose) {
+    private static GeometryObject with(GeometryObject object, PlacedObject.Tag tag, Pose pose) {
         return switch (object.kind()) {
             case BOX -> ((BoxObject) object).with(tag, pose);
             case CYLINDER -> ((CylinderObject) object).with(tag, pose);
@@ -178,7 +178,8 @@ public record ObjectRows(
         Checks.present("shapes", shapes);
         List<GeometryObject> objects = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
-            objects.add(object(k, new Tag(names[k], moveable[k], material(k)), Pose.checked(places, Pose.PLACE * k)));
+            objects.add(object(
+                    k, new PlacedObject.Tag(names[k], moveable[k], material(k)), Pose.checked(places, Pose.PLACE * k)));
         }
         return objects;
     }
@@ -194,7 +195,7 @@ public record ObjectRows(
         }
     }
 
-    private GeometryObject object(int k, Tag tag, Pose pose) {
+    private GeometryObject object(int k, PlacedObject.Tag tag, Pose pose) {
         int at = SIZES * k;
         return switch (kinds[k]) {
             case BOX -> new BoxObject(tag, pose, sizes[at], sizes[at + 1], sizes[at + 2]);

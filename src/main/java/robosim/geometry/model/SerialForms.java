@@ -74,8 +74,8 @@ public final class SerialForms {
                     pose.lostHeading());
         }
 
-        Tag tag() {
-            return new Tag(name, moveable);
+        PlacedObject.Tag tag() {
+            return new PlacedObject.Tag(name, moveable);
         }
 
         Pose pose() {

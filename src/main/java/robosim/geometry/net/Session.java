@@ -22,7 +22,6 @@ import robosim.geometry.net.session.LogBudget;
 import robosim.geometry.net.session.Motion;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
-import robosim.geometry.net.session.World;
 import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
@@ -38,6 +37,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
@@ -74,7 +74,6 @@ public final class Session {
 
     private final SessionOptions options;
     private final SessionListener listener;
-    private final World.Maker maker;
     private final WarningLog complaints;
     private final AngleCheck angles;
 
@@ -87,7 +86,7 @@ public final class Session {
     /** What limits a request; null for nothing. */
     private @Nullable WorkLimit limit;
 
-    private @Nullable World world;
+    private @Nullable Geometry world;
 
     /** The bodies of the world; null before the first step. */
     private @Nullable Motion motion;
@@ -110,7 +109,7 @@ public final class Session {
      * @param name the beginning of its log lines
      */
     public Session(SessionOptions options, SessionListener listener, String name) {
-        this(options, listener, name, LOG, World::of);
+        this(options, listener, name, LOG);
     }
 
     /**
@@ -119,7 +118,11 @@ public final class Session {
      * @param log takes the session's warnings
      */
     public Session(SessionOptions options, SessionListener listener, String name, System.Logger log) {
-        this(options, listener, name, log, World::of);
+        this.options = Checks.present("options", options);
+        this.listener = Checks.present("listener", listener);
+        this.complaints = new WarningLog(Checks.present("log", log), Checks.present("name", name));
+        this.angles = new AngleCheck(complaints);
+        listener.opened(this);
     }
 
     /**
@@ -129,8 +132,8 @@ public final class Session {
      * @param log   takes the session's warnings
      */
     public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
-        this(options, listener, name, log, World::of);
-        this.world = World.over(Checks.present("world", world));
+        this(options, listener, name, log);
+        this.world = Checks.present("world", world);
         List<GeometryObject> objects = world.objects();
         about.beginWith(objects);
         for (GeometryObject object : objects) {
@@ -139,20 +142,6 @@ public final class Session {
                 moveable.add(mover);
             }
         }
-    }
-
-    Session(SessionOptions options, SessionListener listener, String name, World.Maker maker) {
-        this(options, listener, name, LOG, maker);
-    }
-
-    private Session(
-            SessionOptions options, SessionListener listener, String name, System.Logger log, World.Maker maker) {
-        this.options = Checks.present("options", options);
-        this.listener = Checks.present("listener", listener);
-        this.complaints = new WarningLog(Checks.present("log", log), Checks.present("name", name));
-        this.angles = new AngleCheck(complaints);
-        this.maker = maker;
-        listener.opened(this);
     }
 
     /**
@@ -182,10 +171,9 @@ public final class Session {
         return this;
     }
 
-    private void limitWorld(@Nullable World of) {
-        Geometry geometry = of == null ? null : of.geometry();
-        if (geometry != null && limit != null) {
-            geometry.limitWork(limit);
+    private void limitWorld(@Nullable Geometry of) {
+        if (of != null && limit != null) {
+            of.limitWork(limit);
         }
     }
 
@@ -243,7 +231,7 @@ public final class Session {
      * thread only, and changes to it affect the session.
      */
     public @Nullable Geometry world() {
-        return world == null ? null : world.geometry();
+        return world;
     }
 
     private @Nullable Reply carryOut(Bundle request) {
@@ -265,14 +253,13 @@ public final class Session {
     private void replaceWorld(InitBundle init) {
         complaints.forget();
         angles.forget();
-        World made;
-        try {
-            made = maker.make(Extent.settings(init, options.dimension(), options.accuracy()));
-        } catch (IllegalArgumentException e) {
-            complaints.warn("this world cannot be made, the previous one stays: " + Reasons.of(e));
-            about.failed(Reasons.of(e));
-            return;
-        }
+        WorldSettings settings = Extent.settings(init, options.dimension(), options.accuracy());
+        Geometry made = new Geometry(
+                settings.width(),
+                settings.height(),
+                settings.length(),
+                Checks.present("dimension", settings.dimension()),
+                Checks.present("accuracy", settings.accuracy()));
         limitWorld(made);
         WorldRequests aboutMade = new WorldRequests();
         aboutMade.begin(init.objects());
@@ -292,8 +279,8 @@ public final class Session {
         motion = null;
     }
 
-    private boolean add(World made, WorldRequests aboutMade, GeometryObject object, int index, Set<String> names) {
-        String reason = made.refusal(object, names);
+    private boolean add(Geometry made, WorldRequests aboutMade, GeometryObject object, int index, Set<String> names) {
+        String reason = refusal(made, object, names);
         String name = object.name();
         if (reason != null) {
             String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
@@ -306,6 +293,15 @@ public final class Session {
             names.add(name);
         }
         return true;
+    }
+
+    /** Adds an object, or returns why it was not added. */
+    private static @Nullable String refusal(Geometry made, GeometryObject object, Set<String> earlier) {
+        String name = object.name();
+        if (name != null && earlier.contains(name)) {
+            return "an earlier object has its name";
+        }
+        return made.addObjectUnchecked(object) ? null : "it would leave the world";
     }
 
     private Reply move(MoveBundle bundle) {
@@ -360,7 +356,8 @@ public final class Session {
         }
         Beam beam = request.beam() == null ? options.beam() : request.beam();
         try {
-            return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), degrees(beam));
+            return world.getSonarDistance(
+                    name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), degrees(beam));
         } catch (IllegalArgumentException e) {
             problems.add(logged(index, "a distance of object " + Text.quoted(name) + " is NaN", Reasons.of(e)));
             return Double.NaN;
@@ -401,9 +398,8 @@ public final class Session {
             return new NoAnswer();
         }
         try {
-            Geometry geometry = world.geometry();
-            return request instanceof WorldRequest asked && geometry != null
-                    ? about.answer(geometry, asked, moveable, this::tried)
+            return request instanceof WorldRequest asked
+                    ? about.answer(world, asked, moveable, this::tried)
                     : batches.answer(world, request, breath);
         } catch (IllegalArgumentException e) {
             problems.add(logged(index, "a batch of object " + Text.quoted(name) + " has no answer", Reasons.of(e)));
@@ -432,7 +428,7 @@ public final class Session {
             if (stopping != moving && !answer.stops().isEmpty()) {
                 stopping = moving; // a crowd may stop in every step, so only the first is logged
                 complaints.warn(
-                        answer.stops().get(0).words() + " was stopped in a step; others in this world are not logged");
+                        Text.of(answer.stops().get(0)) + " was stopped in a step; others in this world are not logged");
             }
             return new Reply(answer, problems);
         } catch (IllegalArgumentException e) {

@@ -9,6 +9,7 @@ import robosim.geometry.exact.NearNames;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.protocol.motion.StopAnswer;
 
 /** Makes text from a peer, and the names of objects, safe for a line of a log. */
 public final class Text {
@@ -19,6 +20,12 @@ public final class Text {
     private static final int FEW = 8;
 
     private Text() {}
+
+    /** A body that was stopped, and why: {@code "crate" (BLOCKED by "wall")}. */
+    public static String of(StopAnswer stop) {
+        String by = stop.other() == null ? "" : " by " + quoted(stop.other());
+        return quoted(stop.objectName()) + " (" + stop.reason() + by + ")";
+    }
 
     /** A name in quotes, on one line, shortened if necessary. */
     public static String quoted(String name) {

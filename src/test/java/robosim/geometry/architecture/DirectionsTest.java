@@ -26,12 +26,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
  * An import points down only: who may know whom, as the one table of {@code CONTRIBUTING.md}, each room above those that it
  * knows; and how large rooms and circles of classes may be.
  */
+@Tag("slow")
 class DirectionsTest {
     private static final String ROOT = "robosim.geometry";
     private static final Path SOURCES = Path.of("src/main/java");

@@ -9,9 +9,11 @@ import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** What may differ between JVMs is left to {@link StrictMath} wherever an answer comes from. */
+@Tag("slow")
 class SameBitsTest {
     /** The methods of {@link Math} whose results the specification does not fix to the bit, or did not always. */
     private static final Set<String> LOOSE = Set.of(

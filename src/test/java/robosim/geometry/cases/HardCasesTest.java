@@ -8,11 +8,13 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicNode;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import robosim.geometry.cases.HardCase.Question;
 
 /** Every hard case as a test of its own. */
+@Tag("slow")
 class HardCasesTest {
     private static final List<HardCase> CASES = CaseReader.all();
 

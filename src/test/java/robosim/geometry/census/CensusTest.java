@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 
@@ -19,6 +20,7 @@ import robosim.geometry.Effort;
  * <p>The table comes to {@code target/census/regimes.md}; the published one is of {@code census.cases} of 10,000. That is how
  * many plain and how many adversarial cases a kernel is asked, {@code census.seed} where they start, {@code census.kernels} a regular expression of names.
  */
+@Tag("slow")
 class CensusTest {
     private static final long CASES = Long.getLong("census.cases", Math.max(400, Effort.cases(800)));
 

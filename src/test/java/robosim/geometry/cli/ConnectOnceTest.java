@@ -15,12 +15,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
 
 /** What {@code connect --once} tells by its exit code. */
+@Tag("clock")
 @Timeout(60)
 class ConnectOnceTest {
     private static final String HELLO = "{\"type\":\"hello\",\"version\":1}\n";

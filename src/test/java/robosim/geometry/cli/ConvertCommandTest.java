@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
 
+@Tag("clock")
 @Timeout(60)
 class ConvertCommandTest extends CommandRun {
     private static final Path FILES = Path.of("src/test/resources/robosim/geometry/world");

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Properties;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
@@ -27,6 +28,7 @@ import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.motion.BodyAnswer;
 
 /** The main job on a small world, as two processes over TCP: environment, module, audit, picture, summary. */
+@Tag("slow")
 class DemoTest {
     private static final String WORLD = """
         <world xmlns="urn:robosim:world:1" width="8" height="3" length="6" unit="m" dimension="PLANAR">

@@ -13,6 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +27,7 @@ import robosim.geometry.model.Ray;
 import robosim.geometry.world.WorldReader;
 
 /** The programs of examples/, each started by the one command that its header names. */
+@Tag("clock")
 @Timeout(120)
 class ExampleProgramsTest {
     /** What a program printed, and its exit code at the end. */

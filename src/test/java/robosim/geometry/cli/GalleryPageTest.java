@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import robosim.geometry.image.PngReader;
 
 /** The pictures of the gallery are what the commands beside them make. */
+@Tag("slow")
 class GalleryPageTest {
     private static final Path PAGE = Path.of("docs", "gallery.md");
     private static final Path PICTURES = Path.of("docs", "images", "gallery");

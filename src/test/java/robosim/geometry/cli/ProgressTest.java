@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import robosim.geometry.cli.terminal.Progress;
 
+@Tag("clock")
 class ProgressTest {
     private final StringWriter err = new StringWriter();
 

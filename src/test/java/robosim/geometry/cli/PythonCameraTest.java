@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,6 +22,7 @@ import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
 
 /** examples/camera.py, a process of its own, against the module in this one. */
+@Tag("clock")
 @Timeout(120)
 class PythonCameraTest {
     private static final int PIXELS = 64 * 48;

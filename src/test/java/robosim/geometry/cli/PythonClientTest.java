@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +19,7 @@ import robosim.geometry.net.NetOptions;
 import robosim.geometry.scenario.drive.WorldLoading;
 
 /** examples/robosim.py and the code of docs/guide-python.md, in processes of their own, against the module in this one. */
+@Tag("clock")
 @Timeout(120)
 class PythonClientTest {
     private static final Path TESTS = Path.of("src", "test", "resources", "robosim", "geometry", "cli", "client.py");

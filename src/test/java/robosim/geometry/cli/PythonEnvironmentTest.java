@@ -21,6 +21,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,6 +38,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.scenario.drive.WorldLoading;
 
 /** examples/environment.py, a process of its own, against the module in this one. */
+@Tag("clock")
 @Timeout(120)
 class PythonEnvironmentTest {
     private static final Pattern SUMMARY =

@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,6 +36,7 @@ import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Step;
 
 /** {@code serve} and {@code connect}: who is let in, what is printed, how they end. */
+@Tag("clock")
 class ServeCommandTest {
     private static final String WORD = "correct horse battery staple";
 

@@ -8,6 +8,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.protocol.StepBundle;
@@ -15,6 +16,7 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.scenario.Scenario;
 
 /** The command that drives robots, and what repeats it, in a world in which heights count. */
+@Tag("slow")
 class SpatialDriveCommandTest {
     private static final String WORLD = "worlds/ramp.xml";
 

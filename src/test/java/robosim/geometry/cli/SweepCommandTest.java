@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -21,6 +22,7 @@ import robosim.geometry.sweep.Result;
 import robosim.geometry.sweep.SweepScenario;
 import robosim.geometry.sweep.Wander;
 
+@Tag("clock")
 @Timeout(60)
 class SweepCommandTest extends CommandRun {
     private static final String SCENARIO = "worlds/scenarios/wandering.scenario.jsonl";

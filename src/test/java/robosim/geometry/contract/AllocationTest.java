@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Allocated;
@@ -28,6 +29,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 
 /** What a robot asks in each step of a simulation leaves nothing for the garbage collector, on any JDK. */
+@Tag("slow")
 class AllocationTest {
     private static final int CALLS = 4000;
     private static final double SIDE = 200;

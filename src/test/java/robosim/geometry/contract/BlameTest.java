@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Geometry;
@@ -23,6 +24,7 @@ import robosim.geometry.model.Point;
  * The obstacles are alike and stand in one place, so that they are met together whatever is rounded, also by a move that
  * ends within a few last bits of contact, where only the place at its end tells.
  */
+@Tag("slow")
 class BlameTest {
     private static final String MOVER = "mover";
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
@@ -19,6 +20,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** A coarser level never allows what the exact one refuses: things that stand apart, and then turn or tip. */
+@Tag("slow")
 class CoarseMovesTest {
     private static final Dimension[] DIMENSIONS = Dimension.values();
 

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
@@ -28,6 +29,7 @@ import robosim.geometry.model.SphereObject;
  * <p>The system properties {@code stress.levels} and {@code stress.seed} are how many motions there are for each level and
  * where they start.
  */
+@Tag("slow")
 class CoarseStartsTest {
     private static final int CASES = Integer.getInteger("stress.levels", Effort.cases(16_000));
     private static final long SEED = Long.getLong("stress.seed", 20_261_126);

@@ -3,6 +3,7 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -18,6 +19,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** The contact of a blocked move lies on the mover, where it may go to, and on what blocks it. */
+@Tag("slow")
 class ContactPointsTest {
     /** World units; objects are about 1 large. */
     private static final double NEAR = 1e-9;

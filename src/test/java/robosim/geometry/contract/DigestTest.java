@@ -6,11 +6,13 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.bench.Answers;
 import robosim.geometry.bench.Digest;
 
 /** The same bits with and without the compilers, and on every JDK that runs this test. */
+@Tag("slow")
 class DigestTest {
     private static final int ANSWERS = 20_000;
 

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Effort;
@@ -20,6 +21,7 @@ import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 
 /** A fraction that a refused move reports is accepted when a caller multiplies the move by it, by every call. */
+@Tag("slow")
 class FractionTest {
     /** What blocked, in which frame. */
     private enum Regime {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -23,6 +24,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 
 /** Poses and edges in one call answer as one by one, and nothing moves. */
+@Tag("slow")
 class FreePlacesTest {
     private static final double SIZE = 24;
     private static final int COUNT = 333;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
@@ -21,6 +22,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** What the page on moves promises, by looking at many places along the way. */
+@Tag("slow")
 class MoveLawsTest {
     private static final double SIZE = 64;
     private static final int SAMPLES = 1000;

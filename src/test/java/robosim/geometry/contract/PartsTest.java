@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -29,6 +30,7 @@ import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
 
 /** Which part of a group, which triangle of a mesh and which cell of a grid a ray meets, against each of them alone. */
+@Tag("slow")
 class PartsTest {
     private final SplittableRandom random = new SplittableRandom(61);
     private final SenseBuffer out = new SenseBuffer(Extra.OBJECTS, Extra.PARTS);

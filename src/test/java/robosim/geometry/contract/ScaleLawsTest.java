@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
@@ -14,6 +15,7 @@ import robosim.geometry.model.Dimension;
  * Every question about every shape has the same answer at all legal scales: times a power of two the same bits, and where
  * subnormal numbers round more coarsely the same verdict.
  */
+@Tag("slow")
 class ScaleLawsTest {
     /** Below this an answer may be rounded to fewer digits. */
     private static final int SUBNORMAL = -950;

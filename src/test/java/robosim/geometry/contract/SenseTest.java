@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -31,6 +32,7 @@ import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SenseOptions.Carrier;
 
 /** Many beams in one call answer to the bit as one by one, in a world and in its snapshot, on any number of threads. */
+@Tag("slow")
 class SenseTest {
     private static final double SIZE = 64;
 

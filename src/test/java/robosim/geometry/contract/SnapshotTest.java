@@ -18,6 +18,7 @@ import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,6 +36,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 
 /** Worlds made of a snapshot answer to the bit as the one it is of, share what stands still, and keep changes to themselves. */
+@Tag("slow")
 class SnapshotTest {
     private static final double SIZE = 64;
     private static final int QUESTIONS = Effort.cases(450, 450);

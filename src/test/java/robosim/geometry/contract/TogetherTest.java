@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.ForkJoinPool;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -34,6 +35,7 @@ import robosim.geometry.model.SphereObject;
  * What beams share when they are asked together changes nothing: where they graze corners and edges, where objects coincide
  * and the first one wins, where they begin inside, where coordinates are huge or tiny, and where all is crowded.
  */
+@Tag("slow")
 class TogetherTest {
     private static final int UNITS = 12;
 

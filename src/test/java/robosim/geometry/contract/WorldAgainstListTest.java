@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Effort;
@@ -21,6 +22,7 @@ import robosim.geometry.model.Ray;
  * A world answers as if all its objects were asked one by one, to the bit, whatever was added and removed before and in
  * whatever order its objects came.
  */
+@Tag("slow")
 class WorldAgainstListTest {
     private static final double SIZE = 64;
     private static final double INFINITE = Double.POSITIVE_INFINITY;

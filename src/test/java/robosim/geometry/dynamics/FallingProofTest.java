@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
@@ -19,6 +20,7 @@ import robosim.geometry.model.SphereObject;
  * What holds after every step in space, on random and adversarial input: nothing overlaps, which is decided exactly; nothing has
  * passed through anything; energy has not grown. {@code -Ddynamics.steps=N} for more steps.
  */
+@Tag("slow")
 class FallingProofTest {
     private static final int STEPS = Integer.getInteger("dynamics.steps", 600);
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.BitSet;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,6 +26,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 
 /** Bodies under gravity beside what is known of them on paper. */
+@Tag("slow")
 class FallingTest {
     private static final double G = Body.GRAVITY;
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
 import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,6 +20,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
 /** What a robot that drives pushes along: it goes on, and every step has an end. */
+@Tag("slow")
 class PushTest {
     private static final double STEP = 0.05;
     private static final Surface SURFACE = new Surface(0, 0.45, 0.35);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
@@ -15,6 +16,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** Collisions of two bodies in space beside the textbook's, whatever their masses, speeds and restitution. */
+@Tag("slow")
 class SpatialCollisionTest {
     private static final double[] LEVEL = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     private static final Point WEIGHTLESS = new Point(0, 0, 0);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -19,6 +20,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 
 /** Robots that drive where heights count: over floors, up ramps, off edges, against walls and crates. */
+@Tag("slow")
 class SpatialDriveTest {
     private static final double G = Body.GRAVITY;
     private static final double STANDS = 0.25 + 1e-8;

@@ -3,6 +3,7 @@ package robosim.geometry.dynamics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -12,6 +13,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
 /** What is the same on both sides goes straight on in space, whichever way it looks. */
+@Tag("slow")
 class SpatialSymmetryTest {
     private static final Surface ROUGH = new Surface(0, 0.4, 0.4);
 

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,6 +20,7 @@ import robosim.geometry.narrow.AimedBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Every verdict with its filter on, off and in doubt, in JVMs of their own. */
+@Tag("slow")
 class FilterTest {
     private static final long SEED = 20261121;
 

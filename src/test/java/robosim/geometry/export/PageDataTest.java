@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,6 +45,7 @@ import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.WorldReader;
 
 /** What a page contains is what happened, to within the errors that docs/export.md states. */
+@Tag("slow")
 class PageDataTest {
     /** Half a step of an angle, in degrees, and what single precision adds. */
     private static final double ANGLE = 180.0 / 65536 * 1.0001;

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Set;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
@@ -20,6 +21,7 @@ import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
 /** The picture that a failed test leaves. */
+@Tag("slow")
 class LastMomentsTest {
     private static Path run(Class<?> tests, String test, Path folder) {
         Launched.run(tests, Map.of("robosim.evidence", folder.toString()));

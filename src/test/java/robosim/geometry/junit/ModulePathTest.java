@@ -14,12 +14,14 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Geometry;
 
 /** Tests of a user who has modules: everything on the module path of a process of its own, nothing on its class path. */
+@Tag("clock")
 @Timeout(120)
 class ModulePathTest {
     private static final String MODULE = """

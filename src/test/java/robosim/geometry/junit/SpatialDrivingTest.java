@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
@@ -24,6 +25,7 @@ import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Step;
 
 /** Robots that are driven where heights count, by tests that say nothing of bodies, drives or friction. */
+@Tag("slow")
 class SpatialDrivingTest {
     /** A platform on the ground, which is the border of the world; on it a cart and a crate. */
     private static Geometry arena() {

@@ -20,6 +20,7 @@ import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.platform.engine.TestExecutionResult;
@@ -31,6 +32,7 @@ import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 
 /** What a test is given, and what it leaves when it fails. */
+@Tag("slow")
 @World("worlds/rooms.xml")
 class WorldExtensionTest {
     private RobotWorld before;

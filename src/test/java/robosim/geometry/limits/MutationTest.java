@@ -8,10 +8,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Some 20,000 messages with faults in them, the same in every build; {@code -Pfuzz} tries a million of each decoder. */
+@Tag("slow")
 @Timeout(120)
 class MutationTest {
     private static final int INPUTS = 10_000;

@@ -17,12 +17,14 @@ import java.util.List;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 
 /** Who gets in, and who does not. */
+@Tag("clock")
 class AccessTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
     private static final String WORD = "correct horse battery staple";

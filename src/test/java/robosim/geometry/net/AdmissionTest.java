@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import javax.net.ssl.SSLSocket;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,6 +29,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 
 /** Peers that dial and do not get as far as a first message take no place of others, and not for long. */
+@Tag("clock")
 class AdmissionTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
     private static final int CROWD = 300;

@@ -9,11 +9,13 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.net.FaultProxy.Fault;
 import robosim.geometry.net.FaultProxy.Plan;
 
 /** Many environments at once, some of which are slow. */
+@Tag("clock")
 class CrowdTest {
     static final int PEERS = 200;
     private static final int BUNDLES = 25;

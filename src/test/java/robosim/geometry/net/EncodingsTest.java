@@ -14,6 +14,7 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.model.BoxObject;
@@ -30,6 +31,7 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.json.JsonLines;
 
 /** Both encodings on one port, whoever dials and whoever speaks first. */
+@Tag("clock")
 @Timeout(60)
 class EncodingsTest {
     private static final String HELLO = "{\"type\":\"hello\",\"version\":1}\n";

@@ -21,6 +21,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.MoveResult;
@@ -36,6 +37,7 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.json.JsonLines;
 
 /** Both ends over real sockets: how they meet, and how they part. */
+@Tag("clock")
 class EndsTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
 

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import javax.management.MBeanServer;
 import javax.management.ObjectName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Allocated;
 import robosim.geometry.model.CylinderObject;
@@ -19,6 +20,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 
 /** What an operator sees. */
+@Tag("clock")
 class FiguresTest {
     private static final MBeanServer BEANS = ManagementFactory.getPlatformMBeanServer();
 

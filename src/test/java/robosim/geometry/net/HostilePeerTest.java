@@ -15,6 +15,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -26,6 +27,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 
 /** Peers that send rubbish, stall or vanish lose their own connection, with a line in the log, and nothing else. */
+@Tag("clock")
 public class HostilePeerTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
 

@@ -8,11 +8,13 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
 
 /** Either end is killed in the midst of a conversation: the other goes on, and no third party notices. */
+@Tag("clock")
 class KillTest {
     private static List<Bundle> talk(int port, Conversation conversation) {
         try {

@@ -11,11 +11,13 @@ import java.util.SplittableRandom;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
 
 /** A client that dials again, until it is closed. */
+@Tag("clock")
 class RedialTest {
     private static final Redial REDIAL = new Redial(Duration.ofMillis(100), Duration.ofSeconds(2));
 

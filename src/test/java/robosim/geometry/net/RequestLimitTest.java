@@ -14,6 +14,7 @@ import java.util.Objects;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Rulings;
 import robosim.geometry.WorkLimit;
@@ -39,6 +40,7 @@ import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** No request takes more than its limit, nor goes on when nobody waits for it; those of others are answered meanwhile. */
+@Tag("clock")
 class RequestLimitTest {
     private static final WorldSettings ROOM = new WorldSettings(10, 10, 10, Dimension.SPATIAL, Accuracy.EXACT);
 

@@ -12,6 +12,7 @@ import java.net.Socket;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,6 +30,7 @@ import robosim.geometry.protocol.SonarRequestBundle;
  * No round trip waits for a delayed acknowledgement, which takes 40 ms, however an environment writes: among many, on
  * however busy a machine, some take as long as they must and no longer. Where every message stalls, none does.
  */
+@Tag("clock")
 class RoundTripTest {
     private static final int TRIPS = 60;
 

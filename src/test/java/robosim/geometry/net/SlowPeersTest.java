@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -19,6 +20,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 
 /** Who reads or writes slowly stops himself; who asks for too much, or says nothing for too long, is sent away. */
+@Tag("clock")
 class SlowPeersTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
 

@@ -13,6 +13,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
  * <p>Some seconds in an ordinary build, minutes under {@code -Psoak}: the system properties {@code soak.seconds} and {@code
  * soak.bundles}, of one conversation. The table comes to {@code target/soak/soak.md}.
  */
+@Tag("clock")
 class SoakTest {
     private static final long SECONDS = Long.getLong("soak.seconds", 4);
     private static final int BUNDLES = Integer.getInteger("soak.bundles", 500);

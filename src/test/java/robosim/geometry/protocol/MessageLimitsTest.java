@@ -17,6 +17,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.Allocated;
@@ -30,6 +31,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** Messages that are small to send and large to read. */
+@Tag("clock")
 @Timeout(60)
 class MessageLimitsTest {
     private static final GeometryObject BALL = new SphereObject(new Point(), 1);

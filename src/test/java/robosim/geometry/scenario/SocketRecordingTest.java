@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +30,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.json.JsonLines;
 
 /** Recordings of sessions over real sockets: what a peer got is what the file holds and what a replay answers. */
+@Tag("clock")
 @Timeout(60)
 class SocketRecordingTest {
     @TempDir

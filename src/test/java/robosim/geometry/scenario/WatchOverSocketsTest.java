@@ -17,6 +17,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.model.BoxObject;
@@ -39,6 +40,7 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.json.JsonLines;
 
 /** A server that is watched, over loopback. */
+@Tag("clock")
 @Timeout(120)
 class WatchOverSocketsTest {
     private static final GeometryObject WALL = new BoxObject(new Point(30, 0, 0), 1, 1, 4).named("wall");

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** A job is done where replicates failed, as these would fail again; it is not where there are no results. */
 @DisabledOnOs(OS.WINDOWS) // they are shell scripts
+@Tag("clock")
 class JobFilesTest {
     private static final Path JOBS = Path.of("examples", "spark-sweep");
 

@@ -18,6 +18,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -30,6 +31,7 @@ import robosim.geometry.sweep.lines.ChecksummedLine;
 import robosim.geometry.sweep.lines.SweepLines;
 
 /** A file of results is nobody else's at the same time, and what is none is left alone. */
+@Tag("clock")
 @Timeout(120)
 class SweepFileTest {
     @TempDir

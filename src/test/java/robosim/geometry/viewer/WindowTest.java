@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +21,7 @@ import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.scenario.Step;
 
 /** The real window, in a process of its own with a virtual display: {@link WindowDriver} uses it. */
+@Tag("clock")
 @Timeout(180)
 class WindowTest {
     private static final Path XVFB = Path.of("/usr/bin/Xvfb");

@@ -10,6 +10,7 @@ import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files of every format from a stranger cost no more than their size: what is against a limit is refused by its line. */
+@Tag("clock")
 @Timeout(120)
 class HostileFilesTest {
     private static final String WORLD = "<world xmlns=\"urn:robosim:world:1\" width=\"9\" height=\"9\" length=\"9\"";

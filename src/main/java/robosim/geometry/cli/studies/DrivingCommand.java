@@ -40,7 +40,6 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.DriveSettings.Kind;
-import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.drive.DriveRun;
@@ -343,7 +342,7 @@ public final class DrivingCommand implements Callable<Integer> {
         }
         if (!run.stopped().isEmpty()) {
             out.println("stopped, since their motion could not be decided: "
-                    + run.stopped().stream().map(StopAnswer::words).collect(Collectors.joining(", ")));
+                    + run.stopped().stream().map(Text::of).collect(Collectors.joining(", ")));
         }
         if (planar || !isSpatial) {
             PlanOverlaps.of(

@@ -1,5 +1,6 @@
 package robosim.geometry.net.session;
 
+import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.SenseBuffer.Extra;
 import robosim.geometry.exact.Degrees;
@@ -36,7 +37,7 @@ public final class Batches {
      * @param breath runs before each part of the work
      * @throws IllegalArgumentException if the world refuses the request
      */
-    public BatchAnswer answer(World world, BatchRequest request, Runnable breath) {
+    public BatchAnswer answer(Geometry world, BatchRequest request, Runnable breath) {
         if (request instanceof SenseRequest sense) {
             return sense(world, sense, breath);
         }
@@ -59,7 +60,7 @@ public final class Batches {
         pictures.forget();
     }
 
-    private SenseAnswer sense(World world, SenseRequest request, Runnable breath) {
+    private SenseAnswer sense(Geometry world, SenseRequest request, Runnable breath) {
         breath.run();
         RayPattern pattern = patterns.of(request.pattern());
         Pose mount = request.mount().pose();
@@ -106,7 +107,7 @@ public final class Batches {
     }
 
     private static void sense(
-            World world,
+            Geometry world,
             String name,
             Pose mount,
             RayPattern pattern,
@@ -129,13 +130,18 @@ public final class Batches {
         }
         try {
             boolean isFlat = options.width() > 0 || pattern.isLevel(); // which a part of it may be alone
-            world.sense(name, mount, part, isFlat ? options : options.withHeights(), out);
+            SenseOptions seen = isFlat ? options : options.withHeights();
+            if (name.isEmpty()) {
+                world.sense(mount, part, seen, out);
+            } else {
+                world.sense(name, mount, part, seen, out);
+            }
         } catch (IllegalArgumentException e) {
             throw first == 0 ? e : new IllegalArgumentException("from beam " + first + " on, " + e.getMessage(), e);
         }
     }
 
-    private FreeAnswer free(World world, BatchRequest request, Numbers places, boolean isPoses, Runnable breath) {
+    private FreeAnswer free(Geometry world, BatchRequest request, Numbers places, boolean isPoses, Runnable breath) {
         int stride = isPoses ? FreePosesRequest.STRIDE : FreeEdgesRequest.STRIDE;
         int size = request.size();
         long[] free = new long[(size + PART - 1) / PART];

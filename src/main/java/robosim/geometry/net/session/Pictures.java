@@ -30,11 +30,7 @@ final class Pictures {
      *
      * @param breath runs before each block of it
      */
-    PictureAnswer take(World world, PictureRequest request, Runnable breath) {
-        Geometry geometry = world.geometry();
-        if (geometry == null) {
-            throw new IllegalArgumentException("world must be one of this module for a picture (got: another)");
-        }
+    PictureAnswer take(Geometry world, PictureRequest request, Runnable breath) {
         breath.run();
         ColorCamera by = camera;
         if (by == null || !request.equals(asked)) {
@@ -42,7 +38,7 @@ final class Pictures {
             camera = by;
             asked = request;
         }
-        by.render(geometry, frame, percent -> breath.run());
+        by.render(world, frame, percent -> breath.run());
         return PictureAnswer.of(frame.width(), frame.height(), frame.pixels());
     }
 

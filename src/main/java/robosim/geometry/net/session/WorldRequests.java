@@ -32,7 +32,6 @@ public final class WorldRequests {
     private final List<WorldAnswer.LeftOut> leftOut = new ArrayList<>();
     private int characters;
     private int added;
-    private @Nullable String failure;
     private final ObjectNumbers numbers = new ObjectNumbers();
 
     /** How many objects there are now, of groups their members. */
@@ -50,7 +49,6 @@ public final class WorldRequests {
     public void begin(List<GeometryObject> objects) {
         leftOut.clear();
         characters = 0;
-        failure = null;
         added = 0;
         present = 0;
         numbers.begin(objects);
@@ -70,11 +68,6 @@ public final class WorldRequests {
             count += object instanceof ObjectGroup group ? count(group.members()) : 1;
         }
         return count;
-    }
-
-    /** The last init made no world. */
-    public void failed(String reason) {
-        failure = reason;
     }
 
     /** An object of an init was added. */
@@ -157,10 +150,6 @@ public final class WorldRequests {
     }
 
     private WorldAnswer describe(Geometry world) {
-        if (failure != null) {
-            throw new IllegalArgumentException(
-                    "the world of the last init cannot be made, the one before it stays: " + failure);
-        }
         return new WorldAnswer.Described(
                 added,
                 List.copyOf(leftOut),

@@ -4,7 +4,6 @@ import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.protocol.Text;
 
 /**
  * Why a body was stopped in a step.
@@ -32,11 +31,5 @@ public record StopAnswer(
     public StopAnswer {
         Checks.present("objectName", objectName);
         Checks.present("reason", reason);
-    }
-
-    /** As in a log: {@code "crate" (BLOCKED by "wall")}. */
-    public String words() {
-        String by = other == null ? "" : " by " + Text.quoted(other);
-        return Text.quoted(objectName) + " (" + reason + by + ")";
     }
 }

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.HostilePeerTest;
@@ -24,6 +25,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 
 /** What the operator of a server sees and does, also while its sessions are busy. */
+@Tag("clock")
 public class AdminPortTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
 

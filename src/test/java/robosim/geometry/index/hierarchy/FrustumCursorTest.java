@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The objects that many rays visit together against a list of the same boxes, ray by ray. */
+@Tag("slow")
 class FrustumCursorTest {
     private static final int BOXES = 400;
     private static final double NARROW = 0.866;

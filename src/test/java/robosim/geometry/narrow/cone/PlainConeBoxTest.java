@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.narrow.Leaves;
@@ -11,6 +12,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** A box in a cone, of which only the features near a plain solution are computed, has the distance of all features, to the bit. */
+@Tag("slow")
 class PlainConeBoxTest {
     private static final int CASES = 30_000;
 

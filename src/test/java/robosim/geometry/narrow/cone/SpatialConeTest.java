@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -20,6 +21,7 @@ import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.ray.SpatialRayTest;
 import robosim.geometry.reference.DecimalRoot;
 
+@Tag("slow")
 class SpatialConeTest {
     private static final int SAMPLES = 400;
     private final Scratch scratch = new Scratch();

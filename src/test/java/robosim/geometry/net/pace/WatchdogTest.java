@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.net.HostilePeerTest;
 import robosim.geometry.net.LogCapture;
 
+@Tag("clock")
 class WatchdogTest {
     /** Another connection's message may have taken the memory for the moment. */
     @Test

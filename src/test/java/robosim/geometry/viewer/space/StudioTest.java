@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -20,6 +21,7 @@ import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.ColorFrame;
 import robosim.geometry.viewer.scene.Scene;
 
+@Tag("clock")
 class StudioTest {
     private static final GeometryObject WALL = new BoxObject(new Point(2, 0, 0), 1, 1, 4).named("wall");
     private static final GeometryObject DRUM = new CylinderObject(new Point(-5, 0, 0), 0.5, 1).moveable("drum");

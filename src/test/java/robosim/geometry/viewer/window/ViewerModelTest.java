@@ -11,6 +11,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
@@ -38,6 +39,7 @@ import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
+@Tag("clock")
 class ViewerModelTest {
     private static final long SECOND = 1_000_000_000;
 
