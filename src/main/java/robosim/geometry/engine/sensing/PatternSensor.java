@@ -126,7 +126,7 @@ public final class PatternSensor {
             frame.turn(pattern, count, directions, beams, times);
             for (int at = 0; at < 3 * count; at += 3) {
                 if (directions[at] == 0 && directions[at + 2] == 0) {
-                    throw Beams.vertical(
+                    throw BeamQuery.vertical(
                             "direction " + (first + at / 3), directions[at], directions[at + 1], directions[at + 2]);
                 }
             }
@@ -277,15 +277,15 @@ public final class PatternSensor {
 
     private void beam(AccuracyView view, int k) {
         int at = 3 * k;
-        ranging.beam(
+        ranging.line(
                 view.dimension,
                 frame.x(),
                 frame.y(),
                 frame.z(),
                 directions[at],
                 directions[at + 1],
-                directions[at + 2],
-                width);
+                directions[at + 2]);
+        ranging.widen(width);
     }
 
     private void answerOneByOne(AccuracyView view, int from, int to, @Nullable Surroundings around) {

@@ -51,20 +51,19 @@ public final class RayBatch {
         if (dx == 0 && dy == 0 && dz == 0) {
             throw new IllegalArgumentException("direction of ray " + ray + " must not be zero (got: (0.0, 0.0, 0.0))");
         }
-        Beams.checkLevel(dimension, dx, dy, dz);
+        BeamQuery.checkLevel(dimension, dx, dy, dz);
     }
 
     private void aim(double[] rays, int at) {
         // As a point has them, which has no -0.0.
-        ranging.beam(
+        ranging.line(
                 dimension,
                 rays[at] + 0.0,
                 rays[at + 1] + 0.0,
                 rays[at + 2] + 0.0,
                 rays[at + 3] + 0.0,
                 rays[at + 4] + 0.0,
-                rays[at + 5] + 0.0,
-                0);
+                rays[at + 5] + 0.0);
     }
 
     /**

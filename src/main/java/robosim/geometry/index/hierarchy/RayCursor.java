@@ -1,6 +1,7 @@
 package robosim.geometry.index.hierarchy;
 
 import java.util.Arrays;
+import robosim.geometry.exact.BeamAxis;
 
 /**
  * Follows a ray through a {@link Hierarchy}, nearer children first. Where the ray enters a child is computed in floats,
@@ -66,16 +67,18 @@ public final class RayCursor {
     /**
      * Sets a ray, for any number of hierarchies one after the other.
      *
-     * @param ux a direction of about unit length
      * @param most at least the greatest magnitude of any coordinate of a box in them
      */
-    public void aim(double ox, double oy, double oz, double ux, double uy, double uz, double most) {
-        double reach = Math.max(most, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
+    public void aim(BeamAxis ray, double most) {
+        double reach = Math.max(most, ray.largest());
+        double ox = ray.ox;
+        double oy = ray.oy;
+        double oz = ray.oz;
         isWhole = !(reach < LARGEST && reach > SMALLEST);
         pad = PAD * reach;
-        double x = inverse(ux);
-        double y = inverse(uy);
-        double z = inverse(uz);
+        double x = inverse(ray.ux());
+        double y = inverse(ray.uy());
+        double z = inverse(ray.uz());
         ix = (float) x;
         iy = (float) y;
         iz = (float) z;
@@ -144,16 +147,16 @@ public final class RayCursor {
                 int at = (int) nearest * Hierarchy.STRIDE;
                 nearest = MISSED;
                 int enterA = enter(n, at + nx, at + ny, at + nz, x, y, z, gx, gy, gz);
-                int leaveA = leave(n, at + fx, at + fy, at + fz, x, y, z, hx, hy, hz, within);
+                int leaveA = Math.min(within, leave(n, at + fx, at + fy, at + fz, x, y, z, hx, hy, hz));
                 int b = at + PART;
                 int enterB = enter(n, b + nx, b + ny, b + nz, x, y, z, gx, gy, gz);
-                int leaveB = leave(n, b + fx, b + fy, b + fz, x, y, z, hx, hy, hz, within);
+                int leaveB = Math.min(within, leave(n, b + fx, b + fy, b + fz, x, y, z, hx, hy, hz));
                 int c = at + 2 * PART;
                 int enterC = enter(n, c + nx, c + ny, c + nz, x, y, z, gx, gy, gz);
-                int leaveC = leave(n, c + fx, c + fy, c + fz, x, y, z, hx, hy, hz, within);
+                int leaveC = Math.min(within, leave(n, c + fx, c + fy, c + fz, x, y, z, hx, hy, hz));
                 int d = at + 3 * PART;
                 int enterD = enter(n, d + nx, d + ny, d + nz, x, y, z, gx, gy, gz);
-                int leaveD = leave(n, d + fx, d + fy, d + fz, x, y, z, hx, hy, hz, within);
+                int leaveD = Math.min(within, leave(n, d + fx, d + fy, d + fz, x, y, z, hx, hy, hz));
                 if (enterA <= leaveA) {
                     long key = key(enterA, n[at + LINKS]);
                     nearest = key;
@@ -208,9 +211,9 @@ public final class RayCursor {
     }
 
     private static int leave(
-            float[] n, int ax, int ay, int az, float x, float y, float z, float hx, float hy, float hz, int within) {
+            float[] n, int ax, int ay, int az, float x, float y, float z, float hx, float hy, float hz) {
         return Math.min(
-                Math.min(within, Float.floatToRawIntBits(Math.fma(n[ax], x, hx))),
+                Float.floatToRawIntBits(Math.fma(n[ax], x, hx)),
                 Math.min(
                         Float.floatToRawIntBits(Math.fma(n[ay], y, hy)),
                         Float.floatToRawIntBits(Math.fma(n[az], z, hz))));

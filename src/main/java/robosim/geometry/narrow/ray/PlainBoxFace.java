@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.leaf.Leaf;
 
@@ -27,18 +28,18 @@ final class PlainBoxFace {
      * @param dx the direction
      * @param b  the box's row
      */
-    static int turned(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
-        double mx = ox - b[j];
-        double my = oy - b[j + 1];
-        double mz = oz - b[j + 2];
+    static int turned(BeamAxis ray, double[] b, int j) {
+        double mx = ray.ox - b[j];
+        double my = ray.oy - b[j + 1];
+        double mz = ray.oz - b[j + 2];
         int r = j + Leaf.ROTATION;
-        double alongX = dx * b[r] + dy * b[r + 3] + dz * b[r + 6];
-        double alongY = dx * b[r + 1] + dy * b[r + 4] + dz * b[r + 7];
-        double alongZ = dx * b[r + 2] + dy * b[r + 5] + dz * b[r + 8];
-        if (isFlat(alongX, alongY, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, b, r + 1, r + 2)
-                        || isInDoubt(alongY, dx, dy, dz, b, r + 2, r)
-                        || isInDoubt(alongZ, dx, dy, dz, b, r, r + 1))) {
+        double alongX = ray.dx * b[r] + ray.dy * b[r + 3] + ray.dz * b[r + 6];
+        double alongY = ray.dx * b[r + 1] + ray.dy * b[r + 4] + ray.dz * b[r + 7];
+        double alongZ = ray.dx * b[r + 2] + ray.dy * b[r + 5] + ray.dz * b[r + 8];
+        if (isFlat(alongX, alongY, alongZ, ray.dx, ray.dy, ray.dz)
+                && (isInDoubt(alongX, ray.dx, ray.dy, ray.dz, b, r + 1, r + 2)
+                        || isInDoubt(alongY, ray.dx, ray.dy, ray.dz, b, r + 2, r)
+                        || isInDoubt(alongZ, ray.dx, ray.dy, ray.dz, b, r, r + 1))) {
             return UNKNOWN;
         }
         return inOwnFrame(
@@ -50,30 +51,30 @@ final class PlainBoxFace {
                 alongZ,
                 b,
                 j + Leaf.SIZE,
-                slack(ox, oy, oz, b, j));
+                slack(ray.ox, ray.oy, ray.oz, b, j));
     }
 
     /** The same of a box whose own Y is the world's. */
-    static int upright(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
-        double mx = ox - b[j];
-        double mz = oz - b[j + 2];
-        double alongX = dx * b[j + 6] + dz * b[j + 12];
-        double alongZ = dx * b[j + 8] + dz * b[j + 14];
-        if (isFlat(alongX, dy, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, dx * b[j + 14], 0, dz * b[j + 8])
-                        || isInDoubt(alongZ, dx, dy, dz, dx * b[j + 12], 0, dz * b[j + 6]))) {
+    static int upright(BeamAxis ray, double[] b, int j) {
+        double mx = ray.ox - b[j];
+        double mz = ray.oz - b[j + 2];
+        double alongX = ray.dx * b[j + 6] + ray.dz * b[j + 12];
+        double alongZ = ray.dx * b[j + 8] + ray.dz * b[j + 14];
+        if (isFlat(alongX, ray.dy, alongZ, ray.dx, ray.dy, ray.dz)
+                && (isInDoubt(alongX, ray.dx, ray.dy, ray.dz, ray.dx * b[j + 14], 0, ray.dz * b[j + 8])
+                        || isInDoubt(alongZ, ray.dx, ray.dy, ray.dz, ray.dx * b[j + 12], 0, ray.dz * b[j + 6]))) {
             return UNKNOWN;
         }
         return inOwnFrame(
                 mx * b[j + 6] + mz * b[j + 12],
-                oy - b[j + 1],
+                ray.oy - b[j + 1],
                 mx * b[j + 8] + mz * b[j + 14],
                 alongX,
-                dy,
+                ray.dy,
                 alongZ,
                 b,
                 j + Leaf.SIZE,
-                slack(ox, oy, oz, b, j));
+                slack(ray.ox, ray.oy, ray.oz, b, j));
     }
 
     private static double slack(double ox, double oy, double oz, double[] b, int j) {
