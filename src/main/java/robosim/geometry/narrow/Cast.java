@@ -207,10 +207,21 @@ public final class Cast {
         return triangle >= 0 && s.leaf.outer.triangle(place) < s.leaf.outer.triangle(triangle);
     }
 
+    /** The distance of a convex leaf, perhaps of the one that is scaled up. */
     private double convex(LeafKind kind, double[] row, int at, double limit) {
-        return isFarFromOrigin || !isTakenUp(0, kind, row, at)
-                ? convex(beam, kind, row, at, limit)
-                : s.leaf.scaling.down(convex(scaled, kind, s.leaf.scaling.a, 0, Double.POSITIVE_INFINITY));
+        boolean isUp = !isFarFromOrigin && isTakenUp(0, kind, row, at);
+        BeamAxis from = isUp ? scaled : beam;
+        double[] numbers = isUp ? s.leaf.scaling.a : row;
+        int j = isUp ? 0 : at;
+        double most = isUp ? Double.POSITIVE_INFINITY : limit;
+        double distance = dimension == Dimension.PLANAR
+                ? from.isCone
+                        ? PlanarCone.distance(from, kind, numbers, j, most, s.cone)
+                        : PlanarRay.distance(from, kind, numbers, j, s.ray)
+                : from.isCone
+                        ? SpatialCone.distance(from, kind, numbers, j, most, s.cone)
+                        : SpatialRay.distance(from, kind, numbers, j, s.ray);
+        return isUp ? s.leaf.scaling.down(distance) : distance;
     }
 
     /** Whether a leaf is scaled up, with the start and another length. */
@@ -227,17 +238,6 @@ public final class Cast {
     /** A height where heights count, else 0. */
     private double height(double y) {
         return dimension == Dimension.PLANAR ? 0 : y;
-    }
-
-    private double convex(BeamAxis from, LeafKind kind, double[] row, int at, double limit) {
-        if (dimension == Dimension.PLANAR) {
-            return from.isCone
-                    ? PlanarCone.distance(from, kind, row, at, limit, s.cone)
-                    : PlanarRay.distance(from, kind, row, at, s.ray);
-        }
-        return from.isCone
-                ? SpatialCone.distance(from, kind, row, at, limit, s.cone)
-                : SpatialRay.distance(from, kind, row, at, s.ray);
     }
 
     /** Where what gave the last answer is found again: the position of a mesh's triangle, a grid's cell; -1 for none. */

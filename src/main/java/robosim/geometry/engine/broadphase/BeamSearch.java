@@ -101,25 +101,28 @@ public abstract class BeamSearch {
      * @param ignored an object that is left out; -1 for none
      */
     protected void search(AccuracyView view, double limit, int ignored) {
-        LeafTable shared = view.shared;
-        double reach = shared == null ? limit : searchTable(shared, limit, ignored);
-        searchTable(view.own, reach, ignored);
-    }
-
-    private double searchTable(LeafTable table, double limit, int ignored) {
         double reach = limit;
-        for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
-            if (table.grid(k) != ignored && !table.meets(table.grid(k), done)) {
-                reach = meet(table, table.grid(k), reach);
+        for (LeafTable table = view.first(); ; table = view.own) {
+            for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
+                if (table.grid(k) != ignored && !table.meets(table.grid(k), done)) {
+                    reach = meet(table, table.grid(k), reach);
+                }
+            }
+            SpaceIndex space = table.space;
+            if (space == null) {
+                reach = beam.isCone ? searchSector(table, reach, ignored) : searchLine(table, reach, ignored);
+            } else {
+                reach = beam.isCone
+                        ? searchCone(table, space, reach, ignored)
+                        : searchRay(table, space, reach, ignored);
+            }
+            if (table.moversBesideTree() > 0) {
+                reach = searchBesideTree(table, reach, ignored);
+            }
+            if (table == view.own) {
+                return;
             }
         }
-        SpaceIndex space = table.space;
-        if (space == null) {
-            reach = beam.isCone ? searchSector(table, reach, ignored) : searchLine(table, reach, ignored);
-        } else {
-            reach = beam.isCone ? searchCone(table, space, reach, ignored) : searchRay(table, space, reach, ignored);
-        }
-        return table.moversBesideTree() == 0 ? reach : searchBesideTree(table, reach, ignored);
     }
 
     /** Adds the cone at hand to those that share what is around their place, or begins with it. */

@@ -22,12 +22,7 @@ final class PlainBoxFace {
 
     private PlainBoxFace() {}
 
-    /**
-     * The face, by the number of its axis.
-     *
-     * @param dx the direction
-     * @param b  the box's row
-     */
+    /** The face, by the number of its axis. */
     static int turned(BeamAxis ray, double[] b, int j) {
         double mx = ray.ox - b[j];
         double my = ray.oy - b[j + 1];
@@ -36,10 +31,10 @@ final class PlainBoxFace {
         double alongX = ray.dx * b[r] + ray.dy * b[r + 3] + ray.dz * b[r + 6];
         double alongY = ray.dx * b[r + 1] + ray.dy * b[r + 4] + ray.dz * b[r + 7];
         double alongZ = ray.dx * b[r + 2] + ray.dy * b[r + 5] + ray.dz * b[r + 8];
-        if (isFlat(alongX, alongY, alongZ, ray.dx, ray.dy, ray.dz)
-                && (isInDoubt(alongX, ray.dx, ray.dy, ray.dz, b, r + 1, r + 2)
-                        || isInDoubt(alongY, ray.dx, ray.dy, ray.dz, b, r + 2, r)
-                        || isInDoubt(alongZ, ray.dx, ray.dy, ray.dz, b, r, r + 1))) {
+        if (isFlat(alongX, alongY, alongZ, ray)
+                && (isInDoubt(alongX, ray, b, r + 1, r + 2)
+                        || isInDoubt(alongY, ray, b, r + 2, r)
+                        || isInDoubt(alongZ, ray, b, r, r + 1))) {
             return UNKNOWN;
         }
         return inOwnFrame(
@@ -51,7 +46,7 @@ final class PlainBoxFace {
                 alongZ,
                 b,
                 j + Leaf.SIZE,
-                slack(ray.ox, ray.oy, ray.oz, b, j));
+                slack(ray, b, j));
     }
 
     /** The same of a box whose own Y is the world's. */
@@ -60,9 +55,9 @@ final class PlainBoxFace {
         double mz = ray.oz - b[j + 2];
         double alongX = ray.dx * b[j + 6] + ray.dz * b[j + 12];
         double alongZ = ray.dx * b[j + 8] + ray.dz * b[j + 14];
-        if (isFlat(alongX, ray.dy, alongZ, ray.dx, ray.dy, ray.dz)
-                && (isInDoubt(alongX, ray.dx, ray.dy, ray.dz, ray.dx * b[j + 14], 0, ray.dz * b[j + 8])
-                        || isInDoubt(alongZ, ray.dx, ray.dy, ray.dz, ray.dx * b[j + 12], 0, ray.dz * b[j + 6]))) {
+        if (isFlat(alongX, ray.dy, alongZ, ray)
+                && (isInDoubt(alongX, ray, ray.dx * b[j + 14], 0, ray.dz * b[j + 8])
+                        || isInDoubt(alongZ, ray, ray.dx * b[j + 12], 0, ray.dz * b[j + 6]))) {
             return UNKNOWN;
         }
         return inOwnFrame(
@@ -74,35 +69,35 @@ final class PlainBoxFace {
                 alongZ,
                 b,
                 j + Leaf.SIZE,
-                slack(ray.ox, ray.oy, ray.oz, b, j));
+                slack(ray, b, j));
     }
 
-    private static double slack(double ox, double oy, double oz, double[] b, int j) {
-        return ERROR * (size(ox, oy, oz) + size(b[j], b[j + 1], b[j + 2]) + size(b[j + 3], b[j + 4], b[j + 5]))
+    private static double slack(BeamAxis ray, double[] b, int j) {
+        return ERROR
+                        * (size(ray.ox, ray.oy, ray.oz)
+                                + size(b[j], b[j + 1], b[j + 2])
+                                + size(b[j + 3], b[j + 4], b[j + 5]))
                 + UNDERFLOW;
     }
 
     /** Whether a ray may be parallel to a slab: whether one of its slopes is nearly 0. */
-    private static boolean isFlat(double x, double y, double z, double dx, double dy, double dz) {
-        return !(Math.min(Math.min(Math.abs(x), Math.abs(y)), Math.abs(z)) > ERROR * size(dx, dy, dz));
+    private static boolean isFlat(double x, double y, double z, BeamAxis ray) {
+        return !(Math.min(Math.min(Math.abs(x), Math.abs(y)), Math.abs(z)) > ERROR * size(ray.dx, ray.dy, ray.dz));
     }
 
     /** The same for one slope to a slab, whose normal is the cross product of two columns. */
-    private static boolean isInDoubt(double slope, double dx, double dy, double dz, double[] b, int k, int l) {
+    private static boolean isInDoubt(double slope, BeamAxis ray, double[] b, int k, int l) {
         return isInDoubt(
                 slope,
-                dx,
-                dy,
-                dz,
-                dx * size(b[k + 3] * b[l + 6], b[k + 6] * b[l + 3], 0),
-                dy * size(b[k + 6] * b[l], b[k] * b[l + 6], 0),
-                dz * size(b[k] * b[l + 3], b[k + 3] * b[l], 0));
+                ray,
+                ray.dx * size(b[k + 3] * b[l + 6], b[k + 6] * b[l + 3], 0),
+                ray.dy * size(b[k + 6] * b[l], b[k] * b[l + 6], 0),
+                ray.dz * size(b[k] * b[l + 3], b[k + 3] * b[l], 0));
     }
 
     /** Whether a slope is nearly 0 and something was rounded, which the slabs leave to exact numbers. */
-    private static boolean isInDoubt(
-            double slope, double dx, double dy, double dz, double partX, double partY, double partZ) {
-        return !(Math.abs(slope) > ERROR * size(dx, dy, dz)) && size(partX, partY, partZ) != 0;
+    private static boolean isInDoubt(double slope, BeamAxis ray, double partX, double partY, double partZ) {
+        return !(Math.abs(slope) > ERROR * size(ray.dx, ray.dy, ray.dz)) && size(partX, partY, partZ) != 0;
     }
 
     private static double size(double x, double y, double z) {
