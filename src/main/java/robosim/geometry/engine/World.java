@@ -83,7 +83,7 @@ public final class World {
         view = registry.view;
         beams = new BeamQuery(objects, scratch);
         sensor = new PatternSensor(registry, beams, scratch);
-        rays = new RayBatch(dimension, objects, beams);
+        rays = new RayBatch(dimension, beams);
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(registry, scratch);
     }

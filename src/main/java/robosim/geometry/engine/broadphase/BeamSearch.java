@@ -234,7 +234,7 @@ public abstract class BeamSearch {
         double reach = limit;
         double slack = slack(table);
         QuadCursor cursor = table.cursor;
-        cursor.startSector(beam.ox, beam.oz, beam.ux(), beam.uz(), beam.cos, beam.sin);
+        cursor.startSector(beam);
         for (int local = cursor.nextInSector(loose(reach, slack));
                 local >= 0;
                 local = cursor.nextInSector(loose(reach, slack))) {

@@ -275,14 +275,17 @@ public final class BeamQuery extends BeamSearch {
         cast.normal(view.table(hit).leaves(), hitLeaf, at, hitPiece, out);
     }
 
-    /** The leaf that gave the last answer, if anything did. */
-    int leaf() {
-        return hitLeaf;
-    }
-
-    /** The triangle or cell of it that the line met; -1 if it has none. */
-    int face(AccuracyView view) {
-        return cast.face(view.table(hit).leaves(), hitLeaf, hitPiece);
+    /** Notes what the last answer is of, at the distance that it gave. */
+    void tell(Echoes out, int beam, AccuracyView view, double at) {
+        boolean isMissed = hit < 0;
+        if (out.hasNormals() && !isMissed) {
+            normal(view, at, vector);
+        }
+        out.object(beam, objects, hit, vector);
+        if (out.hasParts()) {
+            int face = isMissed ? -1 : cast.face(view.table(hit).leaves(), hitLeaf, hitPiece);
+            out.part(beam, isMissed ? -1 : part(view, hit, hitLeaf), face);
+        }
     }
 
     /** Which part of an object a leaf is; -1 for a group where one enclosure stands for all of them. */

@@ -199,6 +199,6 @@ public final class PlanarCone {
         if (!bracket.isApart()) {
             return 0;
         }
-        return s.sectorOval().distance(beam, b, j, q, bracket.distance());
+        return s.cones().oval.distance(beam, b, j, q, bracket.distance());
     }
 }
