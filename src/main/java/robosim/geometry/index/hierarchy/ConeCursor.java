@@ -67,41 +67,14 @@ public final class ConeCursor {
     private float atDownY;
     private float atDownZ;
 
-    private final Side left = new Side();
-    private final Side right = new Side();
-    private final Side above = new Side();
-    private final Side below = new Side();
+    // Planes through the apex that touch the cone, across e cos - u sin, given a unit vector e across the axis u.
+    private final BoundsPlane left = new BoundsPlane();
+    private final BoundsPlane right = new BoundsPlane();
+    private final BoundsPlane above = new BoundsPlane();
+    private final BoundsPlane below = new BoundsPlane();
 
     /** By the bits of floats of at least 0, which sort like the floats. */
     private final KeyedLinks queue = new KeyedLinks();
-
-    /** A plane through the apex that touches the cone, and what of bounds is least along its outward normal. */
-    private static final class Side {
-        private float x;
-        private float y;
-        private float z;
-        private float at;
-        private int fromX;
-        private int fromY;
-        private int fromZ;
-
-        /** Across the normal e cos - u sin, given a unit vector e across the axis u. */
-        void set(double nx, double ny, double nz, BeamAxis beam, double pad) {
-            x = (float) nx;
-            y = (float) ny;
-            z = (float) nz;
-            at = (float) (-(nx * beam.ox + ny * beam.oy + nz * beam.oz) - pad);
-            fromX = x > 0 ? 0 : 3;
-            fromY = y > 0 ? 1 : 4;
-            fromZ = z > 0 ? 2 : 5;
-        }
-
-        /** The bits of how far bounds are beyond the plane, roughly; 0 or less where they may not be. */
-        int beyond(float[] n, int k) {
-            return Float.floatToRawIntBits(Math.fma(
-                    n[k + fromX], x, Math.fma(n[k + fromY], y, Math.fma(n[k + fromZ], z, at))));
-        }
-    }
 
     /**
      * Sets a cone.
@@ -167,10 +140,10 @@ public final class ConeCursor {
         double sx = ux * sin;
         double sy = uy * sin;
         double sz = uz * sin;
-        left.set(ex - sx, -sy, ez - sz, beam, pad);
-        right.set(-ex - sx, -sy, -ez - sz, beam, pad);
-        above.set(fx - sx, fy - sy, fz - sz, beam, pad);
-        below.set(-fx - sx, -fy - sy, -fz - sz, beam, pad);
+        left.set(ex - sx, -sy, ez - sz, beam.ox, beam.oy, beam.oz, pad);
+        right.set(-ex - sx, -sy, -ez - sz, beam.ox, beam.oy, beam.oz, pad);
+        above.set(fx - sx, fy - sy, fz - sz, beam.ox, beam.oy, beam.oz, pad);
+        below.set(-fx - sx, -fy - sy, -fz - sz, beam.ox, beam.oy, beam.oz, pad);
     }
 
     /** Starts to search two hierarchies, which share no object. */
