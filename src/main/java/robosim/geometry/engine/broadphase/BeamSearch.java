@@ -206,27 +206,23 @@ public abstract class BeamSearch {
             // What is the nearest so far comes again where it lies across regions.
             int id = local | mark;
             if (id != ignored && !isNearest(id)) {
-                reach = meetOnPlane(table, id, outlines, local, reach);
+                double found = meetOutline(id, outlines, local, reach);
+                reach = !Double.isNaN(found) ? found : isNew(id) ? meet(table, id, reach) : reach;
                 last = loose(reach, slack) * inverse;
             }
         }
         return reach;
     }
 
-    private double meetOnPlane(LeafTable table, int id, double[] outlines, int local, double reach) {
-        double found = meetOutline(id, outlines, local, reach);
-        return Double.isNaN(found) ? meetOnce(table, id, reach) : found;
-    }
-
-    /** Shows an object that may come again and again along a ray, as it lies across regions. */
-    private double meetOnce(LeafTable table, int id, double reach) {
+    /** Whether an object, which may come again and again along a ray as it lies across regions, has not just come. */
+    private boolean isNew(int id) {
         long mark = query | id;
         int place = id & (RECENT - 1);
         if (recent[place] == mark) {
-            return reach;
+            return false;
         }
         recent[place] = mark;
-        return meet(table, id, reach);
+        return true;
     }
 
     /** Searches the quadtree in the sector that is the cone as seen from above. */
@@ -253,21 +249,21 @@ public abstract class BeamSearch {
             int id = only | table.mark;
             return id == ignored ? limit : meet(table, id, limit);
         }
-        space.rays.aim(beam, space.most());
-        double reach = searchTree(table, space.rays, space.still, limit, ignored);
-        return searchTree(table, space.rays, space.moving, reach, ignored);
-    }
-
-    private double searchTree(LeafTable table, RayCursor cursor, Hierarchy tree, double limit, int ignored) {
+        RayCursor cursor = space.rays;
+        cursor.aim(beam, space.most());
         double reach = limit;
-        cursor.start(tree);
-        for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
-            int id = local | table.mark;
-            if (id != ignored) {
-                reach = meet(table, id, reach);
+        for (Hierarchy tree = space.still; ; tree = space.moving) {
+            cursor.start(tree);
+            for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
+                int id = local | table.mark;
+                if (id != ignored) {
+                    reach = meet(table, id, reach);
+                }
+            }
+            if (tree == space.moving) {
+                return reach;
             }
         }
-        return reach;
     }
 
     private double searchCone(LeafTable table, SpaceIndex space, double limit, int ignored) {
