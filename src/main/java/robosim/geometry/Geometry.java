@@ -444,7 +444,7 @@ public final class Geometry implements WorldQueries {
         if (x == 0 && z == 0) {
             throw new IllegalArgumentException("direction must not be zero (got: x " + x + ", z " + z + ")");
         }
-        return engine.beams.sonar(view, id, 0, 0, 0, x, 0, z, min, max, width);
+        return engine.beams.sonar(view, id, x, z, min, max, width);
     }
 
     /**
@@ -454,9 +454,7 @@ public final class Geometry implements WorldQueries {
     public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
         registry.begin("getSonarDistance");
         int id = registry.mover(name);
-        Point from = Checks.present("mount", mount).start();
-        Point to = mount.direction();
-        return engine.beams.sonar(view, id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
+        return engine.beams.sonar(view, id, Checks.present("mount", mount), min, max, width);
     }
 
     /**

@@ -17,6 +17,7 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
@@ -45,6 +46,7 @@ public class PeerScene {
     private final World<Body> world = new World<>();
     private final LeafColumn leaves = new LeafColumn(16);
     private final Scratch scratch = new Scratch();
+    private final BeamAxis beam = new BeamAxis();
     private final double[] box = new double[6];
     private double nearest;
     private boolean found;
@@ -109,10 +111,7 @@ public class PeerScene {
         ItemVisitor visitor = item -> {
             int at = (Integer) item;
             double distance = PlanarRay.distance(
-                    from.x(),
-                    from.z(),
-                    way.x(),
-                    way.z(),
+                    beam.line(from.x(), 0, from.z(), way.x(), 0, way.z()),
                     leaves.kind(at),
                     leaves.rows(),
                     at * Leaf.STRIDE,

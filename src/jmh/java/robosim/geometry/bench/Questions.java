@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import robosim.geometry.engine.objects.WorldBounds;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Orientation;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
@@ -65,6 +66,7 @@ public final class Questions {
             Arrays.stream(LeafKind.values()).filter(kind -> !kind.hasPieces()).toArray(LeafKind[]::new);
 
     private final Scratch scratch = new Scratch();
+    private final BeamAxis beam = new BeamAxis();
     private final NearContacts pairs = new NearContacts();
     private final double[] numbers = new double[12];
     private Family family = new Family(Subject.SIDE, true, LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_BOX);
@@ -199,8 +201,8 @@ public final class Questions {
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
         return family.planar()
-                ? PlanarRay.distance(o[0], o[2], d[0], d[2], kind, row, 0, scratch.ray)
-                : SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
+                ? PlanarRay.distance(beam.line(o[0], 0, o[2], d[0], 0, d[2]), kind, row, 0, scratch.ray)
+                : SpatialRay.distance(beam.line(o[0], o[1], o[2], d[0], d[1], d[2]), kind, row, 0, scratch.ray);
     }
 
     private double cone(double[] o, double[] d, LeafKind kind, double[] row) {
@@ -209,16 +211,14 @@ public final class Questions {
         double sin = StrictMath.sin(half);
         return family.planar()
                 ? PlanarCone.distance(
-                        o[0], o[2], d[0], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch.cone)
+                        beam.line(o[0], 0, o[2], d[0], 0, d[2]).widen(cos, sin),
+                        kind,
+                        row,
+                        0,
+                        Double.POSITIVE_INFINITY,
+                        scratch.cone)
                 : SpatialCone.distance(
-                        o[0],
-                        o[1],
-                        o[2],
-                        d[0],
-                        d[1],
-                        d[2],
-                        cos,
-                        sin,
+                        beam.line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, sin),
                         kind,
                         row,
                         0,

@@ -13,7 +13,6 @@ import robosim.geometry.engine.motion.Separation;
 import robosim.geometry.engine.motion.Slide;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.sensing.BeamQuery;
-import robosim.geometry.engine.sensing.Beams;
 import robosim.geometry.engine.sensing.NearestQuery;
 import robosim.geometry.engine.sensing.PatternSensor;
 import robosim.geometry.engine.sensing.ProximityQuery;
@@ -48,7 +47,7 @@ public final class World {
     public final ObjectTable objects;
     public final AccuracyView view;
     public final Motion motion;
-    public final Beams beams;
+    public final BeamQuery beams;
     public final PatternSensor sensor;
     public final RayBatch rays;
     public final ProximityQuery proximity;
@@ -82,10 +81,9 @@ public final class World {
         registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
         objects = registry.objects;
         view = registry.view;
-        BeamQuery ranging = new BeamQuery(objects, scratch);
-        beams = new Beams(dimension, objects, ranging);
-        sensor = new PatternSensor(registry, ranging, scratch);
-        rays = new RayBatch(dimension, objects, ranging);
+        beams = new BeamQuery(objects, scratch);
+        sensor = new PatternSensor(registry, beams, scratch);
+        rays = new RayBatch(dimension, beams);
         proximity = new ProximityQuery(objects, scratch);
         motion = new Motion(registry, scratch);
     }

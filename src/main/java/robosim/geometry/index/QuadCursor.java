@@ -1,6 +1,7 @@
 package robosim.geometry.index;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.index.regions.NearestFirst;
 import robosim.geometry.index.regions.SectorSearch;
 import robosim.geometry.index.tiles.NearGrid;
@@ -251,14 +252,12 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts a query for all objects whose boxes a sector about a unit vector may meet, in the order of how far they are within
+     * Starts a query for all objects whose boxes the sector about a level beam may meet, in the order of how far they are within
      * the sector, or less; {@link #nextInSector} returns them.
-     *
-     * @param cos of half the opening angle, which is below 90 degrees
      */
-    public void startSector(double x, double z, double ux, double uz, double cos, double sin) {
+    public void startSector(BeamAxis beam) {
         tree.growRegions();
-        sector.start(tree.regions, x, z, ux, uz, cos, sin, tree.most);
+        sector.start(tree.regions, beam, tree.most);
     }
 
     /** The next object of a sector query within the limit, which may shrink from call to call; -1 after the last. */

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.model.Dimension;
@@ -15,6 +16,7 @@ import robosim.geometry.narrow.mesh.MeshRay;
 import robosim.geometry.narrow.mesh.PointInMesh;
 import robosim.geometry.narrow.normal.Normals;
 import robosim.geometry.narrow.ray.PlanarRay;
+import robosim.geometry.narrow.ray.RayBox;
 import robosim.geometry.narrow.ray.RayDisc;
 import robosim.geometry.narrow.ray.RayRectangle;
 import robosim.geometry.narrow.ray.SpatialRay;
@@ -31,19 +33,12 @@ public final class Cast {
     private final Normals normals = new Normals();
 
     private Dimension dimension = Dimension.SPATIAL;
-    private double ox;
-    private double oy;
-    private double oz;
-    private double dx;
-    private double dy;
-    private double dz;
-    private double ux;
-    private double uy;
-    private double uz;
-    private boolean hasUnit;
-    private double halfCos;
-    private double halfSin;
-    private boolean cone;
+
+    /** The beam. In PLANAR its direction is level. */
+    public final BeamAxis beam = new BeamAxis();
+
+    /** The same from a start that is scaled up. */
+    private final BeamAxis scaled = new BeamAxis();
 
     /** Whether the start is already too far from the origin for any scaling, see {@link UnderflowScaling}. */
     private boolean isFarFromOrigin;
@@ -73,67 +68,10 @@ public final class Cast {
      */
     public void line(Dimension inDimension, double x, double y, double z, double ax, double ay, double az) {
         dimension = inDimension;
-        ox = x;
-        oy = y;
-        oz = z;
-        double level = dimension == Dimension.PLANAR ? 0 : ay;
-        double sum = Math.abs(ax) + Math.abs(level) + Math.abs(az);
-        // Scaling by a power of two near the greatest prevents overflow; if none is possible, the numbers stay, so that
-        // a coordinate near zero keeps its bits.
-        double scale = sum >= 0x1p-98 && sum <= 0x1p100 ? 1 : scale(VectorMath.largest(ax, level, az));
-        dx = ax * scale;
-        dy = level * scale;
-        dz = az * scale;
-        hasUnit = false;
-        cone = false;
+        beam.line(x, y, z, ax, dimension == Dimension.PLANAR ? 0 : ay, az);
         isFarFromOrigin = Math.abs(x) >= UnderflowScaling.SMALL
                 || Math.abs(z) >= UnderflowScaling.SMALL
                 || (Math.abs(y) >= UnderflowScaling.SMALL && dimension == Dimension.SPATIAL);
-    }
-
-    private static double scale(double greatest) {
-        return greatest >= 0x1p-100 && greatest <= 0x1p100 ? 1 : Math.scalb(1.0, -Math.getExponent(greatest));
-    }
-
-    /** A coordinate (0 to 2) of the line's direction; in PLANAR of its projection. */
-    public double way(int axis) {
-        return axis == 0 ? dx : axis == 1 ? dy : dz;
-    }
-
-    /** The length of {@link #way}. */
-    public double length() {
-        return Math.sqrt(dx * dx + dy * dy + dz * dz);
-    }
-
-    /** The reciprocal of the {@link #length}, or slightly more. */
-    public double inverseLength() {
-        double square = dx * dx + dy * dy + dz * dz;
-        return Math.abs(square - 1) < 0x1p-40 ? 1 + 0x1p-40 : 1 / Math.sqrt(square);
-    }
-
-    /** A coordinate (0 to 2) of the line's unit direction; in PLANAR that of its projection. */
-    public double unit(int axis) {
-        takeUnit();
-        return axis == 0 ? ux : axis == 1 ? uy : uz;
-    }
-
-    /** Computes the unit direction, which the plane does without. */
-    private void takeUnit() {
-        if (!hasUnit) {
-            double length = length();
-            ux = dx / length;
-            uy = dy / length;
-            uz = dz / length;
-            hasUnit = true;
-        }
-    }
-
-    /** Makes the line the axis of a cone with a half angle of 0 to 90 degrees, both exclusive. */
-    public void widen(double cosine, double sine) {
-        halfCos = cosine;
-        halfSin = sine;
-        cone = true;
-        takeUnit();
     }
 
     /** Is told that from now on any distance up to one is as good as the nearest; below 0 if none is. */
@@ -155,7 +93,7 @@ public final class Cast {
         if (isSolid && enough >= 0) {
             return anyOfSolid(column, leaf, limit);
         }
-        if (isSolid && inside.holds(column, leaf, ox, oy, oz, s.leaf)) {
+        if (isSolid && inside.holds(column, leaf, beam.ox, beam.oy, beam.oz, s.leaf)) {
             return 0;
         }
         return surface(column, leaf, limit);
@@ -167,36 +105,32 @@ public final class Cast {
         if (crossed <= limit || crossed == Double.POSITIVE_INFINITY) {
             return crossed;
         }
-        return PointInMesh.holds(column, leaf, ox, oy, oz, s.leaf) ? 0 : crossed;
+        return PointInMesh.holds(column, leaf, beam.ox, beam.oy, beam.oz, s.leaf) ? 0 : crossed;
     }
 
     private double surface(LeafColumn column, int leaf, double limit) {
         nearest = Double.POSITIVE_INFINITY;
         s.leaf.outer.open(column, leaf);
-        if (dimension == Dimension.SPATIAL && !cone) {
-            startMeshRay(column, leaf);
+        if (dimension == Dimension.SPATIAL && !beam.isCone) {
+            s.mesh.meshRay.start(column, leaf, beam);
             s.mesh.meshRay.find(column.mesh(leaf), limit, judge);
             return nearest;
         }
-        takeUnit();
         if (dimension == Dimension.SPATIAL) {
-            s.mesh.meshSight.startCone(column, leaf, ox, oy, oz, ux, uy, uz, halfCos);
-        } else if (cone) {
-            s.mesh.meshSight.startSector(column, leaf, ox, oz, ux, uz, halfCos);
+            s.mesh.meshSight.startCone(column, leaf, beam);
         } else {
-            s.mesh.meshSight.startLine(column, leaf, ox, oz, ux, uz);
+            s.mesh.meshSight.startSector(column, leaf, beam);
         }
         s.mesh.meshSight.find(column.mesh(leaf), limit, judge);
         return nearest;
     }
 
     private double grid(LeafColumn column, int leaf, double limit) {
-        takeUnit();
         GridWalk walk = s.leaf.cells(LeafKind.UPRIGHT_BOX);
-        if (cone) {
-            walk.startCone(column, leaf, ox, oz, ux, uz, halfSin);
+        if (beam.isCone) {
+            walk.startCone(column, leaf, beam);
         } else {
-            walk.startLine(column, leaf, dimension == Dimension.PLANAR, ox, oy, oz, ux, uy, uz, limit);
+            walk.startLine(column, leaf, dimension == Dimension.PLANAR, beam, limit);
         }
         double best = Double.POSITIVE_INFINITY;
         for (int cell = nextCell(walk, limit); cell >= 0; cell = nextCell(walk, Math.min(limit, best))) {
@@ -213,11 +147,11 @@ public final class Cast {
     /** The distance of the cell whose row was written, the same to the bit however it is found. */
     private double cell(GridWalk walk, double limit) {
         boolean isFlat = dimension == Dimension.PLANAR;
-        int face = cone || !isModerate() ? -1 : isFlat ? walk.face() : walk.face(oy, uy);
+        int face = beam.isCone || !isModerate() ? -1 : isFlat ? walk.face() : walk.face(beam.oy, beam.uy());
         if (face >= 0) {
             double distance = isFlat
-                    ? RayRectangle.side(ox, oz, dx, dz, s.leaf.triangleA, 0, face == 0)
-                    : SpatialRay.uprightFace(ox, oy, oz, dx, dy, dz, s.leaf.triangleA, 0, face, s.ray);
+                    ? RayRectangle.side(beam, s.leaf.triangleA, 0, face == 0)
+                    : RayBox.uprightFace(beam, s.leaf.triangleA, 0, face, s.ray);
             // Only a small distance may have been spoiled by what underflowed.
             if (distance > UnderflowScaling.SMALL) {
                 return distance;
@@ -228,22 +162,12 @@ public final class Cast {
 
     /** Whether the direction is of a length at which nothing overflows or underflows. */
     private boolean isModerate() {
-        double sum = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+        double sum = Math.abs(beam.dx) + Math.abs(beam.dy) + Math.abs(beam.dz);
         return sum > 0x1p-90 && sum < 0x1p90;
     }
 
     private int nextCell(GridWalk walk, double reach) {
-        return cone ? walk.nextAround(reach) : walk.nextOnLine(reach);
-    }
-
-    /** Starts the search of a mesh; a direction that is of unit length but for some roundings is taken as it is. */
-    private void startMeshRay(LeafColumn column, int leaf) {
-        if (Math.abs(dx * dx + dy * dy + dz * dz - 1) <= 0x1p-50) {
-            s.mesh.meshRay.start(column, leaf, ox, oy, oz, dx, dy, dz);
-        } else {
-            takeUnit();
-            s.mesh.meshRay.start(column, leaf, ox, oy, oz, ux, uy, uz);
-        }
+        return beam.isCone ? walk.nextAround(reach) : walk.nextOnLine(reach);
     }
 
     /**
@@ -261,8 +185,8 @@ public final class Cast {
         double cos = outlines[at + OrientedRectangle.COS];
         double sin = outlines[at + OrientedRectangle.SIN];
         double distance = UprightRows.isRound(outlines, at)
-                ? RayDisc.distance(ox, oz, dx, dz, cx, cz, halfX)
-                : RayRectangle.sure(ox, oz, dx, dz, cx, cz, halfX, outlines[at + OrientedRectangle.HALF_Z], cos, sin);
+                ? RayDisc.distance(beam, cx, cz, halfX)
+                : RayRectangle.sure(beam, cx, cz, halfX, outlines[at + OrientedRectangle.HALF_Z], cos, sin);
         // Only a small distance may have been spoiled by what underflowed.
         return distance > UnderflowScaling.SMALL || isFarFromOrigin ? distance : Double.NaN;
     }
@@ -283,38 +207,37 @@ public final class Cast {
         return triangle >= 0 && s.leaf.outer.triangle(place) < s.leaf.outer.triangle(triangle);
     }
 
+    /** The distance of a convex leaf, perhaps of the one that is scaled up. */
     private double convex(LeafKind kind, double[] row, int at, double limit) {
-        return isFarFromOrigin || !isTakenUp(0, kind, row, at)
-                ? convex(ox, oy, oz, kind, row, at, limit)
-                : scaled(kind);
-    }
-
-    /** The distance of the leaf that is scaled up. */
-    private double scaled(LeafKind kind) {
-        UnderflowScaling m = s.leaf.scaling;
-        return m.down(convex(m.up(ox), height(m.up(oy)), m.up(oz), kind, m.a, 0, Double.POSITIVE_INFINITY));
+        boolean isUp = !isFarFromOrigin && isTakenUp(0, kind, row, at);
+        BeamAxis from = isUp ? scaled : beam;
+        double[] numbers = isUp ? s.leaf.scaling.a : row;
+        int j = isUp ? 0 : at;
+        double most = isUp ? Double.POSITIVE_INFINITY : limit;
+        double distance = dimension == Dimension.PLANAR
+                ? from.isCone
+                        ? PlanarCone.distance(from, kind, numbers, j, most, s.cone)
+                        : PlanarRay.distance(from, kind, numbers, j, s.ray)
+                : from.isCone
+                        ? SpatialCone.distance(from, kind, numbers, j, most, s.cone)
+                        : SpatialRay.distance(from, kind, numbers, j, s.ray);
+        return isUp ? s.leaf.scaling.down(distance) : distance;
     }
 
     /** Whether a leaf is scaled up, with the start and another length. */
     private boolean isTakenUp(double more, LeafKind kind, double[] row, int at) {
-        double largest = Math.max(more, VectorMath.largest(ox, height(oy), oz));
-        return s.leaf.scaling.take(dimension, largest, kind, row, at);
+        UnderflowScaling m = s.leaf.scaling;
+        double largest = Math.max(more, VectorMath.largest(beam.ox, height(beam.oy), beam.oz));
+        if (!m.take(dimension, largest, kind, row, at)) {
+            return false;
+        }
+        scaled.from(beam, m.up(beam.ox), height(m.up(beam.oy)), m.up(beam.oz));
+        return true;
     }
 
     /** A height where heights count, else 0. */
     private double height(double y) {
         return dimension == Dimension.PLANAR ? 0 : y;
-    }
-
-    private double convex(double x, double y, double z, LeafKind kind, double[] row, int at, double limit) {
-        if (dimension == Dimension.PLANAR) {
-            return cone
-                    ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, limit, s.cone)
-                    : PlanarRay.distance(x, z, dx, dz, kind, row, at, s.ray);
-        }
-        return cone
-                ? SpatialCone.distance(x, y, z, dx, dy, dz, halfCos, halfSin, kind, row, at, limit, s.cone)
-                : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s.ray);
     }
 
     /** Where what gave the last answer is found again: the position of a mesh's triangle, a grid's cell; -1 for none. */
@@ -356,22 +279,18 @@ public final class Cast {
      * time it is tilted by more, as the least may be less than a rounding of the normal.
      */
     private void face(double[] normal) {
-        double ahead = normal[0] * dx + normal[1] * dy + normal[2] * dz;
-        double square = dx * dx + dy * dy + dz * dz;
+        double ahead = normal[0] * beam.dx + normal[1] * beam.dy + normal[2] * beam.dz;
+        double square = beam.dx * beam.dx + beam.dy * beam.dy + beam.dz * beam.dz;
         for (double times = 1; ahead > 0 && times < MOST_TILT; times *= 2) {
             double share = times * ahead / square;
-            normal[0] -= share * dx;
-            normal[1] -= share * dy;
-            normal[2] -= share * dz;
-            ahead = normal[0] * dx + normal[1] * dy + normal[2] * dz;
+            normal[0] -= share * beam.dx;
+            normal[1] -= share * beam.dy;
+            normal[2] -= share * beam.dz;
+            ahead = normal[0] * beam.dx + normal[1] * beam.dy + normal[2] * beam.dz;
         }
     }
 
     private void faces(LeafColumn column, int leaf, double distance, int piece, double[] out) {
-        takeUnit();
-        double px = ox + distance * ux;
-        double py = oy + distance * uy;
-        double pz = oz + distance * uz;
         LeafKind kind = column.kind(leaf);
         double[] row = column.rows(leaf);
         int at = column.at(leaf);
@@ -383,9 +302,9 @@ public final class Cast {
             at = 0;
         } else if (kind.isMesh()) {
             if (piece < 0) { // inside a solid mesh
-                out[0] = -ux;
-                out[1] = -uy;
-                out[2] = -uz;
+                out[0] = -beam.ux();
+                out[1] = -beam.uy();
+                out[2] = -beam.uz();
                 return;
             }
             s.leaf.outer.open(column, leaf);
@@ -395,14 +314,10 @@ public final class Cast {
             at = 0;
         }
         if (isFarFromOrigin || !isTakenUp(distance, kind, row, at)) {
-            normals.at(px, py, pz, distance, ux, uy, uz, kind, row, at, out, dimension);
-            return;
+            normals.at(beam, distance, kind, row, at, out, dimension);
+        } else {
+            UnderflowScaling m = s.leaf.scaling;
+            normals.at(scaled, m.up(distance), kind, m.a, 0, out, dimension);
         }
-        UnderflowScaling m = s.leaf.scaling;
-        double far = m.up(distance);
-        px = m.up(ox) + far * ux;
-        py = height(m.up(oy)) + far * uy;
-        pz = m.up(oz) + far * uz;
-        normals.at(px, py, pz, far, ux, uy, uz, kind, m.a, 0, out, dimension);
     }
 }

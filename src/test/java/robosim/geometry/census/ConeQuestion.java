@@ -2,6 +2,7 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.cone.SpatialCone;
@@ -27,14 +28,9 @@ final class ConeQuestion {
     /** What the product answers. */
     double ask() {
         return SpatialCone.distance(
-                apex[0],
-                apex[1],
-                apex[2],
-                way[0],
-                way[1],
-                way[2],
-                cos,
-                StrictMath.sin(half),
+                new BeamAxis()
+                        .line(apex[0], apex[1], apex[2], way[0], way[1], way[2])
+                        .widen(cos, StrictMath.sin(half)),
                 kind,
                 row,
                 0,
@@ -44,7 +40,8 @@ final class ConeQuestion {
 
     /** What the product answers for the ray along the cone's axis. */
     double ray() {
-        return SpatialRay.distance(apex[0], apex[1], apex[2], way[0], way[1], way[2], kind, row, 0, scratch.ray);
+        return SpatialRay.distance(
+                new BeamAxis().line(apex[0], apex[1], apex[2], way[0], way[1], way[2]), kind, row, 0, scratch.ray);
     }
 
     /** The upper end of the product's bracket. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.reference.Truth;
@@ -87,12 +88,7 @@ final class PlanarBeam implements Kernel {
     private Visit compare(
             Form form, double[] row, PlanarTwin twin, double[] apex, double[] way, double halfCos, double halfSin) {
         double distance = PlanarCone.distance(
-                apex[0],
-                apex[1],
-                way[0],
-                way[1],
-                halfCos,
-                halfSin,
+                new BeamAxis().line(apex[0], 0, apex[1], way[0], 0, way[1]).widen(halfCos, halfSin),
                 PlanarCases.kind(form),
                 row,
                 0,

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.reference.Truth;
@@ -82,8 +83,12 @@ final class PlanarSight implements Kernel {
     }
 
     private Visit compare(Form form, double[] row, PlanarTwin twin, double[] start, double[] way) {
-        double distance =
-                PlanarRay.distance(start[0], start[1], way[0], way[1], PlanarCases.kind(form), row, 0, scratch.ray);
+        double distance = PlanarRay.distance(
+                new BeamAxis().line(start[0], 0, start[1], way[0], 0, way[1]),
+                PlanarCases.kind(form),
+                row,
+                0,
+                scratch.ray);
         String text =
                 PlanarCases.paste(form, row) + " from " + PlanarCases.paste(start) + " along " + PlanarCases.paste(way);
         Twofold ux = Twofold.of(way[0]);

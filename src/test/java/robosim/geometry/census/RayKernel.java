@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.ray.SpatialRay;
@@ -108,7 +109,11 @@ final class RayKernel implements Kernel {
 
     private Visit compare(Body body, double[] start, double[] way) {
         double answer = SpatialRay.distance(
-                start[0], start[1], start[2], way[0], way[1], way[2], body.kind, body.row, 0, scratch.ray);
+                new BeamAxis().line(start[0], start[1], start[2], way[0], way[1], way[2]),
+                body.kind,
+                body.row,
+                0,
+                scratch.ray);
         BigDecimal truth = RayOracle.distance(start, way, body.kind, body.row);
         String regime = regime(body, start, way, truth);
         if ((truth == null) != (answer == Double.POSITIVE_INFINITY)) {

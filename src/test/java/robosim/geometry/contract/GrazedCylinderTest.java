@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -63,14 +64,7 @@ class GrazedCylinderTest {
                 continue;
             }
             double low = SpatialCone.distance(
-                    0,
-                    0,
-                    0,
-                    u[0],
-                    u[1],
-                    u[2],
-                    cos,
-                    Math.sqrt((1 - cos) * (1 + cos)),
+                    new BeamAxis().line(0, 0, 0, u[0], u[1], u[2]).widen(cos, Math.sqrt((1 - cos) * (1 + cos))),
                     LeafKind.UPRIGHT_CYLINDER,
                     row,
                     0,

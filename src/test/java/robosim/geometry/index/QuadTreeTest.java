@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Allocated;
 import robosim.geometry.Effort;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.regions.Regions;
 import robosim.geometry.index.tiles.OrientedRectangle;
@@ -254,7 +255,8 @@ public class QuadTreeTest {
                     : random.nextDouble(scene == Scene.OUTSIDE ? 1e8 : 300);
             double ux = Degrees.cos(aim);
             double uz = Degrees.sin(aim);
-            cursor.startSector(at[0], at[1], ux, uz, Degrees.cos(half), Degrees.sin(half));
+            cursor.startSector(
+                    new BeamAxis().line(at[0], 0, at[1], ux, 0, uz).widen(Degrees.cos(half), Degrees.sin(half)));
             BitSet ids = new BitSet();
             for (int id = cursor.nextInSector(limit); id >= 0; id = cursor.nextInSector(limit)) {
                 assertThat(ids.get(id)).isFalse();
@@ -300,7 +302,8 @@ public class QuadTreeTest {
         int taken = 0;
         for (int k = 0; k < 200; k++) {
             double aim = random.nextDouble(360);
-            cursor.startSector(0, 0, Degrees.cos(aim), Degrees.sin(aim), Degrees.cos(7.5), Degrees.sin(7.5));
+            BeamAxis beam = new BeamAxis().line(0, 0, 0, Degrees.cos(aim), 0, Degrees.sin(aim));
+            cursor.startSector(beam.widen(Degrees.cos(7.5), Degrees.sin(7.5)));
             double limit = 1000;
             for (int id = cursor.nextInSector(limit); id >= 0; id = cursor.nextInSector(limit)) {
                 double[] b = Arrays.copyOfRange(cursor.boxes(), 6 * id, 6 * id + 6);

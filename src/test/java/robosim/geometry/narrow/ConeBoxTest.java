@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.SpatialCone;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -50,14 +51,9 @@ class ConeBoxTest {
                 least = Math.min(
                         least,
                         SpatialCone.distance(
-                                apex[0],
-                                apex[1],
-                                apex[2],
-                                u[0],
-                                u[1],
-                                u[2],
-                                cos,
-                                sin,
+                                new BeamAxis()
+                                        .line(apex[0], apex[1], apex[2], u[0], u[1], u[2])
+                                        .widen(cos, sin),
                                 LeafKind.TRIANGLE,
                                 row,
                                 0,
@@ -66,14 +62,9 @@ class ConeBoxTest {
             }
             LeafKind kind = k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX;
             double found = SpatialCone.distance(
-                    apex[0],
-                    apex[1],
-                    apex[2],
-                    u[0],
-                    u[1],
-                    u[2],
-                    cos,
-                    sin,
+                    new BeamAxis()
+                            .line(apex[0], apex[1], apex[2], u[0], u[1], u[2])
+                            .widen(cos, sin),
                     kind,
                     box,
                     0,

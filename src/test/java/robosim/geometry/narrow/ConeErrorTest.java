@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.Cone;
 import robosim.geometry.narrow.cone.PlanarCone;
@@ -48,12 +49,7 @@ class ConeErrorTest {
             String name = "half %s, %s %s".formatted(half, Arrays.toString(o) + Arrays.toString(d), kind)
                     + Arrays.toString(row);
             double answer = PlanarCone.distance(
-                    o[0],
-                    o[2],
-                    d[0],
-                    d[2],
-                    cos,
-                    StrictMath.sin(half),
+                    new BeamAxis().line(o[0], 0, o[2], d[0], 0, d[2]).widen(cos, StrictMath.sin(half)),
                     kind,
                     row,
                     0,
@@ -306,7 +302,8 @@ class ConeErrorTest {
         double[] p = {-0.2767906702525891, 0.14481970208000639, -0.0940296332316426};
         double cos = 0.9365061410686879;
         Cone cone = new Cone();
-        cone.set(0.1, 0.2, 0.3, d[0], d[1], d[2], cos);
+        double sin = Math.sqrt((1 - cos) * (1 + cos));
+        cone.set(new BeamAxis().line(0.1, 0.2, 0.3, d[0], d[1], d[2]).widen(cos, sin), 0.2);
         BigDecimal[] q = CylinderTwin.minus(CylinderTwin.decimals(p), CylinderTwin.decimals(0.1, 0.2, 0.3));
         BigDecimal[] axis = CylinderTwin.decimals(d);
         BigDecimal length = root(CylinderTwin.dot(q, q));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Allocated;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -31,17 +32,23 @@ class PlanarAllocationTest {
 
     private static double ask(double[][] rows, Scratch scratch) {
         double sum = 0;
+        BeamAxis beam = new BeamAxis();
         for (int k = 0; k < rows.length; k++) {
             LeafKind kind = Leaves.KINDS[k % 7];
             int m = (k * 31 + 5) % rows.length;
             LeafKind other = Leaves.KINDS[m % 7];
             sum += PlanarOverlap.test(kind, rows[k], 0, other, rows[m], 0, scratch.overlap) ? 1 : 0;
             sum += PlanarDistance.between(kind, rows[k], 0, other, rows[m], 0, scratch.distance);
-            sum += Math.min(9, PlanarRay.distance(-3, 0.1, 1, 0, kind, rows[k], 0, scratch.ray));
+            sum += Math.min(9, PlanarRay.distance(beam.line(-3, 0, 0.1, 1, 0, 0), kind, rows[k], 0, scratch.ray));
             sum += Math.min(
                     9,
                     PlanarCone.distance(
-                            -3, 0.1, 1, 0, 0.96, 0.28, kind, rows[k], 0, Double.POSITIVE_INFINITY, scratch.cone));
+                            beam.line(-3, 0, 0.1, 1, 0, 0).widen(0.96, 0.28),
+                            kind,
+                            rows[k],
+                            0,
+                            Double.POSITIVE_INFINITY,
+                            scratch.cone));
         }
         return sum;
     }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.SpatialCone;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -53,14 +54,7 @@ class SpatialConeErrorTest {
             String name = "half %s, %s %s ".formatted(half, Arrays.toString(o) + Arrays.toString(d), kind)
                     + Arrays.toString(row);
             double answer = SpatialCone.distance(
-                    o[0],
-                    o[1],
-                    o[2],
-                    d[0],
-                    d[1],
-                    d[2],
-                    cos,
-                    StrictMath.sin(half),
+                    new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, StrictMath.sin(half)),
                     kind,
                     row,
                     0,
@@ -112,14 +106,7 @@ class SpatialConeErrorTest {
         };
         BigDecimal truth = polytope(LeafKind.BOX, o, row, unit(d), new BigDecimal(cos));
         double answer = SpatialCone.distance(
-                o[0],
-                o[1],
-                o[2],
-                d[0],
-                d[1],
-                d[2],
-                cos,
-                StrictMath.sin(half),
+                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, StrictMath.sin(half)),
                 LeafKind.BOX,
                 row,
                 0,
@@ -149,14 +136,7 @@ class SpatialConeErrorTest {
             double[] across = SpatialRayTest.unit(Leaves.vector(random, 1));
             double[] row = place(kind, random, o, border(d, across, random.nextDouble(0.5, 1.5) * half), far, 1);
             double answer = SpatialCone.distance(
-                    o[0],
-                    o[1],
-                    o[2],
-                    d[0],
-                    d[1],
-                    d[2],
-                    cos,
-                    StrictMath.sin(half),
+                    new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, StrictMath.sin(half)),
                     kind,
                     row,
                     0,
@@ -240,12 +220,14 @@ class SpatialConeErrorTest {
         double c = sin * StrictMath.cos(angle);
         double s = sin * StrictMath.sin(angle);
         return SpatialRay.distance(
-                o[0],
-                o[1],
-                o[2],
-                cos * d[0] + c * e[0] + s * f[0],
-                cos * d[1] + c * e[1] + s * f[1],
-                cos * d[2] + c * e[2] + s * f[2],
+                new BeamAxis()
+                        .line(
+                                o[0],
+                                o[1],
+                                o[2],
+                                cos * d[0] + c * e[0] + s * f[0],
+                                cos * d[1] + c * e[1] + s * f[1],
+                                cos * d[2] + c * e[2] + s * f[2]),
                 kind,
                 row,
                 0,

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
@@ -32,10 +33,14 @@ class FoundTest {
         box[5] = Double.MIN_VALUE;
         Forms.upright(box, cos, sin);
         double distance = PlanarRay.distance(
-                -0x1.107814fb7f712p-2,
-                -0x1.e753e44686f26p-2,
-                0x1.6b4ac6a501e23p-3,
-                0x1.44e2982f04a19p-2,
+                new BeamAxis()
+                        .line(
+                                -0x1.107814fb7f712p-2,
+                                0,
+                                -0x1.e753e44686f26p-2,
+                                0x1.6b4ac6a501e23p-3,
+                                0,
+                                0x1.44e2982f04a19p-2),
                 LeafKind.UPRIGHT_BOX,
                 box,
                 0,
@@ -131,7 +136,11 @@ class FoundTest {
         double[] disc = new double[16];
         disc[3] = 3;
         double distance = SpatialRay.distance(
-                1, -Double.MIN_VALUE, 1, 0, -3, 0, LeafKind.UPRIGHT_CYLINDER, disc, 0, new Scratch().ray);
+                new BeamAxis().line(1, -Double.MIN_VALUE, 1, 0, -3, 0),
+                LeafKind.UPRIGHT_CYLINDER,
+                disc,
+                0,
+                new Scratch().ray);
         assertThat(distance).isInfinite();
     }
 
@@ -203,10 +212,8 @@ class FoundTest {
             0
         };
         double distance = PlanarRay.distance(
-                677.0660113339505,
-                824.8635245941497,
-                -0.6602940268799037,
-                -0.8042472147362743,
+                new BeamAxis()
+                        .line(677.0660113339505, 0, 824.8635245941497, -0.6602940268799037, 0, -0.8042472147362743),
                 LeafKind.TRIANGLE,
                 triangle,
                 0,
@@ -236,10 +243,8 @@ class FoundTest {
             0
         };
         double distance = PlanarRay.distance(
-                1.684165654826531,
-                -1.5323813892229832,
-                -0.6341164213255079,
-                0.7732375858721114,
+                new BeamAxis()
+                        .line(1.684165654826531, 0, -1.5323813892229832, -0.6341164213255079, 0, 0.7732375858721114),
                 LeafKind.BOX,
                 box,
                 0,

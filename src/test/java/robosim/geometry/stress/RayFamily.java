@@ -1,6 +1,7 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.PlanarRay;
@@ -32,8 +33,8 @@ final class RayFamily extends Family {
         double[] r = c.ray;
         LeafKind kind = OverlapFamily.kind(c.formB);
         double distance = planar
-                ? PlanarRay.distance(r[0], r[2], r[3], r[5], kind, c.b, 0, s.ray)
-                : SpatialRay.distance(r[0], r[1], r[2], r[3], r[4], r[5], kind, c.b, 0, s.ray);
+                ? PlanarRay.distance(new BeamAxis().line(r[0], 0, r[2], r[3], 0, r[5]), kind, c.b, 0, s.ray)
+                : SpatialRay.distance(new BeamAxis().line(r[0], r[1], r[2], r[3], r[4], r[5]), kind, c.b, 0, s.ray);
         return distance < Double.POSITIVE_INFINITY ? 1 : 0;
     }
 

@@ -34,6 +34,12 @@ public final class AccuracyView {
         own = new LeafTable(objects, accuracy, dimension, width, length);
     }
 
+    /** The table to look at first: that of shared objects, if there are any. The other is {@link #own}. */
+    LeafTable first() {
+        LeafTable other = shared;
+        return other == null ? own : other;
+    }
+
     /** Where an object's leaves and bounds stand. */
     public LeafTable table(int id) {
         LeafTable other = shared;

@@ -1,6 +1,7 @@
 package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.hierarchy.ConeCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
@@ -24,18 +25,11 @@ public abstract class BeamSearch {
         Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
     };
 
-    private final ObjectTable objects;
-    private final Cast cast;
+    protected final ObjectTable objects;
+    protected final Cast cast;
 
-    private double ox;
-    private double oy;
-    private double oz;
-    private double ux;
-    private double uy;
-    private double uz;
-    private boolean isCone;
-    private double halfCos;
-    private double halfSin;
+    /** The beam of the cast. */
+    private final BeamAxis beam;
 
     /** The sides of the cone seen from above: outward normals; both zero where it has none. */
     private double leftX;
@@ -52,10 +46,11 @@ public abstract class BeamSearch {
     /** A box, of which all objects that meet it have been looked at. */
     private double[] done = NOTHING;
 
-    /** A search along the line of a cast. */
+    /** A search for what the beam of a cast meets. */
     protected BeamSearch(ObjectTable objects, Cast cast) {
         this.objects = objects;
         this.cast = cast;
+        beam = cast.beam;
     }
 
     /** Looks at an object, perhaps not for the first time; answers how far to look from now on. */
@@ -73,36 +68,15 @@ public abstract class BeamSearch {
     /** Whether an object is the nearest so far, which has nothing new to tell. */
     protected abstract boolean isNearest(int id);
 
-    /** Follows the line of the cast, from its start. */
-    protected void line(double x, double y, double z) {
-        ox = x;
-        oy = y;
-        oz = z;
-        isCone = false;
-    }
-
-    /** Follows a cone about the line of the cast, from its start; with the cosine and the sine of half its opening angle. */
-    protected void cone(double x, double y, double z, double cos, double sin) {
-        line(x, y, z);
-        isCone = true;
-        takeUnit();
-        halfCos = cos;
-        halfSin = sin;
-    }
-
-    private void takeUnit() {
-        ux = cast.unit(0);
-        uy = cast.unit(1);
-        uz = cast.unit(2);
-    }
-
     /**
      * The cone's shadow on the XZ plane is a sector where its axis rises less than it leaves room for: the sine of the
      * half angle seen from above is that of the cone over the cosine of the axis's rise.
      */
-    private void setSides(double sin) {
+    private void setSides() {
+        double ux = beam.ux();
+        double uz = beam.uz();
         double level = Math.sqrt(ux * ux + uz * uz);
-        double shadow = sin * (1 + 0x1p-40) + 0x1p-40;
+        double shadow = beam.sin * (1 + 0x1p-40) + 0x1p-40;
         if (shadow >= level) {
             leftX = 0;
             leftZ = 0;
@@ -127,27 +101,36 @@ public abstract class BeamSearch {
      * @param ignored an object that is left out; -1 for none
      */
     protected void search(AccuracyView view, double limit, int ignored) {
-        LeafTable shared = view.shared;
-        double reach = shared == null ? limit : searchTable(shared, limit, ignored);
-        searchTable(view.own, reach, ignored);
-    }
-
-    private double searchTable(LeafTable table, double limit, int ignored) {
         double reach = limit;
-        for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
-            if (table.grid(k) != ignored && !table.meets(table.grid(k), done)) {
-                reach = meet(table, table.grid(k), reach);
+        for (LeafTable table = view.first(); ; table = view.own) {
+            for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
+                if (table.grid(k) != ignored && !table.meets(table.grid(k), done)) {
+                    reach = meet(table, table.grid(k), reach);
+                }
+            }
+            SpaceIndex space = table.space;
+            if (space == null) {
+                reach = beam.isCone ? searchSector(table, reach, ignored) : searchLine(table, reach, ignored);
+            } else {
+                reach = beam.isCone
+                        ? searchCone(table, space, reach, ignored)
+                        : searchRay(table, space, reach, ignored);
+            }
+            if (table.moversBesideTree() > 0) {
+                reach = searchBesideTree(table, reach, ignored);
+            }
+            if (table == view.own) {
+                return;
             }
         }
-        return searchBesideTree(table, searchTrees(table, reach, ignored), ignored);
     }
 
     /** Adds the cone at hand to those that share what is around their place, or begins with it. */
     public void share(Surroundings around, int cone, boolean isFirst) {
         if (isFirst) {
-            around.start(ox, oy, oz);
+            around.start(beam.ox, beam.oy, beam.oz);
         }
-        setSides(halfSin);
+        setSides();
         if (leftX == 0 && leftZ == 0) {
             around.add(cone);
         } else {
@@ -166,8 +149,8 @@ public abstract class BeamSearch {
      */
     protected void searchAround(AccuracyView view, double limit, int ignored, Surroundings around, int cone) {
         LeafTable own = view.own;
-        setSides(halfSin);
-        double slack = slack(own) + 0x1p-44 * Math.abs(oy);
+        setSides();
+        double slack = slack(own) + 0x1p-44 * Math.abs(beam.oy);
         double reach = limit;
         double within = loose(reach, slack);
         for (int k = 0; k < around.count() && around.distance(k) <= within; k++) {
@@ -190,25 +173,10 @@ public abstract class BeamSearch {
         }
     }
 
-    private double searchTrees(LeafTable table, double limit, int ignored) {
-        SpaceIndex space = table.space;
-        if (space != null) {
-            return searchSpace(table, space, limit, ignored);
-        }
-        if (isCone) {
-            return searchSector(table, limit, ignored);
-        }
-        return searchLine(table, limit, ignored, cast.way(0), cast.way(2));
-    }
-
     private double searchBesideTree(LeafTable table, double limit, int ignored) {
         int count = table.moversBesideTree();
-        if (count == 0) {
-            return limit;
-        }
-        takeUnit();
-        if (isCone) {
-            setSides(halfSin);
+        if (beam.isCone) {
+            setSides();
         }
         double slack = slack(table);
         double reach = limit;
@@ -216,7 +184,7 @@ public abstract class BeamSearch {
             int id = objects.mover(k);
             if (id != ignored
                     && !table.meets(id, done)
-                    && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
+                    && (beam.isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
                 reach = meet(table, id, reach);
             }
         }
@@ -224,41 +192,37 @@ public abstract class BeamSearch {
     }
 
     /** Searches the quadtree along a line. */
-    private double searchLine(LeafTable table, double limit, int ignored, double dx, double dz) {
+    private double searchLine(LeafTable table, double limit, int ignored) {
         int mark = table.mark;
         double slack = slack(table);
-        double inverse = cast.inverseLength();
+        double inverse = beam.inverseLength();
         double[] outlines = table.leaves().outlines();
         QuadCursor cursor = table.cursor;
         double reach = limit;
         double last = loose(reach, slack) * inverse;
         query += 1L << Integer.SIZE;
-        cursor.startRay(ox, oz, dx, dz);
+        cursor.startRay(beam.ox, beam.oz, beam.dx, beam.dz);
         for (int local = cursor.nextOnRay(last, outlines); local >= 0; local = cursor.nextOnRay(last, outlines)) {
             // What is the nearest so far comes again where it lies across regions.
             int id = local | mark;
             if (id != ignored && !isNearest(id)) {
-                reach = meetOnPlane(table, id, outlines, local, reach);
+                double found = meetOutline(id, outlines, local, reach);
+                reach = !Double.isNaN(found) ? found : isNew(id) ? meet(table, id, reach) : reach;
                 last = loose(reach, slack) * inverse;
             }
         }
         return reach;
     }
 
-    private double meetOnPlane(LeafTable table, int id, double[] outlines, int local, double reach) {
-        double found = meetOutline(id, outlines, local, reach);
-        return Double.isNaN(found) ? meetOnce(table, id, reach) : found;
-    }
-
-    /** Shows an object that may come again and again along a ray, as it lies across regions. */
-    private double meetOnce(LeafTable table, int id, double reach) {
+    /** Whether an object, which may come again and again along a ray as it lies across regions, has not just come. */
+    private boolean isNew(int id) {
         long mark = query | id;
         int place = id & (RECENT - 1);
         if (recent[place] == mark) {
-            return reach;
+            return false;
         }
         recent[place] = mark;
-        return meet(table, id, reach);
+        return true;
     }
 
     /** Searches the quadtree in the sector that is the cone as seen from above. */
@@ -266,7 +230,7 @@ public abstract class BeamSearch {
         double reach = limit;
         double slack = slack(table);
         QuadCursor cursor = table.cursor;
-        cursor.startSector(ox, oz, ux, uz, halfCos, halfSin);
+        cursor.startSector(beam);
         for (int local = cursor.nextInSector(loose(reach, slack));
                 local >= 0;
                 local = cursor.nextInSector(loose(reach, slack))) {
@@ -278,40 +242,35 @@ public abstract class BeamSearch {
         return reach;
     }
 
-    /** Searches the hierarchies of a world with heights. */
-    private double searchSpace(LeafTable table, SpaceIndex space, double limit, int ignored) {
-        if (isCone) {
-            takeUnit();
-            space.cones.aim(ox, oy, oz, ux, uy, uz, halfCos, halfSin, space.most());
-            return searchCone(table, space, limit, ignored);
-        }
+    /** Searches the hierarchies of a world with heights along a line. */
+    private double searchRay(LeafTable table, SpaceIndex space, double limit, int ignored) {
         int only = space.only();
         if (only >= 0 && table.count(only | table.mark) == 1) { // nothing to look for
             int id = only | table.mark;
             return id == ignored ? limit : meet(table, id, limit);
         }
-        takeUnit();
-        space.rays.aim(ox, oy, oz, ux, uy, uz, space.most());
-        double reach = searchRay(table, space.rays, space.still, limit, ignored);
-        return searchRay(table, space.rays, space.moving, reach, ignored);
-    }
-
-    private double searchRay(LeafTable table, RayCursor cursor, Hierarchy tree, double limit, int ignored) {
+        RayCursor cursor = space.rays;
+        cursor.aim(beam, space.most());
         double reach = limit;
-        cursor.start(tree);
-        for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
-            int id = local | table.mark;
-            if (id != ignored) {
-                reach = meet(table, id, reach);
+        for (Hierarchy tree = space.still; ; tree = space.moving) {
+            cursor.start(tree);
+            for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
+                int id = local | table.mark;
+                if (id != ignored) {
+                    reach = meet(table, id, reach);
+                }
+            }
+            if (tree == space.moving) {
+                return reach;
             }
         }
-        return reach;
     }
 
     private double searchCone(LeafTable table, SpaceIndex space, double limit, int ignored) {
         double reach = limit;
-        double slack = slack(table) + 0x1p-44 * (space.most() + Math.abs(oy));
+        double slack = slack(table) + 0x1p-44 * (space.most() + Math.abs(beam.oy));
         ConeCursor cursor = space.cones;
+        cursor.aim(beam, space.most());
         cursor.start(space.still, space.moving);
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
@@ -332,18 +291,20 @@ public abstract class BeamSearch {
     }
 
     private double slack(LeafTable table) {
-        return 0x1p-44 * (table.extent + Math.abs(ox) + Math.abs(oz));
+        return 0x1p-44 * (table.extent + Math.abs(beam.ox) + Math.abs(beam.oz));
     }
 
     /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
     private boolean lineMeets(LeafTable table, int id, double reach) {
+        double ux = beam.ux();
+        double uz = beam.uz();
         double[] b = table.bounds();
         int k = table.boundsAt(id);
-        double mx = b[k] / 2 + b[k + 3] / 2 - ox;
-        double mz = b[k + 2] / 2 + b[k + 5] / 2 - oz;
+        double mx = b[k] / 2 + b[k + 3] / 2 - beam.ox;
+        double mz = b[k + 2] / 2 + b[k + 5] / 2 - beam.oz;
         double hx = b[k + 3] / 2 - b[k] / 2;
         double hz = b[k + 5] / 2 - b[k + 2] / 2;
-        double slack = 0x1p-40 * (Math.abs(mx) + Math.abs(mz) + Math.abs(ox) + Math.abs(oz) + hx + hz);
+        double slack = 0x1p-40 * (Math.abs(mx) + Math.abs(mz) + Math.abs(beam.ox) + Math.abs(beam.oz) + hx + hz);
         double aside = Math.abs(mx * uz - mz * ux);
         double ahead = mx * ux + mz * uz;
         double half = hx * Math.abs(ux) + hz * Math.abs(uz) + slack;
@@ -355,8 +316,8 @@ public abstract class BeamSearch {
     private boolean coneMeets(LeafTable table, int id, double reach) {
         double[] b = table.bounds();
         int k = table.boundsAt(id);
-        double dx = Math.max(0, Math.max(b[k] - ox, ox - b[k + 3]));
-        double dz = Math.max(0, Math.max(b[k + 2] - oz, oz - b[k + 5]));
+        double dx = Math.max(0, Math.max(b[k] - beam.ox, beam.ox - b[k + 3]));
+        double dz = Math.max(0, Math.max(b[k + 2] - beam.oz, beam.oz - b[k + 5]));
         if ((dx * dx + dz * dz) * (1 - 0x1p-50) > reach * reach + UNDERFLOW) {
             return false;
         }
@@ -365,11 +326,11 @@ public abstract class BeamSearch {
 
     /** Whether a box is wholly on the outer side of one of the cone's sides. */
     private boolean isBeyond(double[] b, int k, double nx, double nz) {
-        double x = nx > 0 ? b[k] - ox : b[k + 3] - ox;
-        double z = nz > 0 ? b[k + 2] - oz : b[k + 5] - oz;
+        double x = nx > 0 ? b[k] - beam.ox : b[k + 3] - beam.ox;
+        double z = nz > 0 ? b[k + 2] - beam.oz : b[k + 5] - beam.oz;
         // What a certified shape is taken larger by goes with its size, not with how near its box is.
         double size = Math.abs(b[k]) + Math.abs(b[k + 2]) + Math.abs(b[k + 3]) + Math.abs(b[k + 5]);
-        double slack = 0x1p-40 * (size + Math.abs(ox) + Math.abs(oz));
+        double slack = 0x1p-40 * (size + Math.abs(beam.ox) + Math.abs(beam.oz));
         return nx * x + nz * z > slack;
     }
 }

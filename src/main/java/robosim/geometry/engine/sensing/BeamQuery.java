@@ -5,24 +5,33 @@ import robosim.geometry.engine.broadphase.BeamSearch;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.BeamAxis;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Work;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
-/** The nearest echo of a beam: keeps the least distance, and whose it is, among the objects that the search visits. */
+/**
+ * The nearest echo of a beam: of one as callers ask for it, from a place or from a sensor on an object, or of one that was set.
+ * Keeps the least distance, and whose it is, among the objects that the search visits.
+ */
 public final class BeamQuery extends BeamSearch {
-    private final ObjectTable objects;
-    private final Cast cast;
     private final Work work;
+    private final double[] vector = new double[3];
 
+    /** Where a beam begins that stands on an object. */
     private double ox;
+
     private double oy;
     private double oz;
+
     private double best;
     private int hit;
     private int hitLeaf;
@@ -41,37 +50,120 @@ public final class BeamQuery extends BeamSearch {
 
     private BeamQuery(ObjectTable objects, Cast cast, Work work) {
         super(objects, cast);
-        this.objects = objects;
-        this.cast = cast;
         this.work = work;
     }
 
     /** The object that gave the last answer, or -1. */
-    int hit() {
+    public int hit() {
         return hit;
     }
 
     /**
-     * Sets the beam. The direction is of any length but zero; in PLANAR that of its projection.
+     * Distance to the nearest echo of a beam.
      *
-     * @param width opening angle in degrees; 0 for a line
+     * @param ignored an object that does not echo; -1 for none
      */
-    void beam(Dimension dimension, double x, double y, double z, double dx, double dy, double dz, double width) {
+    public double distance(AccuracyView view, Ray ray, double min, double max, double width, int ignored) {
+        Checks.present("ray", ray);
+        Checks.range(min, max);
+        Checks.width(width);
+        line(view.dimension, ray);
+        widen(width);
+        double nearest = nearest(view, max, ignored);
+        return nearest < min ? min : nearest;
+    }
+
+    /** What a sonar hears that stands at an object's centre and looks along one of the directions of its own X and Z. */
+    public double sonar(AccuracyView view, int id, double x, double z, double min, double max, double width) {
+        Checks.range(min, max);
+        Checks.width(width);
+        stand(id, 0, 0, 0);
+        look(view.dimension, id, x, 0, z);
+        widen(width);
+        double nearest = nearest(view, max, id);
+        return nearest < min ? min : nearest;
+    }
+
+    /** What a sonar hears that looks along a ray of an object's own frame. */
+    public double sonar(AccuracyView view, int id, Ray mount, double min, double max, double width) {
+        Checks.range(min, max);
+        Checks.width(width);
+        Point from = mount.start();
+        Point to = mount.direction();
+        stand(id, from.x(), from.y(), from.z());
+        look(view.dimension, id, to.x(), to.y(), to.z());
+        widen(width);
+        double nearest = nearest(view, max, id);
+        return nearest < min ? min : nearest;
+    }
+
+    /** Takes a point of an object's own frame for where a beam begins. */
+    private void stand(int id, double x, double y, double z) {
+        double[] places = objects.places();
+        int at = objects.place(id);
+        objects.toWorld(id, x, y, z, vector);
+        ox = places[at] + vector[0];
+        oy = places[at + 1] + vector[1];
+        oz = places[at + 2] + vector[2];
+    }
+
+    /** Looks from there along a direction of the object's own frame. */
+    private void look(Dimension dimension, int id, double x, double y, double z) {
+        objects.toWorld(id, x, y, z, vector);
+        checkLevel(dimension, vector[0], vector[1], vector[2]);
+        line(dimension, ox, oy, oz, vector[0], vector[1], vector[2]);
+    }
+
+    /**
+     * How far a ray goes until it meets anything within a range, +Infinity where it meets nothing.
+     *
+     * @param normal three numbers, of the face that is met
+     */
+    public double cast(AccuracyView view, Ray ray, double max, double[] normal) {
+        Checks.present("ray", ray);
+        Checks.range(0, max);
+        line(view.dimension, ray);
+        double distance = nearest(view, max, -1);
+        if (hit >= 0) {
+            normal(view, distance, normal);
+        }
+        return distance;
+    }
+
+    private void line(Dimension dimension, Ray ray) {
+        Point from = ray.start();
+        Point to = ray.direction();
+        checkLevel(dimension, to.x(), to.y(), to.z());
+        line(dimension, from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
+    }
+
+    static void checkLevel(Dimension dimension, double dx, double dy, double dz) {
+        if (dimension == Dimension.PLANAR && dx == 0 && dz == 0) {
+            throw vertical("direction", dx, dy, dz);
+        }
+    }
+
+    static IllegalArgumentException vertical(String direction, double dx, double dy, double dz) {
+        return new IllegalArgumentException(
+                direction + " must not be vertical in a PLANAR world, which has no heights (got: (" + dx + ", " + dy
+                        + ", " + dz + "))");
+    }
+
+    /** Sets a line. The direction is of any length but zero; in PLANAR that of its projection. */
+    void line(Dimension dimension, double x, double y, double z, double dx, double dy, double dz) {
         work.take();
         cast.line(dimension, x, y, z, dx, dy, dz);
-        ox = x;
-        oy = y;
-        oz = z;
+    }
+
+    /** Makes the line a beam of an opening angle in degrees; 0 for a line. */
+    void widen(double width) {
         if (width > 0) {
             if (width != lastWidth) { // sensors mostly have one
                 lastWidth = width;
                 halfCos = Degrees.cos(width / 2);
                 halfSin = Degrees.sin(width / 2);
             }
-            cast.widen(halfCos, halfSin);
-            cone(x, y, z, halfCos, halfSin);
-        } else {
-            line(x, y, z);
+            cast.beam.widen(halfCos, halfSin);
         }
     }
 
@@ -84,7 +176,7 @@ public final class BeamQuery extends BeamSearch {
         hit = -1;
         best = Double.POSITIVE_INFINITY;
         search(view, limit, ignored);
-        return nearest(limit);
+        return found(limit);
     }
 
     /** The same for one of the cones that share what is around their place. */
@@ -92,7 +184,7 @@ public final class BeamQuery extends BeamSearch {
         hit = -1;
         best = Double.POSITIVE_INFINITY;
         searchAround(view, limit, ignored, around, cone);
-        return nearest(limit);
+        return found(limit);
     }
 
     /**
@@ -117,7 +209,7 @@ public final class BeamQuery extends BeamSearch {
         return hit >= 0 && best <= limit;
     }
 
-    private double nearest(double limit) {
+    private double found(double limit) {
         if (best <= limit) {
             return best;
         }
@@ -129,13 +221,14 @@ public final class BeamQuery extends BeamSearch {
     protected double meet(LeafTable table, int id, double reach) {
         LeafColumn leaves = table.leaves();
         if (table.isUpright(id)) {
-            meetLeaf(leaves, id, table.uprightLeaf(id), reach);
+            int leaf = table.uprightLeaf(id);
+            take(cast.distance(leaves, leaf, best < reach ? best : reach), id, leaf);
         } else {
             int first = table.first(id);
             int last = first + table.count(id);
             for (int leaf = first; leaf < last && !isEnough(); leaf++) {
                 work.take();
-                meetLeaf(leaves, id, leaf, reach);
+                take(cast.distance(leaves, leaf, best < reach ? best : reach), id, leaf);
             }
         }
         return left(reach);
@@ -151,10 +244,6 @@ public final class BeamQuery extends BeamSearch {
 
     private boolean isEnough() {
         return best <= enough && hit >= 0; // both may be infinite
-    }
-
-    private void meetLeaf(LeafColumn leaves, int id, int leaf, double reach) {
-        take(cast.distance(leaves, leaf, best < reach ? best : reach), id, leaf);
     }
 
     @Override
@@ -186,14 +275,17 @@ public final class BeamQuery extends BeamSearch {
         cast.normal(view.table(hit).leaves(), hitLeaf, at, hitPiece, out);
     }
 
-    /** The leaf that gave the last answer, if anything did. */
-    int leaf() {
-        return hitLeaf;
-    }
-
-    /** The triangle or cell of it that the line met; -1 if it has none. */
-    int face(AccuracyView view) {
-        return cast.face(view.table(hit).leaves(), hitLeaf, hitPiece);
+    /** Notes what the last answer is of, at the distance that it gave. */
+    void tell(Echoes out, int beam, AccuracyView view, double at) {
+        boolean isMissed = hit < 0;
+        if (out.hasNormals() && !isMissed) {
+            normal(view, at, vector);
+        }
+        out.object(beam, objects, hit, vector);
+        if (out.hasParts()) {
+            int face = isMissed ? -1 : cast.face(view.table(hit).leaves(), hitLeaf, hitPiece);
+            out.part(beam, isMissed ? -1 : part(view, hit, hitLeaf), face);
+        }
     }
 
     /** Which part of an object a leaf is; -1 for a group where one enclosure stands for all of them. */
@@ -206,11 +298,12 @@ public final class BeamQuery extends BeamSearch {
     }
 
     /** A coordinate (0 to 2) of the point on the line at a distance. */
-    double point(int axis, double at) {
+    public double point(int axis, double at) {
+        BeamAxis beam = cast.beam;
         return switch (axis) {
-            case 0 -> ox + at * cast.unit(0);
-            case 1 -> oy + at * cast.unit(1);
-            default -> oz + at * cast.unit(2);
+            case 0 -> beam.ox + at * beam.ux();
+            case 1 -> beam.oy + at * beam.uy();
+            default -> beam.oz + at * beam.uz();
         };
     }
 }

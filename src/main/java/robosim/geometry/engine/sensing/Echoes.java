@@ -106,19 +106,31 @@ public final class Echoes {
         return faces;
     }
 
+    /** Whether anything is wanted but distances. */
+    boolean hasMore() {
+        return hasObjects || hasNormals || hasParts;
+    }
+
+    /**
+     * Notes whose echo a beam hears.
+     *
+     * @param id an object, or -1
+     * @param normal three numbers, of what it met
+     */
+    void object(int beam, ObjectTable table, int id, double[] normal) {
+        if (hasObjects) {
+            objects[beam] = id < 0 ? null : table.value(id);
+        }
+        if (hasNormals) {
+            for (int axis = 0; axis < 3; axis++) {
+                normals[3 * beam + axis] = id < 0 ? 0 : normal[axis];
+            }
+        }
+    }
+
     /** Notes which part and which triangle or cell a beam met. */
     void part(int beam, int part, int face) {
         parts[beam] = part;
         faces[beam] = face;
-    }
-
-    /** Notes whose echo a beam hears; an id, or -1. */
-    void object(int beam, ObjectTable table, int id) {
-        objects[beam] = id < 0 ? null : table.value(id);
-    }
-
-    /** Notes three numbers. */
-    void normal(int beam, double[] normal) {
-        System.arraycopy(normal, 0, normals, 3 * beam, 3);
     }
 }

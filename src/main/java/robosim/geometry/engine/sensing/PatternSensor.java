@@ -26,7 +26,6 @@ public final class PatternSensor {
     /** Fewer rays are answered one by one just as fast. */
     private static final int FEW = 4;
 
-    private static final double[] NO_NORMAL = new double[3];
     private static final double[] NONE = new double[0];
 
     private final ObjectRegistry registry;
@@ -126,7 +125,7 @@ public final class PatternSensor {
             frame.turn(pattern, count, directions, beams, times);
             for (int at = 0; at < 3 * count; at += 3) {
                 if (directions[at] == 0 && directions[at + 2] == 0) {
-                    throw Beams.vertical(
+                    throw BeamQuery.vertical(
                             "direction " + (first + at / 3), directions[at], directions[at + 1], directions[at + 2]);
                 }
             }
@@ -145,7 +144,7 @@ public final class PatternSensor {
         max = options.max();
         width = options.width();
         ignored = options.carrier() == SenseOptions.Carrier.IGNORED ? frame.carrier() : -1;
-        more = out.hasObjects() || out.hasNormals() || out.hasParts() ? out : null;
+        more = out.hasMore() ? out : null;
         distances = out.distances();
         reserve();
         frame.start(pattern, options);
@@ -250,7 +249,7 @@ public final class PatternSensor {
                 if (hit >= 0 && wanted.hasNormals()) {
                     search.normal(view, k - from, vector);
                 }
-                note(wanted, beam, hit);
+                wanted.object(beam, objects, hit, vector);
                 if (wanted.hasParts()) {
                     wanted.part(
                             beam,
@@ -277,15 +276,15 @@ public final class PatternSensor {
 
     private void beam(AccuracyView view, int k) {
         int at = 3 * k;
-        ranging.beam(
+        ranging.line(
                 view.dimension,
                 frame.x(),
                 frame.y(),
                 frame.z(),
                 directions[at],
                 directions[at + 1],
-                directions[at + 2],
-                width);
+                directions[at + 2]);
+        ranging.widen(width);
     }
 
     private void answerOneByOne(AccuracyView view, int from, int to, @Nullable Surroundings around) {
@@ -298,28 +297,8 @@ public final class PatternSensor {
             distances[beam] = nearest < min ? min : nearest;
             Echoes wanted = more;
             if (wanted != null) {
-                int hit = ranging.hit();
-                if (hit >= 0 && wanted.hasNormals()) {
-                    ranging.normal(view, nearest, vector);
-                }
-                note(wanted, beam, hit);
-                if (wanted.hasParts()) {
-                    wanted.part(
-                            beam,
-                            hit < 0 ? -1 : ranging.part(view, hit, ranging.leaf()),
-                            hit < 0 ? -1 : ranging.face(view));
-                }
+                ranging.tell(wanted, beam, view, nearest);
             }
-        }
-    }
-
-    /** Notes what was hit, and the normal at hand. */
-    private void note(Echoes out, int beam, int hit) {
-        if (out.hasObjects()) {
-            out.object(beam, objects, hit);
-        }
-        if (out.hasNormals()) {
-            out.normal(beam, hit >= 0 ? vector : NO_NORMAL);
         }
     }
 

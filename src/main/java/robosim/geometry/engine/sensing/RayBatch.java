@@ -1,7 +1,6 @@
 package robosim.geometry.engine.sensing;
 
 import robosim.geometry.engine.broadphase.AccuracyView;
-import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 
@@ -11,13 +10,10 @@ public final class RayBatch {
     public static final int RAY = 7;
 
     private final Dimension dimension;
-    private final ObjectTable objects;
     private final BeamQuery ranging;
-    private final double[] normal = new double[3];
 
-    public RayBatch(Dimension dimension, ObjectTable objects, BeamQuery ranging) {
+    public RayBatch(Dimension dimension, BeamQuery ranging) {
         this.dimension = dimension;
-        this.objects = objects;
         this.ranging = ranging;
     }
 
@@ -51,20 +47,19 @@ public final class RayBatch {
         if (dx == 0 && dy == 0 && dz == 0) {
             throw new IllegalArgumentException("direction of ray " + ray + " must not be zero (got: (0.0, 0.0, 0.0))");
         }
-        Beams.checkLevel(dimension, dx, dy, dz);
+        BeamQuery.checkLevel(dimension, dx, dy, dz);
     }
 
     private void aim(double[] rays, int at) {
         // As a point has them, which has no -0.0.
-        ranging.beam(
+        ranging.line(
                 dimension,
                 rays[at] + 0.0,
                 rays[at + 1] + 0.0,
                 rays[at + 2] + 0.0,
                 rays[at + 3] + 0.0,
                 rays[at + 4] + 0.0,
-                rays[at + 5] + 0.0,
-                0);
+                rays[at + 5] + 0.0);
     }
 
     /**
@@ -99,30 +94,8 @@ public final class RayBatch {
         for (int k = 0; k < count; k++) {
             aim(rays, RAY * k);
             distances[k] = ranging.nearest(view, rays[RAY * k + 6], -1);
-            int hit = ranging.hit();
-            if (out.hasObjects()) {
-                out.object(k, objects, hit);
-            }
-            if (out.hasNormals()) {
-                out.normal(k, normalOf(view, hit, distances[k]));
-            }
-            if (out.hasParts()) {
-                boolean isMissed = hit < 0;
-                out.part(
-                        k, isMissed ? -1 : ranging.part(view, hit, ranging.leaf()), isMissed ? -1 : ranging.face(view));
-            }
+            ranging.tell(out, k, view, distances[k]);
         }
         out.filled(count);
-    }
-
-    private double[] normalOf(AccuracyView view, int hit, double distance) {
-        if (hit >= 0) {
-            ranging.normal(view, distance, normal);
-        } else {
-            normal[0] = 0;
-            normal[1] = 0;
-            normal[2] = 0;
-        }
-        return normal;
     }
 }

@@ -1,5 +1,6 @@
 package robosim.geometry.index.hierarchy;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.index.regions.KeyedLinks;
 
 /**
@@ -66,72 +67,49 @@ public final class ConeCursor {
     private float atDownY;
     private float atDownZ;
 
-    private final Side left = new Side();
-    private final Side right = new Side();
-    private final Side above = new Side();
-    private final Side below = new Side();
+    // Planes through the apex that touch the cone, across e cos - u sin, given a unit vector e across the axis u.
+    private final BoundsPlane left = new BoundsPlane();
+    private final BoundsPlane right = new BoundsPlane();
+    private final BoundsPlane above = new BoundsPlane();
+    private final BoundsPlane below = new BoundsPlane();
 
     /** By the bits of floats of at least 0, which sort like the floats. */
     private final KeyedLinks queue = new KeyedLinks();
 
-    /** A plane through the apex that touches the cone, and what of bounds is least along its outward normal. */
-    private static final class Side {
-        private float x;
-        private float y;
-        private float z;
-        private float at;
-        private int fromX;
-        private int fromY;
-        private int fromZ;
-
-        /** Across the normal e cos - u sin, given a unit vector e across the axis u. */
-        void set(double nx, double ny, double nz, double ox, double oy, double oz, double pad) {
-            x = (float) nx;
-            y = (float) ny;
-            z = (float) nz;
-            at = (float) (-(nx * ox + ny * oy + nz * oz) - pad);
-            fromX = x > 0 ? 0 : 3;
-            fromY = y > 0 ? 1 : 4;
-            fromZ = z > 0 ? 2 : 5;
-        }
-
-        /** The bits of how far bounds are beyond the plane, roughly; 0 or less where they may not be. */
-        int beyond(float[] n, int k) {
-            return Float.floatToRawIntBits(Math.fma(
-                    n[k + fromX], x, Math.fma(n[k + fromY], y, Math.fma(n[k + fromZ], z, at))));
-        }
-    }
-
     /**
-     * Sets a cone about a unit vector; half its opening angle is below 90 degrees.
+     * Sets a cone.
      *
      * @param most at least the greatest magnitude of any coordinate of a box in the hierarchies
      */
-    public void aim(
-            double ox, double oy, double oz, double ux, double uy, double uz, double cos, double sin, double most) {
-        double reach = Math.max(most, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
+    public void aim(BeamAxis beam, double most) {
+        double reach = Math.max(most, beam.largest());
+        double ox = beam.ox;
+        double oy = beam.oy;
+        double oz = beam.oz;
+        double cos = beam.cos;
+        double sin = beam.sin;
         isWhole = !(reach < LARGEST && reach > SMALLEST);
         pad = PAD * reach;
         farthest = ACROSS * reach;
-        double x = factor(ux, cos, sin);
+        double x = factor(beam.ux(), cos, sin);
         upX = (float) x;
         atUpX = (float) (-ox * x - pad * x);
-        x = factor(-ux, cos, sin);
+        x = factor(-beam.ux(), cos, sin);
         downX = (float) -x;
         atDownX = (float) (ox * x - pad * x);
-        double y = factor(uy, cos, sin);
+        double y = factor(beam.uy(), cos, sin);
         upY = (float) y;
         atUpY = (float) (-oy * y - pad * y);
-        y = factor(-uy, cos, sin);
+        y = factor(-beam.uy(), cos, sin);
         downY = (float) -y;
         atDownY = (float) (oy * y - pad * y);
-        double z = factor(uz, cos, sin);
+        double z = factor(beam.uz(), cos, sin);
         upZ = (float) z;
         atUpZ = (float) (-oz * z - pad * z);
-        z = factor(-uz, cos, sin);
+        z = factor(-beam.uz(), cos, sin);
         downZ = (float) -z;
         atDownZ = (float) (oz * z - pad * z);
-        setSides(ox, oy, oz, ux, uy, uz, cos, sin);
+        setSides(beam);
     }
 
     /** The distance at which a cone reaches a plane across an axis, of which its own axis has a share, per height. */
@@ -140,7 +118,12 @@ public final class ConeCursor {
         return most >= FLATTEST ? 1 / most : most > -FLATTEST ? 1 / FLATTEST : NEVER;
     }
 
-    private void setSides(double ox, double oy, double oz, double ux, double uy, double uz, double cos, double sin) {
+    private void setSides(BeamAxis beam) {
+        double ux = beam.ux();
+        double uy = beam.uy();
+        double uz = beam.uz();
+        double cos = beam.cos;
+        double sin = beam.sin;
         // Across the axis: level, or along X where the axis is upright; and across both.
         double level = Math.sqrt(ux * ux + uz * uz);
         boolean isUpright = !(level > 0x1p-20);
@@ -157,10 +140,10 @@ public final class ConeCursor {
         double sx = ux * sin;
         double sy = uy * sin;
         double sz = uz * sin;
-        left.set(ex - sx, -sy, ez - sz, ox, oy, oz, pad);
-        right.set(-ex - sx, -sy, -ez - sz, ox, oy, oz, pad);
-        above.set(fx - sx, fy - sy, fz - sz, ox, oy, oz, pad);
-        below.set(-fx - sx, -fy - sy, -fz - sz, ox, oy, oz, pad);
+        left.set(ex - sx, -sy, ez - sz, beam.ox, beam.oy, beam.oz, pad);
+        right.set(-ex - sx, -sy, -ez - sz, beam.ox, beam.oy, beam.oz, pad);
+        above.set(fx - sx, fy - sy, fz - sz, beam.ox, beam.oy, beam.oz, pad);
+        below.set(-fx - sx, -fy - sy, -fz - sz, beam.ox, beam.oy, beam.oz, pad);
     }
 
     /** Starts to search two hierarchies, which share no object. */

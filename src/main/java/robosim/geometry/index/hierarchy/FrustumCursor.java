@@ -52,38 +52,16 @@ public final class FrustumCursor {
     private boolean isWhole;
     private double pad;
 
-    /** A plane, by what of bounds is least along its normal. */
-    private static final class Plane {
-        private float x;
-        private float y;
-        private float z;
-        private float at;
-        private int fromX;
-        private int fromY;
-        private int fromZ;
+    private final BoundsPlane ahead = new BoundsPlane();
+    private final BoundsPlane left = new BoundsPlane();
+    private final BoundsPlane right = new BoundsPlane();
+    private final BoundsPlane above = new BoundsPlane();
+    private final BoundsPlane below = new BoundsPlane();
 
-        void set(double nx, double ny, double nz, double ox, double oy, double oz, double pad) {
-            x = (float) nx;
-            y = (float) ny;
-            z = (float) nz;
-            at = (float) (-(nx * ox + ny * oy + nz * oz) - pad);
-            fromX = x > 0 ? 0 : 3;
-            fromY = y > 0 ? 1 : 4;
-            fromZ = z > 0 ? 2 : 5;
-        }
-
-        /** The bits of how far bounds are beyond the plane; those of a negative number are below 0. */
-        int beyond(float[] n, int k) {
-            return Float.floatToRawIntBits(Math.fma(
-                    n[k + fromX], x, Math.fma(n[k + fromY], y, Math.fma(n[k + fromZ], z, at))));
-        }
-    }
-
-    private final Plane ahead = new Plane();
-    private final Plane left = new Plane();
-    private final Plane right = new Plane();
-    private final Plane above = new Plane();
-    private final Plane below = new Plane();
+    // Where the rays begin.
+    private double ox;
+    private double oy;
+    private double oz;
 
     // The middle direction, and two that are perpendicular to it and to each other.
     private double ax;
@@ -197,15 +175,18 @@ public final class FrustumCursor {
      *
      * @param most at least the greatest magnitude of any coordinate of a box in the hierarchies
      */
-    public void aim(double ox, double oy, double oz, double most) {
+    public void aim(double x, double y, double z, double most) {
+        ox = x;
+        oy = y;
+        oz = z;
         double reach = Math.max(most, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
         isWhole = !(reach < LARGEST && reach > SMALLEST);
         pad = PAD * reach;
         ahead.set(steep(ax), steep(ay), steep(az), ox, oy, oz, pad);
-        side(left, ex, ey, ez, mostE, ox, oy, oz);
-        side(right, -ex, -ey, -ez, -leastE, ox, oy, oz);
-        side(above, fx, fy, fz, mostF, ox, oy, oz);
-        side(below, -fx, -fy, -fz, -leastF, ox, oy, oz);
+        side(left, ex, ey, ez, mostE);
+        side(right, -ex, -ey, -ez, -leastE);
+        side(above, fx, fy, fz, mostF);
+        side(below, -fx, -fy, -fz, -leastF);
     }
 
     private static double steep(double component) {
@@ -213,7 +194,7 @@ public final class FrustumCursor {
     }
 
     /** A plane that no ray is beyond: their slopes along a direction are at most so much. */
-    private void side(Plane to, double nx, double ny, double nz, double most, double ox, double oy, double oz) {
+    private void side(BoundsPlane to, double nx, double ny, double nz, double most) {
         double slope = most + WIDER;
         double scale = 1 / Math.sqrt(1 + slope * slope);
         to.set((nx - slope * ax) * scale, (ny - slope * ay) * scale, (nz - slope * az) * scale, ox, oy, oz, pad);

@@ -1,6 +1,7 @@
 package robosim.geometry.index.hierarchy;
 
 import java.util.Arrays;
+import robosim.geometry.exact.BeamAxis;
 
 /**
  * Follows a ray through a {@link Hierarchy}, nearer children first. Where the ray enters a child is computed in floats,
@@ -66,16 +67,18 @@ public final class RayCursor {
     /**
      * Sets a ray, for any number of hierarchies one after the other.
      *
-     * @param ux a direction of about unit length
      * @param most at least the greatest magnitude of any coordinate of a box in them
      */
-    public void aim(double ox, double oy, double oz, double ux, double uy, double uz, double most) {
-        double reach = Math.max(most, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
+    public void aim(BeamAxis ray, double most) {
+        double reach = Math.max(most, ray.largest());
+        double ox = ray.ox;
+        double oy = ray.oy;
+        double oz = ray.oz;
         isWhole = !(reach < LARGEST && reach > SMALLEST);
         pad = PAD * reach;
-        double x = inverse(ux);
-        double y = inverse(uy);
-        double z = inverse(uz);
+        double x = inverse(ray.ux());
+        double y = inverse(ray.uy());
+        double z = inverse(ray.uz());
         ix = (float) x;
         iy = (float) y;
         iz = (float) z;
@@ -116,19 +119,10 @@ public final class RayCursor {
         float[] n = tree.nodes;
         long[] stack = this.stack;
         int top = depth;
-        float x = ix;
-        float y = iy;
-        float z = iz;
-        float gx = nearX;
-        float gy = nearY;
-        float gz = nearZ;
-        float hx = farX;
-        float hy = farY;
-        float hz = farZ;
         // Where the near and the far planes stand in a child's bounds.
-        int nx = x < 0 ? 3 : 0;
-        int ny = y < 0 ? 4 : 1;
-        int nz = z < 0 ? 5 : 2;
+        int nx = ix < 0 ? 3 : 0;
+        int ny = iy < 0 ? 4 : 1;
+        int nz = iz < 0 ? 5 : 2;
         int fx = 3 - nx;
         int fy = 5 - ny;
         int fz = 7 - nz;
@@ -143,17 +137,17 @@ public final class RayCursor {
                 }
                 int at = (int) nearest * Hierarchy.STRIDE;
                 nearest = MISSED;
-                int enterA = enter(n, at + nx, at + ny, at + nz, x, y, z, gx, gy, gz);
-                int leaveA = leave(n, at + fx, at + fy, at + fz, x, y, z, hx, hy, hz, within);
+                int enterA = enter(n, at + nx, at + ny, at + nz);
+                int leaveA = leave(n, at + fx, at + fy, at + fz, within);
                 int b = at + PART;
-                int enterB = enter(n, b + nx, b + ny, b + nz, x, y, z, gx, gy, gz);
-                int leaveB = leave(n, b + fx, b + fy, b + fz, x, y, z, hx, hy, hz, within);
+                int enterB = enter(n, b + nx, b + ny, b + nz);
+                int leaveB = leave(n, b + fx, b + fy, b + fz, within);
                 int c = at + 2 * PART;
-                int enterC = enter(n, c + nx, c + ny, c + nz, x, y, z, gx, gy, gz);
-                int leaveC = leave(n, c + fx, c + fy, c + fz, x, y, z, hx, hy, hz, within);
+                int enterC = enter(n, c + nx, c + ny, c + nz);
+                int leaveC = leave(n, c + fx, c + fy, c + fz, within);
                 int d = at + 3 * PART;
-                int enterD = enter(n, d + nx, d + ny, d + nz, x, y, z, gx, gy, gz);
-                int leaveD = leave(n, d + fx, d + fy, d + fz, x, y, z, hx, hy, hz, within);
+                int enterD = enter(n, d + nx, d + ny, d + nz);
+                int leaveD = leave(n, d + fx, d + fy, d + fz, within);
                 if (enterA <= leaveA) {
                     long key = key(enterA, n[at + LINKS]);
                     nearest = key;
@@ -198,22 +192,20 @@ public final class RayCursor {
         return stack;
     }
 
-    private static int enter(
-            float[] n, int ax, int ay, int az, float x, float y, float z, float gx, float gy, float gz) {
+    private int enter(float[] n, int x, int y, int z) {
         return Math.max(
-                Math.max(0, Float.floatToRawIntBits(Math.fma(n[ax], x, gx))),
+                Math.max(0, Float.floatToRawIntBits(Math.fma(n[x], ix, nearX))),
                 Math.max(
-                        Float.floatToRawIntBits(Math.fma(n[ay], y, gy)),
-                        Float.floatToRawIntBits(Math.fma(n[az], z, gz))));
+                        Float.floatToRawIntBits(Math.fma(n[y], iy, nearY)),
+                        Float.floatToRawIntBits(Math.fma(n[z], iz, nearZ))));
     }
 
-    private static int leave(
-            float[] n, int ax, int ay, int az, float x, float y, float z, float hx, float hy, float hz, int within) {
+    private int leave(float[] n, int x, int y, int z, int within) {
         return Math.min(
-                Math.min(within, Float.floatToRawIntBits(Math.fma(n[ax], x, hx))),
+                Math.min(within, Float.floatToRawIntBits(Math.fma(n[x], ix, farX))),
                 Math.min(
-                        Float.floatToRawIntBits(Math.fma(n[ay], y, hy)),
-                        Float.floatToRawIntBits(Math.fma(n[az], z, hz))));
+                        Float.floatToRawIntBits(Math.fma(n[y], iy, farY)),
+                        Float.floatToRawIntBits(Math.fma(n[z], iz, farZ))));
     }
 
     /** The bits of a float that is at least a limit, with what the entries may be off by. */

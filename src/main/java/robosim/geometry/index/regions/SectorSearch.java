@@ -1,5 +1,7 @@
 package robosim.geometry.index.regions;
 
+import robosim.geometry.exact.BeamAxis;
+
 /**
  * Searches a {@link RegionTree} in a sector of the plane, in the order of how far boxes are within the sector, or less.
  *
@@ -59,13 +61,17 @@ public final class SectorSearch {
     }
 
     /**
-     * Starts a search in a sector about a unit vector.
+     * Starts a search in the sector about a level beam.
      *
-     * @param cos of half the opening angle, which is below 90 degrees
      * @param most at least the greatest magnitude of any coordinate of a box
      */
-    public void start(
-            RegionTree tree, double ox, double oz, double ux, double uz, double cos, double sin, double most) {
+    public void start(RegionTree tree, BeamAxis beam, double most) {
+        double ox = beam.ox;
+        double oz = beam.oz;
+        double ux = beam.ux();
+        double uz = beam.uz();
+        double cos = beam.cos;
+        double sin = beam.sin;
         double reach = Math.max(most, Math.max(Math.abs(ox), Math.abs(oz)));
         double pad = PAD * reach + Double.MIN_NORMAL;
         farthest = ACROSS * reach + Double.MIN_NORMAL;

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.cone;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
@@ -35,16 +36,17 @@ public final class Cone {
     double cos;
     double sin;
 
-    public void set(double ox, double oy, double oz, double dx, double dy, double dz, double cos) {
-        this.ox = ox;
-        this.oy = oy;
-        this.oz = oz;
+    /** Takes a beam, whose start may be moved to another height. */
+    public void set(BeamAxis beam, double y) {
+        ox = beam.ox;
+        oy = y;
+        oz = beam.oz;
         // The next leaf for the same beam, or the next beam of the same sensor.
-        if (!(isSame(dx, this.dx) && isSame(dy, this.dy) && isSame(dz, this.dz))) {
-            setAxis(dx, dy, dz);
+        if (!(isSame(beam.dx, dx) && isSame(beam.dy, dy) && isSame(beam.dz, dz))) {
+            setAxis(beam.dx, beam.dy, beam.dz);
         }
-        if (cos != this.cos) {
-            setWidth(cos);
+        if (beam.cos != cos) {
+            setWidth(beam.cos);
         }
     }
 

@@ -67,6 +67,15 @@ final class ConePolytope {
     private final ConeFaces faces = new ConeFaces(corners);
     private double extent;
 
+    /** The edge that is looked at: one end, and the way to the other. */
+    private double px;
+
+    private double py;
+    private double pz;
+    private double ex;
+    private double ey;
+    private double ez;
+
     /**
      * The distance; {@code axis} is the distance where the axis itself meets the leaf (+Infinity where it does not).
      */
@@ -158,16 +167,16 @@ final class ConePolytope {
 
     private double edge(Cone cone, int from, int to) {
         double[] v = corners.hi;
-        double px = v[3 * from];
-        double py = v[3 * from + 1];
-        double pz = v[3 * from + 2];
-        double ex = v[3 * to] - px;
-        double ey = v[3 * to + 1] - py;
-        double ez = v[3 * to + 2] - pz;
+        px = v[3 * from];
+        py = v[3 * from + 1];
+        pz = v[3 * from + 2];
+        ex = v[3 * to] - px;
+        ey = v[3 * to + 1] - py;
+        ez = v[3 * to + 2] - pz;
         double ee = ex * ex + ey * ey + ez * ez;
         double foot = ee > 0 ? -(px * ex + py * ey + pz * ez) / ee : 0;
-        double deepest = ee > 0 ? deepest(cone, px, py, pz, ex, ey, ez, foot, Math.sqrt(ee)) : 0;
-        double depth = depth(cone, px, py, pz, ex, ey, ez, deepest);
+        double deepest = ee > 0 ? deepest(cone, foot, Math.sqrt(ee)) : 0;
+        double depth = depth(cone, deepest);
         double farther =
                 Math.max(VectorMath.length(px, py, pz), VectorMath.length(v[3 * to], v[3 * to + 1], v[3 * to + 2]));
         double error = FILTER * farther + UNDERFLOW;
@@ -175,7 +184,7 @@ final class ConePolytope {
             return Double.POSITIVE_INFINITY;
         }
         if (!(depth > error)) {
-            if (!(distance(px, py, pz, ex, ey, ez, deepest) > NEAR * error)) {
+            if (!(distance(deepest) > NEAR * error)) {
                 return exactly(cone, from, to);
             }
             if (!isExactlyMet(cone, from, to)) {
@@ -183,21 +192,21 @@ final class ConePolytope {
             }
         }
         double nearest = Math.max(0, Math.min(1, foot));
-        double there = depth(cone, px, py, pz, ex, ey, ez, nearest);
+        double there = depth(cone, nearest);
         boolean isIn = there >= 0;
         if (Math.abs(there) <= error) {
             if (nearest == 0 || nearest == 1) {
                 // Along the edge, the slope of the distance is 0 at the foot, but not at a corner.
                 isIn = isExactlyHeld(cone, nearest == 0 ? from : to);
-            } else if (!(distance(px, py, pz, ex, ey, ez, nearest) * depth
+            } else if (!(distance(nearest) * depth
                     > SQUARE_NEAR * error * (Math.abs(deepest - nearest) * Math.sqrt(ee)))) {
                 return exactly(cone, from, to);
             }
         }
-        return isIn ? distance(px, py, pz, ex, ey, ez, nearest) : entry(cone, from, to, nearest, deepest);
+        return isIn ? distance(nearest) : entry(cone, from, to, nearest, deepest);
     }
 
-    private static double distance(double px, double py, double pz, double ex, double ey, double ez, double share) {
+    private double distance(double share) {
         return VectorMath.length(px + share * ex, py + share * ey, pz + share * ez);
     }
 
@@ -205,8 +214,7 @@ final class ConePolytope {
      * Where the depth is greatest along a segment: it decreases to both sides of the point past the foot by {@code h k
      * / sqrt(cos^2 - k^2)}, if k, the cosine of the line's direction, is below the cone's; h is the line's distance.
      */
-    private static double deepest(
-            Cone cone, double px, double py, double pz, double ex, double ey, double ez, double foot, double length) {
+    private double deepest(Cone cone, double foot, double length) {
         double k = (ex * cone.ux + ey * cone.uy + ez * cone.uz) / length;
         double across = (cone.cos - k) * (cone.cos + k);
         double place;
@@ -217,15 +225,14 @@ final class ConePolytope {
             place = k;
         }
         double best = Math.max(0, Math.min(1, place));
-        double depth = depth(cone, px, py, pz, ex, ey, ez, best);
+        double depth = depth(cone, best);
         if (cone.depth(px, py, pz) > depth) {
             return 0;
         }
         return cone.depth(px + ex, py + ey, pz + ez) > depth ? 1 : best;
     }
 
-    private static double depth(
-            Cone cone, double px, double py, double pz, double ex, double ey, double ez, double share) {
+    private double depth(Cone cone, double share) {
         return cone.depth(px + share * ex, py + share * ey, pz + share * ez);
     }
 

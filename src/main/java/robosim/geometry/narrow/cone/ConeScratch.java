@@ -14,19 +14,11 @@ public final class ConeScratch {
     public final PlanarSector sector = new PlanarSector();
 
     private @Nullable ConeWorkspace cones;
-    private @Nullable SectorOval sectorOval;
 
     public ConeScratch(RayScratch ray, PlanarScratch planar, LeafScratch leaf) {
         this.ray = ray;
         this.planar = planar;
         this.leaf = leaf;
-    }
-
-    public SectorOval sectorOval() {
-        if (sectorOval == null) {
-            sectorOval = new SectorOval();
-        }
-        return sectorOval;
     }
 
     public ConeWorkspace cones() {

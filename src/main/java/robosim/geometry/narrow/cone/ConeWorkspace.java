@@ -7,5 +7,6 @@ final class ConeWorkspace {
     final PlainSectorBox sectorBox = new PlainSectorBox();
     final ConePolytope polytope = new ConePolytope();
     final ConeCylinder cylinder = new ConeCylinder();
+    final SectorOval oval = new SectorOval();
     final ConeCapsule capsule = new ConeCapsule();
 }

@@ -32,6 +32,13 @@ final class PlainSectorBox {
 
     private static final double STEEPEST = 32;
 
+    private double cos;
+    private double sin;
+    private double limit;
+
+    /** Sum of the magnitudes of all that enters. */
+    private double size;
+
     private double least;
     private double error;
 
@@ -40,24 +47,23 @@ final class PlainSectorBox {
 
     private int to;
 
-    /**
-     * What is known of a box.
-     *
-     * @param ux the sector's axis, of unit length
-     */
-    int look(double ox, double oz, double ux, double uz, double cos, double sin, double[] row, int j, double limit) {
+    /** What is known of a box. */
+    int look(Cone cone, double[] row, int j, double most) {
+        cos = cone.cos;
+        sin = cone.sin;
+        limit = most;
         int r = j + Leaf.ROTATION;
         double ax = row[r];
         double az = row[r + 6];
         double bx = row[r + 2];
         double bz = row[r + 8];
-        double mx = row[j] - ox;
-        double mz = row[j + 2] - oz;
+        double mx = row[j] - cone.ox;
+        double mz = row[j + 2] - cone.oz;
         double a = mx * ax + mz * az;
         double b = mx * bx + mz * bz;
         double halfA = row[j + 3];
         double halfB = row[j + 5];
-        double size = Math.abs(a) + Math.abs(b) + halfA + halfB;
+        size = Math.abs(a) + Math.abs(b) + halfA + halfB;
         error = ERROR * size;
         if (!(Math.abs(ax * ax + az * az - 1) < ASKEW
                 && Math.abs(bx * bx + bz * bz - 1) < ASKEW
@@ -82,8 +88,8 @@ final class PlainSectorBox {
         if (length - 8 * error > limit) {
             return BEYOND;
         }
-        double ua = ux * ax + uz * az;
-        double ub = ux * bx + uz * bz;
+        double ua = cone.ux * ax + cone.uz * az;
+        double ub = cone.ux * bx + cone.uz * bz;
         double ahead = p * ua + q * ub;
         double depth = ahead - cos * length;
         if (depth > CLEAR * size) {
@@ -97,12 +103,12 @@ final class PlainSectorBox {
         }
         int known = BEYOND;
         if (p != 0) {
-            known = side(p, halfA, lowB, highB, ua, ub, cos, sin, size, limit);
+            known = side(p, halfA, lowB, highB, ua, ub);
             from = p > 0 ? 0 : 1;
             to = from + 4;
         }
         if (known == BEYOND && q != 0) {
-            known = side(q, halfB, lowA, highA, ub, ua, cos, sin, size, limit);
+            known = side(q, halfB, lowA, highA, ub, ua);
             from = q > 0 ? 0 : 4;
             to = from + 1;
         }
@@ -110,17 +116,7 @@ final class PlainSectorBox {
     }
 
     /** What a side tells, at a bound across one axis and from low to high along the other. */
-    private int side(
-            double at,
-            double half,
-            double low,
-            double high,
-            double across,
-            double along,
-            double cos,
-            double sin,
-            double size,
-            double limit) {
+    private int side(double at, double half, double low, double high, double across, double along) {
         double toward = at > 0 ? across : -across;
         if (toward >= cos) {
             return BEYOND; // nearest straight on, where the box is not

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.cone;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -17,8 +18,6 @@ import robosim.geometry.narrow.ray.PlanarRay;
  * section the sector is. So the plane and space give the same verdicts, exact for the stored cosine.
  */
 public final class PlanarCone {
-    private static final double LEAST = 0x1p-100;
-    private static final double MOST = 0x1p100;
     private static final double FILTER = Filter.bound(1.01);
 
     /** The square of a side that is negligible beside anything that is not tiny itself. */
@@ -27,68 +26,39 @@ public final class PlanarCone {
     private PlanarCone() {}
 
     /**
-     * Distance from (ox, oz) to the nearest point of the leaf's projection within the sector of the given half angle
-     * about (ux, uz).
+     * Distance from the apex to the nearest point of the leaf's projection within the sector about a level beam.
      *
      * <p>Never more than what {@link PlanarRay} answers for the axis, bit for bit, and exactly that where the cosine is
      * 1. Whether anything is within is exact for the stored cosine, except for a turned cylinder. Distances of boxes,
      * triangles, octagons and discs are within 8 ulp of the largest of the distance and the coordinates and sizes that
      * it was computed from.
      *
-     * @param halfCos cosine of the half angle, which is in (0, 90) degrees; it alone decides what is within
-     * @param halfSin its sine
+     * @param beam its cosine alone decides what is within
      * @param limit a distance beyond which an answer is not needed
      * @return world units; 0 where the apex is inside or on it, {@code +Infinity} where nothing is within, and also where all
      *     that is within is certainly beyond the limit
      */
-    public static double distance(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            double halfSin,
-            LeafKind kind,
-            double[] b,
-            int j,
-            double limit,
-            ConeScratch s) {
-        double size = Math.max(Math.abs(ux), Math.abs(uz));
-        if (!(size >= LEAST && size <= MOST)) {
-            int shift = -Math.getExponent(size);
-            ux = Math.scalb(Math.scalb(ux, shift / 2), shift - shift / 2);
-            uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
-        }
-        if (halfCos >= 1) { // narrower than a cosine can express: only its axis
-            return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s.ray);
+    public static double distance(BeamAxis beam, LeafKind kind, double[] b, int j, double limit, ConeScratch s) {
+        if (beam.cos >= 1) { // narrower than a cosine can express: only its axis
+            return PlanarRay.distance(beam, kind, b, j, s.ray);
         }
         if (kind == LeafKind.UPRIGHT_BOX) {
-            double known = plainBox(ox, oz, ux, uz, halfCos, halfSin, b, j, limit, s);
+            double known = plainBox(beam, b, j, limit, s);
             if (known >= 0) {
                 return known;
             }
         }
-        return all(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
+        return all(beam, kind, b, j, s);
     }
 
     /** The distance of an upright box, where plain numbers know which of its points is nearest; else below 0. */
-    private static double plainBox(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            double halfSin,
-            double[] b,
-            int j,
-            double limit,
-            ConeScratch s) {
+    private static double plainBox(BeamAxis beam, double[] b, int j, double limit, ConeScratch s) {
         Cone cone = s.cones().cone;
-        cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        cone.set(beam, 0);
         PlainSectorBox box = s.cones().sectorBox;
-        return switch (box.look(ox, oz, cone.ux, cone.uz, halfCos, cone.sin, b, j, limit)) {
+        return switch (box.look(cone, b, j, limit)) {
             case PlainSectorBox.BEYOND -> Double.POSITIVE_INFINITY;
-            case PlainSectorBox.HELD -> within(ox, oz, ux, uz, halfCos, halfSin, LeafKind.UPRIGHT_BOX, b, j, s);
+            case PlainSectorBox.HELD -> within(beam, LeafKind.UPRIGHT_BOX, b, j, s);
             case PlainSectorBox.CROSSED -> {
                 flatten(LeafKind.UPRIGHT_BOX, b, j, s.leaf.flat);
                 double crossed =
@@ -100,82 +70,44 @@ public final class PlanarCone {
     }
 
     /** The same, of all points of a leaf. */
-    static double all(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            double halfSin,
-            LeafKind kind,
-            double[] b,
-            int j,
-            ConeScratch s) {
-        double within = within(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
+    static double all(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
+        double within = within(beam, kind, b, j, s);
         // A miss by the exact shapes holds for the axis too; for a turned cylinder each is certified separately.
         boolean isCertain =
                 within == 0 || (within == Double.POSITIVE_INFINITY && kind.fromAbove() != LeafKind.FromAbove.OVAL);
-        return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s.ray));
+        return isCertain ? within : Math.min(within, PlanarRay.distance(beam, kind, b, j, s.ray));
     }
 
-    private static double within(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            double halfSin,
-            LeafKind kind,
-            double[] b,
-            int j,
-            ConeScratch s) {
-        PlanarSector sector = s.sector;
-        sector.set(ux, uz, halfCos, halfSin);
+    private static double within(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
+        s.sector.set(beam);
         return switch (kind.fromAbove()) {
-            case DISC -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
-            case POLYGON -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
-            case OVAL -> oval(ox, oz, ux, uz, halfCos, kind, b, j, s);
+            case DISC -> disc(beam, b, j, s);
+            case POLYGON -> polygon(beam, kind, b, j, s);
+            case OVAL -> oval(beam, kind, b, j, s);
             case TRIANGLES, CELLS -> throw kind.refused();
         };
     }
 
-    private static double disc(
-            PlanarSector sector,
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            double[] b,
-            int j,
-            ConeScratch s) {
-        double mx = b[j] - ox;
-        double mz = b[j + 2] - oz;
+    private static double disc(BeamAxis beam, double[] b, int j, ConeScratch s) {
+        PlanarSector sector = s.sector;
+        double mx = b[j] - beam.ox;
+        double mz = b[j + 2] - beam.oz;
         double r = b[j + Leaf.SIZE];
-        if (sector.surelyHolds(mx, mz, 0) || DiscDisc.touch(ox, oz, 0, b[j], b[j + 2], r)) {
-            return DiscDisc.distance(ox, oz, 0, b[j], b[j + 2], r);
+        if (sector.surelyHolds(mx, mz, 0) || DiscDisc.touch(beam.ox, beam.oz, 0, b[j], b[j + 2], r)) {
+            return DiscDisc.distance(beam.ox, beam.oz, 0, b[j], b[j + 2], r);
         }
         if (sector.isSurelyBeyond(mx, mz, r)) {
             return Double.POSITIVE_INFINITY;
         }
         flatten(LeafKind.SPHERE, b, j, s.leaf.flat);
-        s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        s.cones().cone.set(beam, 0);
         return ConeSphere.distance(s.cones().cone, s.leaf.flat, 0);
     }
 
-    private static double polygon(
-            PlanarSector sector,
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            LeafKind kind,
-            double[] b,
-            int j,
-            ConeScratch s) {
+    private static double polygon(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
+        PlanarSector sector = s.sector;
         PlanarShape q = s.planar.planarB;
-        q.set(kind, b, j, ox, oz);
+        q.set(kind, b, j, beam.ox, beam.oz);
         if (!q.isTiny()) {
             int side = PointPolygon.side(q, FILTER * q.error);
             if (side > 0) {
@@ -191,12 +123,12 @@ public final class PlanarCone {
                 }
             }
         }
-        double axis = PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s.ray);
+        double axis = PlanarRay.distance(beam, kind, b, j, s.ray);
         if (axis == 0) {
             return 0;
         }
         flatten(kind, b, j, s.leaf.flat);
-        s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        s.cones().cone.set(beam, 0);
         return s.cones().polytope.flat(s.cones().cone, axis, kind, s.leaf.flat, 0);
     }
 
@@ -257,25 +189,16 @@ public final class PlanarCone {
         }
     }
 
-    private static double oval(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double halfCos,
-            LeafKind kind,
-            double[] b,
-            int j,
-            ConeScratch s) {
+    private static double oval(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
         PlanarShape apex = s.planar.planarA;
         PlanarShape q = s.planar.planarB;
         apex.point();
-        q.set(kind, b, j, ox, oz);
+        q.set(kind, b, j, beam.ox, beam.oz);
         PlanarBracket bracket = s.planar.planarBracket;
         bracket.find(apex, q, false);
         if (!bracket.isApart()) {
             return 0;
         }
-        return s.sectorOval().distance(ox, oz, ux, uz, halfCos, b, j, q, bracket.distance());
+        return s.cones().oval.distance(beam, b, j, q, bracket.distance());
     }
 }

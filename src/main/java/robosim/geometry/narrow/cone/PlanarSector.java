@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.cone;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.planar.PlanarShape;
 
@@ -25,8 +26,12 @@ final class PlanarSector {
     /** At least the length of either edge. */
     private double most;
 
-    /** Sets a sector about (ux, uz). The cosine decides: the error of the sine relative to it is added to the doubt. */
-    void set(double ux, double uz, double halfCos, double halfSin) {
+    /** Sets a sector about a level beam. The cosine decides: the error of the sine relative to it is added to the doubt. */
+    void set(BeamAxis beam) {
+        double ux = beam.dx;
+        double uz = beam.dz;
+        double halfCos = beam.cos;
+        double halfSin = beam.sin;
         leftX = ux * halfCos - uz * halfSin;
         leftZ = ux * halfSin + uz * halfCos;
         rightX = ux * halfCos + uz * halfSin;

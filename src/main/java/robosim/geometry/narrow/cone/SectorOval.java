@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.cone;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.narrow.planar.PlanarShape;
 
@@ -54,18 +55,9 @@ final class SectorOval {
      *
      * @param nearest the distance to the nearest point of all, or a certified lower bound
      */
-    double distance(
-            double ox,
-            double oz,
-            double dx,
-            double dz,
-            double halfCos,
-            double[] row,
-            int at,
-            PlanarShape q,
-            double nearest) {
-        aim(dx, dz, halfCos);
-        take(ox, oz, row, at, q);
+    double distance(BeamAxis beam, double[] row, int at, PlanarShape q, double nearest) {
+        aim(beam.dx, beam.dz, beam.cos);
+        take(beam, row, at, q);
         edge(1);
         double left = entry;
         boolean isPast = entry < Double.POSITIVE_INFINITY && lean < -LEVEL;
@@ -99,15 +91,15 @@ final class SectorOval {
         p.divide(z, z, FREE);
     }
 
-    private void take(double ox, double oz, double[] row, int at, PlanarShape q) {
+    private void take(BeamAxis beam, double[] row, int at, PlanarShape q) {
         radius = q.radius + q.error;
         minor = q.minor + q.error;
         reach = q.reach + q.error;
         p.set(OVAL_X, q.axisX);
         p.set(OVAL_Z, q.axisZ);
         unit(OVAL_X, OVAL_Z);
-        p.difference(CENTER_X, row[at], ox);
-        p.difference(CENTER_Z, row[at + 2], oz);
+        p.difference(CENTER_X, row[at], beam.ox);
+        p.difference(CENTER_Z, row[at + 2], beam.oz);
         turn(ALONG, ACROSS, CENTER_X, CENTER_Z);
         p.negate(ALONG); // the apex relative to the centre
         p.negate(ACROSS);

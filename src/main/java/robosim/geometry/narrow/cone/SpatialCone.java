@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.cone;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -20,86 +21,43 @@ public final class SpatialCone {
     /**
      * World units from the apex to the nearest point of the leaf inside the cone.
      *
-     * @param ux the cone's axis, of any length but zero; its own direction decides, not that of a rounded unit vector
-     * @param halfCos cosine of half the opening angle, between 0 and 1, both excluded; it alone decides
-     * @param halfSin its sine
+     * @param beam its direction decides, not that of a rounded unit vector; and the cosine alone
      * @param limit a distance beyond which an answer is not needed
      * @return 0 where the apex is in the leaf; {@code +Infinity} where nothing of it is in the cone, and also where all that is
      *     is certainly beyond the limit
      */
-    public static double distance(
-            double ox,
-            double oy,
-            double oz,
-            double ux,
-            double uy,
-            double uz,
-            double halfCos,
-            double halfSin,
-            LeafKind kind,
-            double[] row,
-            int j,
-            double limit,
-            ConeScratch s) {
-        if (kind.isBox() && halfSin > 0 && halfCos < 1) {
+    public static double distance(BeamAxis beam, LeafKind kind, double[] row, int j, double limit, ConeScratch s) {
+        if (kind.isBox() && beam.sin > 0 && beam.cos < 1) {
             PlainConeBox box = s.cones().box;
-            Cone cone = set(ox, oy, oz, ux, uy, uz, halfCos, s);
+            Cone cone = s.cones().cone;
+            cone.set(beam, beam.oy);
             int known = box.look(cone, row, j, limit);
             if (known == PlainConeBox.BEYOND) {
                 return Double.POSITIVE_INFINITY;
             }
             if (known == PlainConeBox.FOUND) {
-                double axis = box.isAxisNear()
-                        ? SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s.ray)
-                        : Double.POSITIVE_INFINITY;
+                double axis =
+                        box.isAxisNear() ? SpatialRay.distance(beam, kind, row, j, s.ray) : Double.POSITIVE_INFINITY;
                 double near = s.cones().polytope.near(cone, box, axis, kind, row, j);
                 if (near >= 0) {
                     return near;
                 }
             }
         }
-        return all(ox, oy, oz, ux, uy, uz, halfCos, halfSin, kind, row, j, s);
-    }
-
-    private static Cone set(
-            double ox, double oy, double oz, double ux, double uy, double uz, double halfCos, ConeScratch s) {
-        double size = VectorMath.largest(ux, uy, uz);
-        int power = size > 0x1p100 || size < 0x1p-100 ? -Math.getExponent(size) : 0;
-        Cone cone = s.cones().cone;
-        cone.set(
-                ox,
-                oy,
-                oz,
-                SpatialRay.scale(ux, power),
-                SpatialRay.scale(uy, power),
-                SpatialRay.scale(uz, power),
-                halfCos);
-        return cone;
+        return all(beam, kind, row, j, s);
     }
 
     /** The same, of all features of a leaf. */
-    static double all(
-            double ox,
-            double oy,
-            double oz,
-            double ux,
-            double uy,
-            double uz,
-            double halfCos,
-            double halfSin,
-            LeafKind kind,
-            double[] row,
-            int j,
-            ConeScratch s) {
-        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule())
-                && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
+    static double all(BeamAxis beam, LeafKind kind, double[] row, int j, ConeScratch s) {
+        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule()) && isSurelyBeyond(beam, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
-        double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s.ray);
-        if (axis == 0 || !(halfSin > 0) || !(halfCos < 1)) {
+        double axis = SpatialRay.distance(beam, kind, row, j, s.ray);
+        if (axis == 0 || !(beam.sin > 0) || !(beam.cos < 1)) {
             return axis; // or so narrow that its stored cosine is that of a line
         }
-        Cone cone = set(ox, oy, oz, ux, uy, uz, halfCos, s);
+        Cone cone = s.cones().cone;
+        cone.set(beam, beam.oy);
         double nearest = switch (kind) {
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> s.cones().polytope.distance(cone, axis, kind, row, j);
             case SPHERE -> ConeSphere.distance(cone, row, j);
@@ -129,30 +87,19 @@ public final class SpatialCone {
      * off by a few roundings of 2^-53. The leaf's own axes are of length 1 to 2^-30. The margin is 2^-28 of all
      * summands.
      */
-    private static boolean isSurelyBeyond(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double cos,
-            LeafKind kind,
-            double[] row,
-            int j) {
-        double mx = row[j] - ox;
-        double my = row[j + 1] - oy;
-        double mz = row[j + 2] - oz;
+    private static boolean isSurelyBeyond(BeamAxis beam, LeafKind kind, double[] row, int j) {
+        double mx = row[j] - beam.ox;
+        double my = row[j + 1] - beam.oy;
+        double mz = row[j + 2] - beam.oz;
         // for leaves of two sizes, the sixth number only adds
         double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + row[j + 3] + row[j + 4] + row[j + 5];
-        double length = VectorMath.length(dx, dy, dz);
-        // where no square loses bits or overflows
-        if (!(size < 0x1p400 && size > 0x1p-400 && length > 0x1p-100 && length < 0x1p100)) {
+        if (!(size < 0x1p400 && size > 0x1p-400)) { // where no square loses bits or overflows
             return false;
         }
-        double ux = dx / length;
-        double uy = dy / length;
-        double uz = dz / length;
+        double ux = beam.ux();
+        double uy = beam.uy();
+        double uz = beam.uz();
+        double cos = beam.cos;
         double ahead = mx * ux + my * uy + mz * uz;
         double ex = mx - ahead * ux;
         double ey = my - ahead * uy;

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Work;
 import robosim.geometry.index.cells.CellRings;
 import robosim.geometry.index.cells.CellScan;
@@ -131,17 +132,18 @@ public final class GridWalk {
 
     /**
      * Begins a query for the cells in a cone, nearest first.
-     *
-     * @param ux   the unit vector of its axis, or of the axis of its sector in the plane
-     * @param sine of half its opening angle
      */
-    public void startCone(LeafColumn column, int leaf, double x, double z, double ux, double uz, double sine) {
+    public void startCone(LeafColumn column, int leaf, BeamAxis beam) {
+        double x = beam.ox;
+        double z = beam.oz;
+        double ux = beam.ux();
+        double uz = beam.uz();
         open(column, leaf);
         startRings(x, z, 0, 0);
         // The cone's projection is a sector where its axis rises less than it leaves room for: the sine of half of its
         // opening angle is that of the cone's over the cosine of the rise.
         double level = Math.sqrt(ux * ux + uz * uz);
-        double wide = sine * (1 + 0x1p-30) + 0x1p-30;
+        double wide = beam.sin * (1 + 0x1p-30) + 0x1p-30;
         if (wide >= level) {
             return;
         }
@@ -173,19 +175,14 @@ public final class GridWalk {
      * Begins a query for the cells along a line, in its order.
      *
      * @param isFlat whether heights do not count
-     * @param ux     the unit vector of its direction; that of its projection where heights do not count
      */
-    public void startLine(
-            LeafColumn column,
-            int leaf,
-            boolean isFlat,
-            double x,
-            double y,
-            double z,
-            double ux,
-            double uy,
-            double uz,
-            double limit) {
+    public void startLine(LeafColumn column, int leaf, boolean isFlat, BeamAxis beam, double limit) {
+        double x = beam.ox;
+        double y = beam.oy;
+        double z = beam.oz;
+        double ux = beam.ux();
+        double uy = beam.uy();
+        double uz = beam.uz();
         open(column, leaf);
         double from = 0;
         double to = Double.POSITIVE_INFINITY;

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.mesh;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.index.boxes.WideTree;
 import robosim.geometry.model.TriangleMesh;
@@ -86,19 +87,23 @@ public final class MeshRay {
     private final TriangleSieve sieve = new TriangleSieve();
 
     /**
-     * The line in the world; the direction has length 1 but for 2^-50, by which distances along it are off. {@link #pad} is
-     * 16 times that of all coordinates, and no distance is more than twice these.
+     * The line in the world, with its unit direction, or with its own where that has length 1 but for 2^-50, by which distances
+     * along it are off. {@link #pad} is 16 times that of all coordinates, and no distance is more than twice these.
      */
-    public void start(LeafColumn column, int leaf, double wx, double wy, double wz, double ux, double uy, double uz) {
+    public void start(LeafColumn column, int leaf, BeamAxis beam) {
+        boolean isUnit = Math.abs(beam.dx * beam.dx + beam.dy * beam.dy + beam.dz * beam.dz - 1) <= 0x1p-50;
+        double ux = isUnit ? beam.dx : beam.ux();
+        double uy = isUnit ? beam.dy : beam.uy();
+        double uz = isUnit ? beam.dz : beam.uz();
         double[] place = column.rows();
         int at = leaf * Leaf.STRIDE;
         int r = at + Leaf.ROTATION;
-        double x = wx - place[at];
-        double y = wy - place[at + 1];
-        double z = wz - place[at + 2];
-        double size = Math.abs(wx)
-                + Math.abs(wy)
-                + Math.abs(wz)
+        double x = beam.ox - place[at];
+        double y = beam.oy - place[at + 1];
+        double z = beam.oz - place[at + 2];
+        double size = Math.abs(beam.ox)
+                + Math.abs(beam.oy)
+                + Math.abs(beam.oz)
                 + Math.abs(place[at])
                 + Math.abs(place[at + 1])
                 + Math.abs(place[at + 2]);

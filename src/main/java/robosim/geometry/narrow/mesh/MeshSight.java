@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.mesh;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
@@ -64,23 +65,17 @@ public final class MeshSight {
     /** The factor that makes distances in the own frame lower bounds in the world. */
     private double shrink;
 
-    /** Starts a line in the plane; the direction has length 1. */
-    public void startLine(LeafColumn column, int leaf, double wx, double wz, double dx, double dz) {
-        startSector(column, leaf, wx, wz, dx, dz, 1);
-        isLine = true;
-    }
-
-    /**
-     * Starts a sector about a direction of length 1, defined by the cosine of its half angle, from which the sine is
-     * computed.
-     */
-    public void startSector(LeafColumn column, int leaf, double wx, double wz, double dx, double dz, double halfCos) {
+    /** Starts a line or a sector in the plane, defined by the cosine of its half angle, from which the sine is computed. */
+    public void startSector(LeafColumn column, int leaf, BeamAxis beam) {
         isPlanar = true;
-        isLine = false;
+        isLine = !beam.isCone;
+        double dx = beam.ux();
+        double dz = beam.uz();
+        double halfCos = beam.isCone ? beam.cos : 1;
         double[] place = column.rows();
         int at = leaf * Leaf.STRIDE;
-        double cx = place[at] - wx;
-        double cz = place[at + 2] - wz;
+        double cx = place[at] - beam.ox;
+        double cz = place[at + 2] - beam.oz;
         double halfSin = Math.sqrt((1 - halfCos) * (1 + halfCos));
         direction(AHEAD, dx, dz, place, at, cx, cz);
         // Pointing away from the sector.
@@ -88,8 +83,8 @@ public final class MeshSight {
         direction(RIGHT, dz * halfCos - dx * halfSin, -(dx * halfCos + dz * halfSin), place, at, cx, cz);
         direction(EAST, 1, 0, place, at, cx, cz);
         direction(SOUTH, 0, 1, place, at, cx, cz);
-        double size = Math.abs(wx)
-                + Math.abs(wz)
+        double size = Math.abs(beam.ox)
+                + Math.abs(beam.oz)
                 + Math.abs(place[at])
                 + Math.abs(place[at + 2])
                 + column.mesh(leaf).tree().reach();
@@ -104,24 +99,18 @@ public final class MeshSight {
         directions[to + 3] = gx * cx + gz * cz;
     }
 
-    /** Starts a cone in space about a direction of length 1, defined by the cosine of its half angle. */
-    public void startCone(
-            LeafColumn column,
-            int leaf,
-            double wx,
-            double wy,
-            double wz,
-            double dx,
-            double dy,
-            double dz,
-            double halfCos) {
+    /** Starts a cone in space, defined by the cosine of its half angle. */
+    public void startCone(LeafColumn column, int leaf, BeamAxis beam) {
         isPlanar = false;
+        double dx = beam.ux();
+        double dy = beam.uy();
+        double dz = beam.uz();
         double[] place = column.rows();
         int at = leaf * Leaf.STRIDE;
         int r = at + Leaf.ROTATION;
-        double x = wx - place[at];
-        double y = wy - place[at + 1];
-        double z = wz - place[at + 2];
+        double x = beam.ox - place[at];
+        double y = beam.oy - place[at + 1];
+        double z = beam.oz - place[at + 2];
         ox = place[r] * x + place[r + 3] * y + place[r + 6] * z;
         oy = place[r + 1] * x + place[r + 4] * y + place[r + 7] * z;
         oz = place[r + 2] * x + place[r + 5] * y + place[r + 8] * z;
@@ -132,11 +121,11 @@ public final class MeshSight {
         ux = ax / length;
         uy = ay / length;
         uz = az / length;
-        cos = halfCos;
-        sin = Math.sqrt((1 - halfCos) * (1 + halfCos));
-        double size = Math.abs(wx)
-                + Math.abs(wy)
-                + Math.abs(wz)
+        cos = beam.cos;
+        sin = Math.sqrt((1 - cos) * (1 + cos));
+        double size = Math.abs(beam.ox)
+                + Math.abs(beam.oy)
+                + Math.abs(beam.oz)
                 + Math.abs(place[at])
                 + Math.abs(place[at + 1])
                 + Math.abs(place[at + 2])

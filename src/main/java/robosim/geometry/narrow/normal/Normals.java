@@ -2,6 +2,7 @@ package robosim.geometry.narrow.normal;
 
 import static robosim.geometry.exact.VectorMath.U;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -25,33 +26,24 @@ public final class Normals {
     /**
      * Writes the normal.
      *
-     * @param px the point that was hit
-     * @param distance how far the ray travelled; 0 where it started there
-     * @param ux direction of the ray, any length but zero; its height is ignored in {@code PLANAR}
+     * @param ray its height is ignored in {@code PLANAR}
+     * @param distance how far the ray travelled; 0 where it started on the leaf
      * @param normal receives three numbers, a unit vector; in {@code PLANAR} that of the projected leaf, horizontal
      */
     public void at(
-            double px,
-            double py,
-            double pz,
-            double distance,
-            double ux,
-            double uy,
-            double uz,
-            LeafKind kind,
-            double[] row,
-            int j,
-            double[] normal,
-            Dimension dimension) {
+            BeamAxis ray, double distance, LeafKind kind, double[] row, int j, double[] normal, Dimension dimension) {
         boolean isPlanar = dimension == Dimension.PLANAR;
-        double size = VectorMath.largest(ux, uy, uz);
-        face.reset(px, isPlanar ? 0 : py, pz, ux / size, isPlanar ? 0 : uy / size, uz / size);
+        double px = ray.ox + distance * ray.ux();
+        double py = isPlanar ? 0 : ray.oy + distance * ray.uy();
+        double pz = ray.oz + distance * ray.uz();
+        double size = VectorMath.largest(ray.ux(), ray.uy(), ray.uz());
+        face.reset(px, py, pz, ray.ux() / size, isPlanar ? 0 : ray.uy() / size, ray.uz() / size);
         if (isPlanar) {
             PlanarFaces.offer(face, kind, row, j);
         } else {
             SpatialFaces.offer(face, kind, row, j);
         }
-        double extent = VectorMath.largest(px, isPlanar ? 0 : py, pz) + extent(kind, row, j) + distance;
+        double extent = VectorMath.largest(px, py, pz) + extent(kind, row, j) + distance;
         face.answer(-DEPTH * extent, distance > 0, normal);
     }
 

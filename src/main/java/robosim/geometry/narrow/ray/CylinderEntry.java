@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.VectorMath;
 
@@ -13,37 +14,24 @@ final class CylinderEntry {
     private CylinderEntry() {}
 
     /** Through the side: one Newton step from near the entry. */
-    static double side(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            double t,
-            RayScratch s) {
-        double r = b[j + 3];
-        double qx = RayBox.moved(ox, b[j], t, dx);
-        double qy = RayBox.moved(oy, b[j + 1], t, dy);
-        double qz = RayBox.moved(oz, b[j + 2], t, dz);
-        double wx = qy * az - qz * ay;
-        double wy = qz * ax - qx * az;
-        double wz = qx * ay - qy * ax;
-        double ux = Math.abs(qy * az) + Math.abs(qz * ay);
-        double uy = Math.abs(qz * ax) + Math.abs(qx * az);
-        double uz = Math.abs(qx * ay) + Math.abs(qy * ax);
-        double px = dy * az - dz * ay;
-        double py = dz * ax - dx * az;
-        double pz = dx * ay - dy * ax;
-        double sx = Math.abs(dy * az) + Math.abs(dz * ay);
-        double sy = Math.abs(dz * ax) + Math.abs(dx * az);
-        double sz = Math.abs(dx * ay) + Math.abs(dy * ax);
-        double limit = r * r * (ax * ax + ay * ay + az * az);
+    static double side(BeamAxis ray, PlacedCylinder c, double t, RayScratch s) {
+        double r = c.r;
+        double qx = RayBox.moved(ray.ox, c.cx, t, ray.dx);
+        double qy = RayBox.moved(ray.oy, c.cy, t, ray.dy);
+        double qz = RayBox.moved(ray.oz, c.cz, t, ray.dz);
+        double wx = qy * c.az - qz * c.ay;
+        double wy = qz * c.ax - qx * c.az;
+        double wz = qx * c.ay - qy * c.ax;
+        double ux = Math.abs(qy * c.az) + Math.abs(qz * c.ay);
+        double uy = Math.abs(qz * c.ax) + Math.abs(qx * c.az);
+        double uz = Math.abs(qx * c.ay) + Math.abs(qy * c.ax);
+        double px = ray.dy * c.az - ray.dz * c.ay;
+        double py = ray.dz * c.ax - ray.dx * c.az;
+        double pz = ray.dx * c.ay - ray.dy * c.ax;
+        double sx = Math.abs(ray.dy * c.az) + Math.abs(ray.dz * c.ay);
+        double sy = Math.abs(ray.dz * c.ax) + Math.abs(ray.dx * c.az);
+        double sz = Math.abs(ray.dx * c.ay) + Math.abs(ray.dy * c.ax);
+        double limit = r * r * c.square();
         double square = wx * wx + wy * wy + wz * wz;
         double inward = -(px * wx + py * wy + pz * wz);
         double inwardError = 10 * U * (sx * ux + sy * uy + sz * uz);
@@ -56,9 +44,9 @@ final class CylinderEntry {
                         + Math.abs(correction) * inwardError
                         + correction * correction * (px * px + py * py + pz * pz))
                 / certain;
-        double distance = VectorMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
-        double length = VectorMath.length(dx, dy, dz);
+        double distance = ray.along(t, correction);
+        double largest = Math.max(ray.largest(), c.extent());
+        double length = ray.length();
         if (certain > 0 && VectorMath.isFine(error * length, distance, largest)) {
             return distance;
         }
@@ -67,57 +55,35 @@ final class CylinderEntry {
             return -1;
         }
         RayRefine refine = s.refine;
-        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
-        double left = refine.side(ax, ay, az, r);
+        refine.place(ray, c.cx, c.cy, c.cz, t, correction);
+        double left = refine.side(c);
         double slope = 2 * (inward - correction * pp);
         double size = 4 * (ux * ux + uy * uy + uz * uz + limit) + 8 * Math.abs(t) * length * r;
-        error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, pp);
-        distance = VectorMath.along(t, correction + left / slope, dx, dy, dz);
-        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
+        return refine.settled(left, size, -slope, 2 * inwardError + 8 * U * inward, pp, largest);
     }
 
     /** Through a cap. */
-    static double cap(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            double t,
-            RayScratch s) {
-        double slope = dx * ax + dy * ay + dz * az;
-        double slopeSize = Math.abs(dx * ax) + Math.abs(dy * ay) + Math.abs(dz * az);
-        double qx = RayBox.moved(ox, b[j], t, dx);
-        double qy = RayBox.moved(oy, b[j + 1], t, dy);
-        double qz = RayBox.moved(oz, b[j + 2], t, dz);
-        double half = b[j + 4] * (ax * ax + ay * ay + az * az);
-        double rest = qx * ax + qy * ay + qz * az + (slope > 0 ? half : -half);
-        double restSize = Math.abs(qx * ax) + Math.abs(qy * ay) + Math.abs(qz * az) + half;
+    static double cap(BeamAxis ray, PlacedCylinder c, double t, RayScratch s) {
+        double slope = ray.dx * c.ax + ray.dy * c.ay + ray.dz * c.az;
+        double slopeSize = Math.abs(ray.dx * c.ax) + Math.abs(ray.dy * c.ay) + Math.abs(ray.dz * c.az);
+        double qx = RayBox.moved(ray.ox, c.cx, t, ray.dx);
+        double qy = RayBox.moved(ray.oy, c.cy, t, ray.dy);
+        double qz = RayBox.moved(ray.oz, c.cz, t, ray.dz);
+        double half = c.h * c.square();
+        double rest = qx * c.ax + qy * c.ay + qz * c.az + (slope > 0 ? half : -half);
+        double restSize = Math.abs(qx * c.ax) + Math.abs(qy * c.ay) + Math.abs(qz * c.az) + half;
         double correction = -rest / slope;
         double error = U * (7 * restSize + Math.abs(correction) * 4 * slopeSize) / Math.abs(slope);
-        double distance = VectorMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
-        double length = VectorMath.length(dx, dy, dz);
+        double distance = ray.along(t, correction);
+        double largest = Math.max(ray.largest(), c.extent());
+        double length = ray.length();
         if (VectorMath.isFine(error * length, distance, largest)) {
             return distance;
         }
         RayRefine refine = s.refine;
-        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
-        double left = refine.cap(ax, ay, az, slope > 0 ? -b[j + 4] : b[j + 4]);
+        refine.place(ray, c.cx, c.cy, c.cz, t, correction);
+        double left = refine.cap(c, slope > 0 ? -c.h : c.h);
         double size = restSize + 2 * Math.abs(t) * slopeSize;
-        error = RayRefine.error(left, size, slope, 4 * U * slopeSize, 0);
-        distance = VectorMath.along(t, correction - left / slope, dx, dy, dz);
-        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
-    }
-
-    /** The largest coordinate or size. */
-    static double extent(double[] b, int j) {
-        return Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), Math.max(b[j + 3], b[j + 4]));
+        return refine.settled(left, size, slope, 4 * U * slopeSize, 0, largest);
     }
 }

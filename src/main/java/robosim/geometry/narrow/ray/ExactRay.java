@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
@@ -30,6 +31,11 @@ public final class ExactRay {
         direction = ExactVector.of(dx, dy, dz);
     }
 
+    /** The same along a beam. */
+    ExactRay(BeamAxis ray, double extent) {
+        this(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, extent);
+    }
+
     /** A coordinate or a size in this ray's scale. */
     public Dyadic length(double value) {
         return Dyadic.of(value).scale(power);
@@ -43,6 +49,11 @@ public final class ExactRay {
     /** A point in this ray's scale: the three numbers from {@code at} on. */
     public ExactVector point(double[] row, int at) {
         return ExactVector.of(row, at, 1).scale(power);
+    }
+
+    /** A point in this ray's scale. */
+    ExactVector point(double x, double y, double z) {
+        return ExactVector.of(x, y, z).scale(power);
     }
 
     /** The distance in world units to {@code n / d} along the ray, both positive. */

@@ -23,17 +23,18 @@ final class ExactRayCylinder {
     private final Dyadic far;
     private final Dyadic slope;
 
-    ExactRayCylinder(ExactRay ray, ExactVector center, ExactVector axis, double radius, double halfHeight) {
+    ExactRayCylinder(ExactRay ray, PlacedCylinder c) {
         this.ray = ray;
-        ExactVector m = ray.start.minus(center);
+        ExactVector axis = ExactVector.of(c.ax, c.ay, c.az);
+        ExactVector m = ray.start.minus(ray.point(c.cx, c.cy, c.cz));
         ExactVector p = ray.direction.cross(axis);
         ExactVector w = m.cross(axis);
-        Dyadic limit = ray.length(radius).square().multiply(axis.square());
+        Dyadic limit = ray.length(c.r).square().multiply(axis.square());
         square = p.square();
         half = p.dot(w);
         constant = w.square().subtract(limit);
         discriminant = half.square().subtract(square.multiply(constant));
-        Dyadic height = ray.length(halfHeight).multiply(axis.square());
+        Dyadic height = ray.length(c.h).multiply(axis.square());
         Dyadic offset = m.dot(axis);
         Dyadic rise = ray.direction.dot(axis);
         boolean isUp = rise.signum() >= 0;

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.leaf.Leaf;
 
@@ -21,24 +22,19 @@ final class PlainBoxFace {
 
     private PlainBoxFace() {}
 
-    /**
-     * The face, by the number of its axis.
-     *
-     * @param dx the direction
-     * @param b  the box's row
-     */
-    static int turned(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
-        double mx = ox - b[j];
-        double my = oy - b[j + 1];
-        double mz = oz - b[j + 2];
+    /** The face, by the number of its axis. */
+    static int turned(BeamAxis ray, double[] b, int j) {
+        double mx = ray.ox - b[j];
+        double my = ray.oy - b[j + 1];
+        double mz = ray.oz - b[j + 2];
         int r = j + Leaf.ROTATION;
-        double alongX = dx * b[r] + dy * b[r + 3] + dz * b[r + 6];
-        double alongY = dx * b[r + 1] + dy * b[r + 4] + dz * b[r + 7];
-        double alongZ = dx * b[r + 2] + dy * b[r + 5] + dz * b[r + 8];
-        if (isFlat(alongX, alongY, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, b, r + 1, r + 2)
-                        || isInDoubt(alongY, dx, dy, dz, b, r + 2, r)
-                        || isInDoubt(alongZ, dx, dy, dz, b, r, r + 1))) {
+        double alongX = ray.dx * b[r] + ray.dy * b[r + 3] + ray.dz * b[r + 6];
+        double alongY = ray.dx * b[r + 1] + ray.dy * b[r + 4] + ray.dz * b[r + 7];
+        double alongZ = ray.dx * b[r + 2] + ray.dy * b[r + 5] + ray.dz * b[r + 8];
+        if (isFlat(alongX, alongY, alongZ, ray)
+                && (isInDoubt(alongX, ray, b, r + 1, r + 2)
+                        || isInDoubt(alongY, ray, b, r + 2, r)
+                        || isInDoubt(alongZ, ray, b, r, r + 1))) {
             return UNKNOWN;
         }
         return inOwnFrame(
@@ -50,58 +46,58 @@ final class PlainBoxFace {
                 alongZ,
                 b,
                 j + Leaf.SIZE,
-                slack(ox, oy, oz, b, j));
+                slack(ray, b, j));
     }
 
     /** The same of a box whose own Y is the world's. */
-    static int upright(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
-        double mx = ox - b[j];
-        double mz = oz - b[j + 2];
-        double alongX = dx * b[j + 6] + dz * b[j + 12];
-        double alongZ = dx * b[j + 8] + dz * b[j + 14];
-        if (isFlat(alongX, dy, alongZ, dx, dy, dz)
-                && (isInDoubt(alongX, dx, dy, dz, dx * b[j + 14], 0, dz * b[j + 8])
-                        || isInDoubt(alongZ, dx, dy, dz, dx * b[j + 12], 0, dz * b[j + 6]))) {
+    static int upright(BeamAxis ray, double[] b, int j) {
+        double mx = ray.ox - b[j];
+        double mz = ray.oz - b[j + 2];
+        double alongX = ray.dx * b[j + 6] + ray.dz * b[j + 12];
+        double alongZ = ray.dx * b[j + 8] + ray.dz * b[j + 14];
+        if (isFlat(alongX, ray.dy, alongZ, ray)
+                && (isInDoubt(alongX, ray, ray.dx * b[j + 14], 0, ray.dz * b[j + 8])
+                        || isInDoubt(alongZ, ray, ray.dx * b[j + 12], 0, ray.dz * b[j + 6]))) {
             return UNKNOWN;
         }
         return inOwnFrame(
                 mx * b[j + 6] + mz * b[j + 12],
-                oy - b[j + 1],
+                ray.oy - b[j + 1],
                 mx * b[j + 8] + mz * b[j + 14],
                 alongX,
-                dy,
+                ray.dy,
                 alongZ,
                 b,
                 j + Leaf.SIZE,
-                slack(ox, oy, oz, b, j));
+                slack(ray, b, j));
     }
 
-    private static double slack(double ox, double oy, double oz, double[] b, int j) {
-        return ERROR * (size(ox, oy, oz) + size(b[j], b[j + 1], b[j + 2]) + size(b[j + 3], b[j + 4], b[j + 5]))
+    private static double slack(BeamAxis ray, double[] b, int j) {
+        return ERROR
+                        * (size(ray.ox, ray.oy, ray.oz)
+                                + size(b[j], b[j + 1], b[j + 2])
+                                + size(b[j + 3], b[j + 4], b[j + 5]))
                 + UNDERFLOW;
     }
 
     /** Whether a ray may be parallel to a slab: whether one of its slopes is nearly 0. */
-    private static boolean isFlat(double x, double y, double z, double dx, double dy, double dz) {
-        return !(Math.min(Math.min(Math.abs(x), Math.abs(y)), Math.abs(z)) > ERROR * size(dx, dy, dz));
+    private static boolean isFlat(double x, double y, double z, BeamAxis ray) {
+        return !(Math.min(Math.min(Math.abs(x), Math.abs(y)), Math.abs(z)) > ERROR * size(ray.dx, ray.dy, ray.dz));
     }
 
     /** The same for one slope to a slab, whose normal is the cross product of two columns. */
-    private static boolean isInDoubt(double slope, double dx, double dy, double dz, double[] b, int k, int l) {
+    private static boolean isInDoubt(double slope, BeamAxis ray, double[] b, int k, int l) {
         return isInDoubt(
                 slope,
-                dx,
-                dy,
-                dz,
-                dx * size(b[k + 3] * b[l + 6], b[k + 6] * b[l + 3], 0),
-                dy * size(b[k + 6] * b[l], b[k] * b[l + 6], 0),
-                dz * size(b[k] * b[l + 3], b[k + 3] * b[l], 0));
+                ray,
+                ray.dx * size(b[k + 3] * b[l + 6], b[k + 6] * b[l + 3], 0),
+                ray.dy * size(b[k + 6] * b[l], b[k] * b[l + 6], 0),
+                ray.dz * size(b[k] * b[l + 3], b[k + 3] * b[l], 0));
     }
 
     /** Whether a slope is nearly 0 and something was rounded, which the slabs leave to exact numbers. */
-    private static boolean isInDoubt(
-            double slope, double dx, double dy, double dz, double partX, double partY, double partZ) {
-        return !(Math.abs(slope) > ERROR * size(dx, dy, dz)) && size(partX, partY, partZ) != 0;
+    private static boolean isInDoubt(double slope, BeamAxis ray, double partX, double partY, double partZ) {
+        return !(Math.abs(slope) > ERROR * size(ray.dx, ray.dy, ray.dz)) && size(partX, partY, partZ) != 0;
     }
 
     private static double size(double x, double y, double z) {

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Filter;
 
 /**
@@ -40,36 +41,25 @@ final class PlainCylinderFace {
     /** Where the ray enters the side, after {@link #SIDE}: to the bit what {@link RayCylinder} computes. */
     double enter;
 
-    /**
-     * The face that a ray enters by.
-     *
-     * @param mx   the start, relative to the centre
-     * @param dx   the direction
-     * @param ax   the axis, of about unit length
-     * @param r    the radius
-     * @param h    half the height
-     * @param size at least the sum of the magnitudes of all that enters, the start and the centre among it
-     */
-    int face(
-            double mx,
-            double my,
-            double mz,
-            double dx,
-            double dy,
-            double dz,
-            double ax,
-            double ay,
-            double az,
-            double r,
-            double h,
-            double size) {
+    /** The face that a ray enters by. */
+    int face(BeamAxis ray, PlacedCylinder c) {
+        double mx = ray.ox - c.cx;
+        double my = ray.oy - c.cy;
+        double mz = ray.oz - c.cz;
+        double r = c.r;
+        // At least the sum of the magnitudes of all that enters.
+        double size = Math.abs(ray.ox)
+                + Math.abs(ray.oy)
+                + Math.abs(ray.oz)
+                + (Math.abs(c.cx) + Math.abs(c.cy) + Math.abs(c.cz))
+                + (r + c.h);
         double slack = SLACK * size;
-        double px = dy * az - dz * ay;
-        double py = dz * ax - dx * az;
-        double pz = dx * ay - dy * ax;
+        double px = ray.dy * c.az - ray.dz * c.ay;
+        double py = ray.dz * c.ax - ray.dx * c.az;
+        double pz = ray.dx * c.ay - ray.dy * c.ax;
         double pp = px * px + py * py + pz * pz;
-        double dd = dx * dx + dy * dy + dz * dz;
-        double aa = ax * ax + ay * ay + az * az;
+        double dd = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
+        double aa = c.square();
         if (!(pp > STEEPEST * dd && size > SMALLEST && Math.abs(aa - 1) < UNIT)) {
             return UNKNOWN;
         }
@@ -78,14 +68,14 @@ final class PlainCylinderFace {
         if (g * g > reach * reach * pp) {
             return MISSED;
         }
-        double slope = dx * ax + dy * ay + dz * az;
+        double slope = ray.dx * c.ax + ray.dy * c.ay + ray.dz * c.az;
         double chord = r * r * pp - g * g;
-        if (!(chord > GRAZING * (r * r * pp) && r > slack && isSure(slope, dy, dd, ax, az))) {
+        if (!(chord > GRAZING * (r * r * pp) && r > slack && isSure(slope, ray.dy, dd, c.ax, c.az))) {
             return UNKNOWN;
         }
-        double wx = my * az - mz * ay;
-        double wy = mz * ax - mx * az;
-        double wz = mx * ay - my * ax;
+        double wx = my * c.az - mz * c.ay;
+        double wy = mz * c.ax - mx * c.az;
+        double wz = mx * c.ay - my * c.ax;
         double middle = -(px * wx + py * wy + pz * wz);
         double root = Math.sqrt(aa * chord);
         double first = (middle - root) / pp;
@@ -95,7 +85,7 @@ final class PlainCylinderFace {
         if (!isClear) {
             return UNKNOWN;
         }
-        return last < 0 ? MISSED : between(mx * ax + my * ay + mz * az, slope, first, last, h, slack);
+        return last < 0 ? MISSED : between(mx * c.ax + my * c.ay + mz * c.az, slope, first, last, c.h, slack);
     }
 
     /** Whether a ray certainly rises or falls along an axis, or is at a right angle to it and nothing was rounded. */

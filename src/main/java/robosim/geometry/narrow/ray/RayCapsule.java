@@ -2,6 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
@@ -44,58 +45,37 @@ final class RayCapsule {
 
     private RayCapsule() {}
 
-    /** The segment's axis is (ax, ay, az), at its own length. */
-    static double distance(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            RayScratch s) {
-        if (missesAround(b[j] - ox, b[j + 1] - oy, b[j + 2] - oz, dx, dy, dz, b[j + 3], b[j + 4], ax, ay, az)) {
+    static double distance(BeamAxis ray, PlacedCylinder c, RayScratch s) {
+        if (missesAround(ray, c)) {
             return Double.POSITIVE_INFINITY;
         }
-        double side = RayCylinder.about(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, s);
+        double side = RayCylinder.distance(ray, c, s);
         if (side == 0) {
             return 0;
         }
-        double end = end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, b[j + 4], side, s);
+        double end = end(ray, c, c.h, side, s);
         if (end == 0) {
             return 0;
         }
         double nearest = Math.min(side, end);
-        return Math.min(nearest, end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, -b[j + 4], nearest, s));
+        return Math.min(nearest, end(ray, c, -c.h, nearest, s));
     }
 
     /** Whether a ray certainly misses the bounding sphere of a capsule, whose centre is at m from the ray's start. */
-    private static boolean missesAround(
-            double mx,
-            double my,
-            double mz,
-            double dx,
-            double dy,
-            double dz,
-            double radius,
-            double half,
-            double ax,
-            double ay,
-            double az) {
-        double reach = (half * (Math.abs(ax) + Math.abs(ay) + Math.abs(az)) + radius) * AROUND;
+    private static boolean missesAround(BeamAxis ray, PlacedCylinder c) {
+        double mx = c.cx - ray.ox;
+        double my = c.cy - ray.oy;
+        double mz = c.cz - ray.oz;
+        double reach = (c.h * (Math.abs(c.ax) + Math.abs(c.ay) + Math.abs(c.az)) + c.r) * AROUND;
         double mm = mx * mx + my * my + mz * mz;
         if (!(mm > reach * reach * AROUND + UNDERFLOW)) {
             return false;
         }
-        double ahead = mx * dx + my * dy + mz * dz;
-        double wx = my * dz - mz * dy;
-        double wy = mz * dx - mx * dz;
-        double wz = mx * dy - my * dx;
-        double dd = dx * dx + dy * dy + dz * dz;
+        double ahead = mx * ray.dx + my * ray.dy + mz * ray.dz;
+        double wx = my * ray.dz - mz * ray.dy;
+        double wy = mz * ray.dx - mx * ray.dz;
+        double wz = mx * ray.dy - my * ray.dx;
+        double dd = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
         // The cross product is off by a few roundings of m d, so its square by twice as many of m d times the product.
         return (ahead < 0 && ahead * ahead > 0x1p-80 * mm * dd)
                 || wx * wx + wy * wy + wz * wz > reach * reach * dd * AROUND + 0x1p-40 * mm * dd + UNDERFLOW;
@@ -107,32 +87,18 @@ final class RayCapsule {
      * @param along   from the centre to the end, signed, in lengths of the axis
      * @param nearest anything farther than this does not matter
      */
-    private static double end(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            double along,
-            double nearest,
-            RayScratch s) {
-        double mx = b[j] - ox + along * ax;
-        double my = b[j + 1] - oy + along * ay;
-        double mz = b[j + 2] - oz + along * az;
-        double r = b[j + 3];
+    private static double end(BeamAxis ray, PlacedCylinder c, double along, double nearest, RayScratch s) {
+        double mx = c.cx - ray.ox + along * c.ax;
+        double my = c.cy - ray.oy + along * c.ay;
+        double mz = c.cz - ray.oz + along * c.az;
+        double r = c.r;
         // A coordinate: offset 1u, product 1u, sum 1u of the magnitudes; all of them together, as a length.
         double off = 3
                 * U
-                * (Math.abs(b[j] - ox)
-                        + Math.abs(b[j + 1] - oy)
-                        + Math.abs(b[j + 2] - oz)
-                        + Math.abs(along) * (Math.abs(ax) + Math.abs(ay) + Math.abs(az)));
+                * (Math.abs(c.cx - ray.ox)
+                        + Math.abs(c.cy - ray.oy)
+                        + Math.abs(c.cz - ray.oz)
+                        + Math.abs(along) * (Math.abs(c.ax) + Math.abs(c.ay) + Math.abs(c.az)));
         double mm = mx * mx + my * my + mz * mz;
         double m = Math.sqrt(mm) + off;
         double outside = mm - r * r;
@@ -141,16 +107,16 @@ final class RayCapsule {
             return 0;
         }
         boolean isOutside = outside > outsideError;
-        double dd = dx * dx + dy * dy + dz * dz;
+        double dd = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
         double d = Math.sqrt(dd);
-        double ahead = mx * dx + my * dy + mz * dz;
+        double ahead = mx * ray.dx + my * ray.dy + mz * ray.dz;
         double aheadError = (off + 4 * U * m) * d + UNDERFLOW;
         if (isOutside && ahead < -aheadError) {
             return Double.POSITIVE_INFINITY;
         }
-        double wx = my * dz - mz * dy;
-        double wy = mz * dx - mx * dz;
-        double wz = mx * dy - my * dx;
+        double wx = my * ray.dz - mz * ray.dy;
+        double wy = mz * ray.dx - mx * ray.dz;
+        double wz = mx * ray.dy - my * ray.dx;
         double ww = wx * wx + wy * wy + wz * wz;
         double chord = r * r * dd - ww;
         double crossError = (off + 4 * U * m) * d;
@@ -165,36 +131,21 @@ final class RayCapsule {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        double distance = isOutside ? inPairs(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along, m, d, s) : -1;
-        return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along);
+        double distance = isOutside ? inPairs(ray, c, along, m, d, s) : -1;
+        return distance >= 0 ? distance : exact(ray, c, along);
     }
 
     /** The same in pairs of doubles, for a start outside; negative in doubt. */
-    private static double inPairs(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            double along,
-            double m,
-            double d,
-            RayScratch s) {
+    private static double inPairs(BeamAxis ray, PlacedCylinder c, double along, double m, double d, RayScratch s) {
         PAIRS.count();
         DoubleDoubles p = s.capsuleEnds;
-        double r = b[j + 3];
-        end(p, PLACE, b[j], ox, along, ax);
-        end(p, PLACE + 1, b[j + 1], oy, along, ay);
-        end(p, PLACE + 2, b[j + 2], oz, along, az);
-        p.set(WAY, dx);
-        p.set(WAY + 1, dy);
-        p.set(WAY + 2, dz);
+        double r = c.r;
+        end(p, PLACE, c.cx, ray.ox, along, c.ax);
+        end(p, PLACE + 1, c.cy, ray.oy, along, c.ay);
+        end(p, PLACE + 2, c.cz, ray.oz, along, c.az);
+        p.set(WAY, ray.dx);
+        p.set(WAY + 1, ray.dy);
+        p.set(WAY + 2, ray.dz);
         p.product(SQUARE, r, r);
         p.dot(OUTSIDE, PLACE, PLACE, TEMPORARY);
         p.subtract(OUTSIDE, OUTSIDE, SQUARE);
@@ -204,9 +155,9 @@ final class RayCapsule {
         p.dot(TEMPORARY, WAY, WAY, TEMPORARY + 1);
         p.multiply(SQUARE, SQUARE, TEMPORARY);
         p.subtract(CHORD, SQUARE, CHORD);
-        double largest = VectorMath.largest(ox, oy, oz)
-                + VectorMath.largest(b[j], b[j + 1], b[j + 2])
-                + Math.abs(along) * VectorMath.largest(ax, ay, az);
+        double largest = ray.largest()
+                + VectorMath.largest(c.cx, c.cy, c.cz)
+                + Math.abs(along) * VectorMath.largest(c.ax, c.ay, c.az);
         double size = m + r + largest;
         double outsideError = PAIRS_ERROR * size * size;
         double aheadError = PAIRS_ERROR * size * d;
@@ -227,7 +178,7 @@ final class RayCapsule {
         p.add(AHEAD, AHEAD, CHORD);
         p.divide(OUTSIDE, OUTSIDE, AHEAD);
         double t = p.get(OUTSIDE);
-        double distance = VectorMath.along(t, p.rest(OUTSIDE), dx, dy, dz);
+        double distance = ray.along(t, p.rest(OUTSIDE));
         double share = outsideError / outside + (aheadError + chordError / root) / (ahead + root) + 4 * PAIRS_ERROR;
         return VectorMath.isFine(share * distance, distance, Math.max(largest, r)) ? distance : -1;
     }
@@ -238,25 +189,13 @@ final class RayCapsule {
         p.add(i, i, TEMPORARY);
     }
 
-    private static double exact(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            double along) {
+    private static double exact(BeamAxis ray, PlacedCylinder c, double along) {
         EXACT.count();
-        double extent = Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), Math.max(b[j + 3], b[j + 4]));
-        ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent);
-        ExactVector end = ray.point(b, j).plus(ExactVector.of(ax, ay, az).times(ray.length(along)));
-        ExactVector m = end.minus(ray.start);
-        Dyadic outside = m.square().subtract(ray.length(b[j + 3]).square());
-        return RaySphere.distance(ray, m, outside);
+        ExactRay exact = new ExactRay(ray, c.extent());
+        ExactVector end = exact.point(c.cx, c.cy, c.cz)
+                .plus(ExactVector.of(c.ax, c.ay, c.az).times(exact.length(along)));
+        ExactVector m = end.minus(exact.start);
+        Dyadic outside = m.square().subtract(exact.length(c.r).square());
+        return RaySphere.distance(exact, m, outside);
     }
 }

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 
-import robosim.geometry.exact.ExactVector;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
@@ -22,185 +22,46 @@ final class RayCylinder {
 
     private RayCylinder() {}
 
-    /** Upright: the axis is the world's Y. */
-    static double upright(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        double plain = plainUpright(ox, oy, oz, dx, dy, dz, b, j, s);
-        return plain >= 0 ? plain : inUprightBounds(ox, oy, oz, dx, dy, dz, b, j, s);
-    }
-
-    /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inUprightBounds}; else below 0. */
-    static double plainUpright(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        PlainCylinderFace plain = s.plainCylinder;
-        int face = plain.face(
-                ox - b[j],
-                oy - b[j + 1],
-                oz - b[j + 2],
-                dx,
-                dy,
-                dz,
-                0,
-                1,
-                0,
-                b[j + 3],
-                b[j + 4],
-                size(ox, oy, oz, b, j));
-        return switch (face) {
-            case PlainCylinderFace.MISSED -> Double.POSITIVE_INFINITY;
-            case PlainCylinderFace.INSIDE -> 0;
-            case PlainCylinderFace.SIDE -> CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, plain.enter, s);
-            case PlainCylinderFace.CAP -> {
-                double t = RayBox.enterHeights(oy, b[j + 1], b[j + 4], dy);
-                yield RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, t);
-            }
-            default -> -1;
-        };
-    }
-
-    private static double size(double ox, double oy, double oz, double[] b, int j) {
-        return Math.abs(ox)
-                + Math.abs(oy)
-                + Math.abs(oz)
-                + (Math.abs(b[j]) + Math.abs(b[j + 1]) + Math.abs(b[j + 2]))
-                + (b[j + 3] + b[j + 4]);
-    }
-
-    static double inUprightBounds(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        RayInterval in = s.interval;
-        in.reset();
-        if (!RayBox.clipHeights(in, oy, b[j + 1], b[j + 4], dy)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        clipSide(in, ox - b[j], 0, oz - b[j + 2], dx, dy, dz, 0, 1, 0, b[j + 3]);
-        if (in.isEmpty()) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double distance = !in.isCertain()
-                ? -1
-                : in.face < 0
-                        ? 0
-                        : in.face == SIDE
-                                ? CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, in.enter, s)
-                                : RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, in.enter);
-        return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0);
-    }
-
-    /** Turned: the axis is the Y axis of the stored rotation. */
-    static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        return about(ox, oy, oz, dx, dy, dz, b, j, b[j + 7], b[j + 10], b[j + 13], s);
-    }
-
-    /** A cylinder about the given axis. */
-    static double about(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            RayScratch s) {
-        double plain = plain(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, s);
-        return plain >= 0 ? plain : inBounds(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, s);
+    static double distance(BeamAxis ray, PlacedCylinder c, RayScratch s) {
+        double plain = plain(ray, c, s);
+        return plain >= 0 ? plain : inBounds(ray, c, s);
     }
 
     /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inBounds}; else below 0. */
-    static double plain(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            RayScratch s) {
-        double mx = ox - b[j];
-        double my = oy - b[j + 1];
-        double mz = oz - b[j + 2];
+    static double plain(BeamAxis ray, PlacedCylinder c, RayScratch s) {
         PlainCylinderFace plain = s.plainCylinder;
-        int face = plain.face(mx, my, mz, dx, dy, dz, ax, ay, az, b[j + 3], b[j + 4], size(ox, oy, oz, b, j));
-        return switch (face) {
+        return switch (plain.face(ray, c)) {
             case PlainCylinderFace.MISSED -> Double.POSITIVE_INFINITY;
             case PlainCylinderFace.INSIDE -> 0;
-            case PlainCylinderFace.SIDE -> CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, plain.enter, s);
-            case PlainCylinderFace.CAP ->
-                CylinderEntry.cap(
-                        ox,
-                        oy,
-                        oz,
-                        dx,
-                        dy,
-                        dz,
-                        b,
-                        j,
-                        ax,
-                        ay,
-                        az,
-                        enterCap(mx, my, mz, dx, dy, dz, b[j + 4], ax, ay, az),
-                        s);
+            case PlainCylinderFace.SIDE -> CylinderEntry.side(ray, c, plain.enter, s);
+            case PlainCylinderFace.CAP -> cap(ray, c, enterCap(ray, c), s);
             default -> -1;
         };
     }
 
     /** Where the ray enters the heights, as {@link #inBounds} has it. */
-    private static double enterCap(
-            double mx,
-            double my,
-            double mz,
-            double dx,
-            double dy,
-            double dz,
-            double h,
-            double ax,
-            double ay,
-            double az) {
-        double along = mx * ax + my * ay + mz * az;
-        double half = h * (ax * ax + ay * ay + az * az);
-        double slope = dx * ax + dy * ay + dz * az;
+    private static double enterCap(BeamAxis ray, PlacedCylinder c) {
+        if (c.isUpright) {
+            return RayBox.enterHeights(ray, c.cy, c.h);
+        }
+        double along = (ray.ox - c.cx) * c.ax + (ray.oy - c.cy) * c.ay + (ray.oz - c.cz) * c.az;
+        double half = c.h * c.square();
+        double slope = ray.dx * c.ax + ray.dy * c.ay + ray.dz * c.az;
         return (slope > 0 ? -half - along : half - along) / slope;
     }
 
-    static double inBounds(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az,
-            RayScratch s) {
-        double mx = ox - b[j];
-        double my = oy - b[j + 1];
-        double mz = oz - b[j + 2];
+    private static double cap(BeamAxis ray, PlacedCylinder c, double t, RayScratch s) {
+        return c.isUpright ? RayBox.heightPlane(ray, c.cy, c.h, t) : CylinderEntry.cap(ray, c, t, s);
+    }
+
+    static double inBounds(BeamAxis ray, PlacedCylinder c, RayScratch s) {
         RayInterval in = s.interval;
         in.reset();
-        // The heights: offset 1u, product 1u, sums 2u; the half height's product and the last difference 5u.
-        double along = mx * ax + my * ay + mz * az;
-        double half = b[j + 4] * (ax * ax + ay * ay + az * az);
-        double size = Math.abs(mx * ax) + Math.abs(my * ay) + Math.abs(mz * az);
-        double error = 6 * U * (size + half) + UNDERFLOW;
-        double slope = dx * ax + dy * ay + dz * az;
-        double slopeError = 4 * U * (Math.abs(dx * ax) + Math.abs(dy * ay) + Math.abs(dz * az));
-        in.clip(-half - along, error, half - along, error, slope, slopeError, 1);
+        clipHeights(in, ray, c);
         if (in.isEmpty()) {
             return Double.POSITIVE_INFINITY;
         }
-        clipSide(in, mx, my, mz, dx, dy, dz, ax, ay, az, b[j + 3]);
+        clipSide(in, ray, c);
         if (in.isEmpty()) {
             return Double.POSITIVE_INFINITY;
         }
@@ -208,37 +69,46 @@ final class RayCylinder {
                 ? -1
                 : in.face < 0
                         ? 0
-                        : in.face == SIDE
-                                ? CylinderEntry.side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s)
-                                : CylinderEntry.cap(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s);
-        return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az);
+                        : in.face == SIDE ? CylinderEntry.side(ray, c, in.enter, s) : cap(ray, c, in.enter, s);
+        return distance >= 0 ? distance : exact(ray, c);
     }
 
-    private static void clipSide(
-            RayInterval in,
-            double mx,
-            double my,
-            double mz,
-            double dx,
-            double dy,
-            double dz,
-            double ax,
-            double ay,
-            double az,
-            double r) {
-        double px = dy * az - dz * ay;
-        double py = dz * ax - dx * az;
-        double pz = dx * ay - dy * ax;
-        double sx = Math.abs(dy * az) + Math.abs(dz * ay);
-        double sy = Math.abs(dz * ax) + Math.abs(dx * az);
-        double sz = Math.abs(dx * ay) + Math.abs(dy * ax);
-        double wx = my * az - mz * ay;
-        double wy = mz * ax - mx * az;
-        double wz = mx * ay - my * ax;
-        double ux = Math.abs(my * az) + Math.abs(mz * ay);
-        double uy = Math.abs(mz * ax) + Math.abs(mx * az);
-        double uz = Math.abs(mx * ay) + Math.abs(my * ax);
-        double aa = ax * ax + ay * ay + az * az;
+    private static void clipHeights(RayInterval in, BeamAxis ray, PlacedCylinder c) {
+        if (c.isUpright) {
+            RayBox.clipHeights(in, ray, c.cy, c.h);
+            return;
+        }
+        double mx = ray.ox - c.cx;
+        double my = ray.oy - c.cy;
+        double mz = ray.oz - c.cz;
+        // Offset 1u, product 1u, sums 2u; the half height's product and the last difference 5u.
+        double along = mx * c.ax + my * c.ay + mz * c.az;
+        double half = c.h * c.square();
+        double size = Math.abs(mx * c.ax) + Math.abs(my * c.ay) + Math.abs(mz * c.az);
+        double error = 6 * U * (size + half) + UNDERFLOW;
+        double slope = ray.dx * c.ax + ray.dy * c.ay + ray.dz * c.az;
+        double slopeError = 4 * U * (Math.abs(ray.dx * c.ax) + Math.abs(ray.dy * c.ay) + Math.abs(ray.dz * c.az));
+        in.clip(-half - along, error, half - along, error, slope, slopeError, 1);
+    }
+
+    private static void clipSide(RayInterval in, BeamAxis ray, PlacedCylinder c) {
+        double mx = ray.ox - c.cx;
+        double my = ray.oy - c.cy;
+        double mz = ray.oz - c.cz;
+        double r = c.r;
+        double px = ray.dy * c.az - ray.dz * c.ay;
+        double py = ray.dz * c.ax - ray.dx * c.az;
+        double pz = ray.dx * c.ay - ray.dy * c.ax;
+        double sx = Math.abs(ray.dy * c.az) + Math.abs(ray.dz * c.ay);
+        double sy = Math.abs(ray.dz * c.ax) + Math.abs(ray.dx * c.az);
+        double sz = Math.abs(ray.dx * c.ay) + Math.abs(ray.dy * c.ax);
+        double wx = my * c.az - mz * c.ay;
+        double wy = mz * c.ax - mx * c.az;
+        double wz = mx * c.ay - my * c.ax;
+        double ux = Math.abs(my * c.az) + Math.abs(mz * c.ay);
+        double uy = Math.abs(mz * c.ax) + Math.abs(mx * c.az);
+        double uz = Math.abs(mx * c.ay) + Math.abs(my * c.ax);
+        double aa = c.square();
         if (sx + sy + sz == 0) {
             parallel(in, wx * wx + wy * wy + wz * wz, ux * ux + uy * uy + uz * uz, r * r * aa);
             return;
@@ -290,20 +160,8 @@ final class RayCylinder {
         }
     }
 
-    private static double exact(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double ax,
-            double ay,
-            double az) {
+    private static double exact(BeamAxis ray, PlacedCylinder c) {
         EXACT.count();
-        ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, CylinderEntry.extent(b, j));
-        return new ExactRayCylinder(ray, ray.point(b, j), ExactVector.of(ax, ay, az), b[j + 3], b[j + 4]).distance();
+        return new ExactRayCylinder(new ExactRay(ray, c.extent()), c).distance();
     }
 }

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
@@ -25,44 +26,43 @@ public final class RayDisc {
     private RayDisc() {}
 
     /** Distance in world units; whether it hits is exact. */
-    public static double distance(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
-        double mx = cx - ox;
-        double mz = cz - oz;
+    public static double distance(BeamAxis ray, double cx, double cz, double r) {
+        double mx = cx - ray.ox;
+        double mz = cz - ray.oz;
         double square = mx * mx + mz * mz;
         double rr = r * r;
         double doubt = START * (square + rr) + UNDERFLOW;
-        if (square < rr - doubt || (!(square > rr + doubt) && DiscDisc.touch(ox, oz, 0, cx, cz, r))) {
+        if (square < rr - doubt || (!(square > rr + doubt) && DiscDisc.touch(ray.ox, ray.oz, 0, cx, cz, r))) {
             return 0;
         }
         // The start is outside, so a line that hits the disc does so on one side of the start.
-        double ahead = mx * ux + mz * uz;
-        double aheadSlack = PRODUCT * (Math.abs(mx * ux) + Math.abs(mz * uz)) + UNDERFLOW;
+        double ahead = mx * ray.dx + mz * ray.dz;
+        double aheadSlack = PRODUCT * (Math.abs(mx * ray.dx) + Math.abs(mz * ray.dz)) + UNDERFLOW;
         if (ahead < -aheadSlack) {
             return Double.POSITIVE_INFINITY;
         }
-        double length = ux * ux + uz * uz;
-        double aside = Math.abs(ux * mz - uz * mx);
-        double slack = PRODUCT * (Math.abs(ux * mz) + Math.abs(uz * mx)) + UNDERFLOW;
+        double length = ray.dx * ray.dx + ray.dz * ray.dz;
+        double aside = Math.abs(ray.dx * mz - ray.dz * mx);
+        double slack = PRODUCT * (Math.abs(ray.dx * mz) + Math.abs(ray.dz * mx)) + UNDERFLOW;
         double least = atLeastZero(aside - slack);
         double reach = rr * length;
         if (least * least > reach + (REACH * reach + UNDERFLOW)) {
             return Double.POSITIVE_INFINITY;
         }
         double most = aside + slack;
-        if (!(most * most < reach - (REACH * reach + UNDERFLOW) && ahead > aheadSlack)
-                && !exactHit(ox, oz, ux, uz, cx, cz, r)) {
+        if (!(most * most < reach - (REACH * reach + UNDERFLOW) && ahead > aheadSlack) && !exactHit(ray, cx, cz, r)) {
             return Double.POSITIVE_INFINITY;
         }
-        return entry(ox, oz, ux, uz, cx, cz, r);
+        return entry(ray, cx, cz, r);
     }
 
     // From outside; a tangent counts as a hit.
-    private static boolean exactHit(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+    private static boolean exactHit(BeamAxis ray, double cx, double cz, double r) {
         EXACT.count();
-        Dyadic mx = Dyadic.difference(cx, ox);
-        Dyadic mz = Dyadic.difference(cz, oz);
-        Dyadic dx = Dyadic.of(ux);
-        Dyadic dz = Dyadic.of(uz);
+        Dyadic mx = Dyadic.difference(cx, ray.ox);
+        Dyadic mz = Dyadic.difference(cz, ray.oz);
+        Dyadic dx = Dyadic.of(ray.dx);
+        Dyadic dz = Dyadic.of(ray.dz);
         if (mx.multiply(dx).add(mz.multiply(dz)).signum() < 0) {
             return false;
         }
@@ -77,22 +77,22 @@ public final class RayDisc {
      * <p>Uses (m m - r r) / (ahead + half chord) instead of the textbook difference of the two. The power of the start
      * and the half chord include their tails, so that a disc grazed from afar is as accurate as a near one.
      */
-    static double entry(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
-        double power = atLeastZero(DiscDisc.squareGap(ox, oz, cx, cz, r, 0));
-        double mx = cx - ox;
-        double mxTail = DoubleDouble.differenceTail(cx, ox, mx);
-        double mz = cz - oz;
-        double mzTail = DoubleDouble.differenceTail(cz, oz, mz);
-        double length = Math.sqrt(ux * ux + uz * uz);
-        double ahead = atLeastZero((mx * ux + mz * uz) / length);
-        double p = ux * mz;
-        double q = uz * mx;
+    static double entry(BeamAxis ray, double cx, double cz, double r) {
+        double power = atLeastZero(DiscDisc.squareGap(ray.ox, ray.oz, cx, cz, r, 0));
+        double mx = cx - ray.ox;
+        double mxTail = DoubleDouble.differenceTail(cx, ray.ox, mx);
+        double mz = cz - ray.oz;
+        double mzTail = DoubleDouble.differenceTail(cz, ray.oz, mz);
+        double length = Math.sqrt(ray.dx * ray.dx + ray.dz * ray.dz);
+        double ahead = atLeastZero((mx * ray.dx + mz * ray.dz) / length);
+        double p = ray.dx * mz;
+        double q = ray.dz * mx;
         double aside = p - q;
         double asideTail = DoubleDouble.differenceTail(p, q, aside)
-                + DoubleDouble.productTail(ux, mz, p)
-                - DoubleDouble.productTail(uz, mx, q)
-                + (ux * mzTail - uz * mxTail);
-        double chord = halfChordSquare(aside, asideTail, ux, uz, r) / (length * length);
+                + DoubleDouble.productTail(ray.dx, mz, p)
+                - DoubleDouble.productTail(ray.dz, mx, q)
+                + (ray.dx * mzTail - ray.dz * mxTail);
+        double chord = halfChordSquare(aside, asideTail, ray.dx, ray.dz, r) / (length * length);
         double way = ahead + Math.sqrt(atLeastZero(chord));
         return way > 0 ? power / way : 0;
     }

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.PlanarShape;
@@ -18,12 +19,11 @@ final class RayOval {
     private RayOval() {}
 
     /** Distance in world units. */
-    static double distance(
-            double ox, double oz, double ux, double uz, LeafKind kind, double[] row, int at, PlanarShape q) {
-        q.set(kind, row, at, ox, oz);
-        double length = Math.sqrt(ux * ux + uz * uz);
-        double wayX = ux / length;
-        double wayZ = uz / length;
+    static double distance(BeamAxis ray, LeafKind kind, double[] row, int at, PlanarShape q) {
+        q.set(kind, row, at, ray.ox, ray.oz);
+        double length = Math.sqrt(ray.dx * ray.dx + ray.dz * ray.dz);
+        double wayX = ray.dx / length;
+        double wayZ = ray.dz / length;
         // Measured from the ray's point nearest to the centre, so that a distant start costs no accuracy.
         double ahead = q.centerX * wayX + q.centerZ * wayZ;
         double aside = DoubleDouble.differenceOfProducts(wayX, q.centerZ, wayZ, q.centerX);

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
@@ -23,10 +24,10 @@ final class RayPolygon {
     private RayPolygon() {}
 
     /** Distance in world units. Whether it hits is exact, except that octagons count as hit in doubtful cases. */
-    static double distance(double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
+    static double distance(BeamAxis ray, LeafKind kind, double[] b, int j, RayScratch s) {
         PlanarShape q = s.planar.planarB;
-        q.set(kind, b, j, ox, oz);
-        double speed = Math.abs(ux) + Math.abs(uz);
+        q.set(kind, b, j, ray.ox, ray.oz);
+        double speed = Math.abs(ray.dx) + Math.abs(ray.dz);
         boolean isEnclosure = kind.isEnclosure();
         double filter = isEnclosure ? ROUNDING : FILTER;
         double doubt = filter * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
@@ -35,8 +36,8 @@ final class RayPolygon {
         double nearest = Double.MAX_VALUE;
         double furthest = -Double.MAX_VALUE;
         for (int k = 0; k < q.count; k++) {
-            double aside = ux * q.z[k] - uz * q.x[k];
-            double ahead = ux * q.x[k] + uz * q.z[k];
+            double aside = ray.dx * q.z[k] - ray.dz * q.x[k];
+            double ahead = ray.dx * q.x[k] + ray.dz * q.z[k];
             left = Math.max(left, aside);
             right = Math.min(right, aside);
             nearest = Math.min(nearest, ahead);
@@ -45,22 +46,22 @@ final class RayPolygon {
         if (left < -doubt || right > doubt || furthest < -doubt) {
             return Double.POSITIVE_INFINITY;
         }
-        int verdict = left > doubt && right < -doubt ? sides(q, ux, uz, speed, filter) : 0;
+        int verdict = left > doubt && right < -doubt ? sides(q, ray.dx, ray.dz, speed, filter) : 0;
         if (verdict < 0) {
             return Double.POSITIVE_INFINITY;
         }
         if (verdict == 0 && !isEnclosure) {
             EXACT.count();
             ExactPlanar exact = ExactPlanar.of(kind, b, j);
-            if (!exact.isHitBy(ox, oz, ux, uz)) {
+            if (!exact.isHitBy(ray.ox, ray.oz, ray.dx, ray.dz)) {
                 return Double.POSITIVE_INFINITY;
             }
-            if (exact.contains(ox, oz)) {
+            if (exact.contains(ray.ox, ray.oz)) {
                 return 0;
             }
         }
-        double square = ux * ux + uz * uz;
-        double first = kind.isBox() ? RayZonogon.entry(ox, oz, ux, uz, b, j) : lastCrossing(kind, q, ux, uz, speed);
+        double square = ray.dx * ray.dx + ray.dz * ray.dz;
+        double first = kind.isBox() ? RayZonogon.entry(ray, b, j) : lastCrossing(kind, q, ray.dx, ray.dz, speed);
         double share = Math.min(Math.max(first, nearest / square), furthest / square);
         return Math.max(0, share) * Math.sqrt(square);
     }

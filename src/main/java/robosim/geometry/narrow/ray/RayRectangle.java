@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
@@ -28,33 +29,23 @@ public final class RayRectangle {
      * Distance in world units; whether it hits is exact. Of the rotation only the first own axis is read, as it
      * determines the other: rows of many objects are far apart in memory.
      */
-    static double distance(double ox, double oz, double ux, double uz, double[] row, int at) {
-        double sure = sure(ox, oz, ux, uz, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
-        return Double.isNaN(sure) ? doubtful(ox, oz, ux, uz, row, at) : sure;
+    static double distance(BeamAxis ray, double[] row, int at) {
+        double sure = sure(ray, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
+        return Double.isNaN(sure) ? doubtful(ray, row, at) : sure;
     }
 
     /** The same for a rectangle given by numbers and the cosine and sine of its heading; NaN in doubt. */
-    public static double sure(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double cx,
-            double cz,
-            double hx,
-            double hz,
-            double cos,
-            double sin) {
-        double dx = ox - cx;
-        double dz = oz - cz;
+    public static double sure(BeamAxis ray, double cx, double cz, double hx, double hz, double cos, double sin) {
+        double dx = ray.ox - cx;
+        double dz = ray.oz - cz;
         double square = cos * cos + sin * sin;
         double size = Math.abs(dx) + Math.abs(dz) + hx + hz;
-        double speed = Math.abs(ux) + Math.abs(uz);
+        double speed = Math.abs(ray.dx) + Math.abs(ray.dz);
         // The start and the direction in the rectangle's own frame.
         double startX = dx * cos - dz * sin;
         double startZ = dx * sin + dz * cos;
-        double wayX = ux * cos - uz * sin;
-        double wayZ = ux * sin + uz * cos;
+        double wayX = ray.dx * cos - ray.dz * sin;
+        double wayZ = ray.dx * sin + ray.dz * cos;
         double doubt = FILTER * size + UNDERFLOW;
         double wayDoubt = FILTER * speed + UNDERFLOW;
         double beyondX = Math.abs(startX) - hx * square;
@@ -62,7 +53,7 @@ public final class RayRectangle {
         // Positive where the ray approaches the rectangle along each of its axes; not used where the start is at 0.
         double nearingX = VectorMath.signed(-wayX, startX);
         double nearingZ = VectorMath.signed(-wayZ, startZ);
-        double past = Math.abs(dx * uz - dz * ux) - (hx * Math.abs(wayZ) + hz * Math.abs(wayX));
+        double past = Math.abs(dx * ray.dz - dz * ray.dx) - (hx * Math.abs(wayZ) + hz * Math.abs(wayX));
         double pastDoubt = doubt * speed + UNDERFLOW;
         // Comparisons by the signs of differences, without branches: half of the branches would be mispredicted.
         long insideX = bits(beyondX + doubt);
@@ -83,10 +74,10 @@ public final class RayRectangle {
             // The side across the own X or the own Z, with the same bits as where both are computed.
             double nx = VectorMath.pick(later, cos, sin);
             double nz = VectorMath.pick(later, -sin, cos);
-            double way = Math.abs(DoubleDouble.sumOfProducts(ux, nx, uz, nz));
-            double far = DiscRectangle.gap(ox, oz, cx, cz, nx, nz, VectorMath.pick(later, hx, hz))
+            double way = Math.abs(DoubleDouble.sumOfProducts(ray.dx, nx, ray.dz, nz));
+            double far = DiscRectangle.gap(ray.ox, ray.oz, cx, cz, nx, nz, VectorMath.pick(later, hx, hz))
                     / way
-                    * Math.sqrt(ux * ux + uz * uz);
+                    * Math.sqrt(ray.dx * ray.dx + ray.dz * ray.dz);
             // Nearer than the centre, so the farthest corner need not be computed. Not above 0 where the start is
             // within
             // the filter's doubt of the side, on it or beyond it.
@@ -94,7 +85,7 @@ public final class RayRectangle {
                             && Math.abs(later) > SURE * pastDoubt
                             && far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz
                     ? far
-                    : entry(ox, oz, ux, uz, cx, cz, hx, hz, cos, sin);
+                    : entry(ray, cx, cz, hx, hz, cos, sin);
         }
         return Double.NaN;
     }
@@ -104,55 +95,45 @@ public final class RayRectangle {
      *
      * @param isAcrossX whether that is a side across X
      */
-    public static double side(double ox, double oz, double ux, double uz, double[] row, int at, boolean isAcrossX) {
+    public static double side(BeamAxis ray, double[] row, int at, boolean isAcrossX) {
         double nx = isAcrossX ? 1 : 0;
         double nz = isAcrossX ? 0 : 1;
-        double gap = DiscRectangle.gap(ox, oz, row[at], row[at + 2], nx, nz, row[at + (isAcrossX ? 3 : 5)]);
-        return gap / Math.abs(isAcrossX ? ux : uz) * Math.sqrt(ux * ux + uz * uz);
+        double gap = DiscRectangle.gap(ray.ox, ray.oz, row[at], row[at + 2], nx, nz, row[at + (isAcrossX ? 3 : 5)]);
+        return gap / Math.abs(isAcrossX ? ray.dx : ray.dz) * Math.sqrt(ray.dx * ray.dx + ray.dz * ray.dz);
     }
 
     private static long bits(double number) {
         return Double.doubleToRawLongBits(number);
     }
 
-    private static double doubtful(double ox, double oz, double ux, double uz, double[] row, int at) {
+    private static double doubtful(BeamAxis ray, double[] row, int at) {
         EXACT.count();
         ExactPlanar exact = ExactPlanar.of(LeafKind.UPRIGHT_BOX, row, at);
-        if (exact.contains(ox, oz)) {
+        if (exact.contains(ray.ox, ray.oz)) {
             return 0;
         }
-        return exact.isHitBy(ox, oz, ux, uz)
-                ? entry(ox, oz, ux, uz, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8])
+        return exact.isHitBy(ray.ox, ray.oz, ray.dx, ray.dz)
+                ? entry(ray, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8])
                 : Double.POSITIVE_INFINITY;
     }
 
     // The later of the two sides that the start is beyond, for a ray that is known to hit.
-    private static double entry(
-            double ox,
-            double oz,
-            double ux,
-            double uz,
-            double cx,
-            double cz,
-            double hx,
-            double hz,
-            double cos,
-            double sin) {
+    private static double entry(BeamAxis ray, double cx, double cz, double hx, double hz, double cos, double sin) {
         double share = 0;
-        double gapX = DiscRectangle.gap(ox, oz, cx, cz, cos, -sin, hx);
+        double gapX = DiscRectangle.gap(ray.ox, ray.oz, cx, cz, cos, -sin, hx);
         if (gapX > 0) {
-            double way = Math.abs(DoubleDouble.differenceOfProducts(ux, cos, uz, sin));
+            double way = Math.abs(DoubleDouble.differenceOfProducts(ray.dx, cos, ray.dz, sin));
             share = way > 0 ? gapX / way : 0;
         }
-        double gapZ = DiscRectangle.gap(ox, oz, cx, cz, sin, cos, hz);
+        double gapZ = DiscRectangle.gap(ray.ox, ray.oz, cx, cz, sin, cos, hz);
         if (gapZ > 0) {
-            double way = Math.abs(DoubleDouble.sumOfProducts(ux, sin, uz, cos));
+            double way = Math.abs(DoubleDouble.sumOfProducts(ray.dx, sin, ray.dz, cos));
             share = way > 0 ? Math.max(share, gapZ / way) : share;
         }
         // No point of the rectangle is farther than this: it limits the distance of a hit along a side.
-        double dx = ox - cx;
-        double dz = oz - cz;
+        double dx = ray.ox - cx;
+        double dz = ray.oz - cz;
         double most = Math.sqrt(dx * dx + dz * dz) + Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-29);
-        return Math.min(share * Math.sqrt(ux * ux + uz * uz), most * (1 + 0x1p-50));
+        return Math.min(share * Math.sqrt(ray.dx * ray.dx + ray.dz * ray.dz), most * (1 + 0x1p-50));
     }
 }

@@ -1,8 +1,10 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The last correction of a ray's parameter in pairs of doubles, for distances that plain doubles leave uncertain: the
@@ -28,36 +30,32 @@ final class RayRefine {
     private static final int OUT = 16;
 
     private final DoubleDoubles p = new DoubleDoubles(20);
+    private BeamAxis ray = new BeamAxis();
+    private double time;
+    private double tail;
 
-    /** Sets a point of the ray relative to c: {@code o - c + (t + tail) d}. */
-    void place(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double cx,
-            double cy,
-            double cz,
-            double t,
-            double tail) {
-        p.difference(TIME, t, -tail);
-        p.difference(PLACE, ox, cx);
-        p.difference(PLACE + 1, oy, cy);
-        p.difference(PLACE + 2, oz, cz);
-        p.set(FIRST, dx);
-        p.set(FIRST + 1, dy);
-        p.set(FIRST + 2, dz);
+    /** Sets a point of a ray relative to c: {@code o - c + (t + tail) d}. */
+    void place(BeamAxis beam, double cx, double cy, double cz, double t, double itsTail) {
+        ray = beam;
+        time = t;
+        tail = itsTail;
+        p.difference(TIME, time, -tail);
+        p.difference(PLACE, ray.ox, cx);
+        p.difference(PLACE + 1, ray.oy, cy);
+        p.difference(PLACE + 2, ray.oz, cz);
+        p.set(FIRST, ray.dx);
+        p.set(FIRST + 1, ray.dy);
+        p.set(FIRST + 2, ray.dz);
         p.advance(PLACE, PLACE, TIME, FIRST, TEMPORARY);
     }
 
-    /** The residual of {@code x.(k x l) - half i.(k x l)} for columns i, k, l of a box, {@code half} signed. */
-    double boxFace(double[] b, int i, int k, int l, double half) {
-        column(b, k, FIRST);
-        column(b, l, SECOND);
+    /** The residual of {@code x.(k x l) - half i.(k x l)} for columns i, k, l of a box from that of a face, {@code half} signed. */
+    double boxFace(double[] b, int j, int face, double half) {
+        int r = j + Leaf.ROTATION;
+        column(b, r + (face + 1) % 3, FIRST);
+        column(b, r + (face + 2) % 3, SECOND);
         p.cross(NORMAL, FIRST, SECOND, TEMPORARY);
-        column(b, i, FIRST);
+        column(b, r + face, FIRST);
         p.dot(SIDE, FIRST, NORMAL, TEMPORARY);
         p.multiply(SIDE, SIDE, half);
         p.dot(OUT, PLACE, NORMAL, TEMPORARY);
@@ -85,20 +83,20 @@ final class RayRefine {
     }
 
     /** The residual of {@code |x x a|^2 - r^2 a.a}. */
-    double side(double ax, double ay, double az, double r) {
-        axis(ax, ay, az);
+    double side(PlacedCylinder c) {
+        axis(c);
         p.cross(NORMAL, PLACE, FIRST, TEMPORARY);
         p.dot(OUT, NORMAL, NORMAL, TEMPORARY);
         p.dot(SIDE, FIRST, FIRST, TEMPORARY);
-        p.multiply(SIDE, SIDE, r);
-        p.multiply(SIDE, SIDE, r);
+        p.multiply(SIDE, SIDE, c.r);
+        p.multiply(SIDE, SIDE, c.r);
         p.subtract(OUT, OUT, SIDE);
         return p.get(OUT);
     }
 
     /** The residual of {@code x.a - half a.a}, {@code half} signed. */
-    double cap(double ax, double ay, double az, double half) {
-        axis(ax, ay, az);
+    double cap(PlacedCylinder c, double half) {
+        axis(c);
         p.dot(OUT, PLACE, FIRST, TEMPORARY);
         p.dot(SIDE, FIRST, FIRST, TEMPORARY);
         p.multiply(SIDE, SIDE, half);
@@ -107,21 +105,27 @@ final class RayRefine {
     }
 
     /**
-     * The error bound of the parameter after a step of {@code rest / slope}, from a residual whose terms have the given
-     * size; {@code bend} is half the second derivative, 0 for a plane.
+     * The distance after a step of {@code -left / slope}, from a residual whose terms have the given size; below 0 where it is
+     * not certainly accurate.
+     *
+     * @param bend half the second derivative, 0 for a plane
+     * @param largest the largest coordinate or size
      */
-    static double error(double rest, double size, double slope, double slopeError, double bend) {
+    double settled(double left, double size, double slope, double slopeError, double bend, double largest) {
         double certain = Math.abs(slope) - slopeError;
-        double step = Math.abs(rest) / certain;
-        return certain > 0
-                ? (ERROR * size + step * (slopeError + 2 * U * certain) + step * step * bend) / certain
-                : Double.POSITIVE_INFINITY;
+        if (!(certain > 0)) {
+            return -1;
+        }
+        double step = Math.abs(left) / certain;
+        double error = (ERROR * size + step * (slopeError + 2 * U * certain) + step * step * bend) / certain;
+        double distance = ray.along(time, tail - left / slope);
+        return VectorMath.isFine(error * ray.length(), distance, largest) ? distance : -1;
     }
 
-    private void axis(double ax, double ay, double az) {
-        p.set(FIRST, ax);
-        p.set(FIRST + 1, ay);
-        p.set(FIRST + 2, az);
+    private void axis(PlacedCylinder c) {
+        p.set(FIRST, c.ax);
+        p.set(FIRST + 1, c.ay);
+        p.set(FIRST + 2, c.az);
     }
 
     private void column(double[] b, int at, int out) {

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.overlap.OverlapScratch;
@@ -12,9 +13,13 @@ public final class RayScratch {
     public final LeafScratch leaf;
 
     public final RayInterval interval = new RayInterval();
+    final PlacedCylinder cylinder = new PlacedCylinder();
     final PlainCylinderFace plainCylinder = new PlainCylinderFace();
     final DoubleDoubles capsuleEnds = new DoubleDoubles(RayCapsule.PAIRS_NEEDED);
     public final RayRefine refine = new RayRefine();
+
+    /** A ray at the height of what it is shown to. */
+    final BeamAxis level = new BeamAxis();
 
     public RayScratch(OverlapScratch overlap, PlanarScratch planar, LeafScratch leaf) {
         this.overlap = overlap;

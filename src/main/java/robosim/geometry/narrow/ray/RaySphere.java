@@ -2,6 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
@@ -28,31 +29,30 @@ final class RaySphere {
 
     private RaySphere() {}
 
-    static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        double mx = b[j] - ox;
-        double my = b[j + 1] - oy;
-        double mz = b[j + 2] - oz;
+    static double distance(BeamAxis ray, double[] b, int j, RayScratch s) {
+        double mx = b[j] - ray.ox;
+        double my = b[j + 1] - ray.oy;
+        double mz = b[j + 2] - ray.oz;
         double r = b[j + 3];
         double outside = mx * mx + my * my + mz * mz - r * r;
         double outsideError = INSIDE_ERROR * (mx * mx + my * my + mz * mz + r * r) + UNDERFLOW;
         if (outside < -outsideError) {
             return 0;
         }
-        double ahead = mx * dx + my * dy + mz * dz;
-        double aheadSize = Math.abs(mx * dx) + Math.abs(my * dy) + Math.abs(mz * dz);
+        double ahead = mx * ray.dx + my * ray.dy + mz * ray.dz;
+        double aheadSize = Math.abs(mx * ray.dx) + Math.abs(my * ray.dy) + Math.abs(mz * ray.dz);
         boolean isOutside = outside > outsideError;
         if (isOutside && ahead < -(AHEAD_ERROR * aheadSize + UNDERFLOW)) {
             return Double.POSITIVE_INFINITY;
         }
-        double wx = my * dz - mz * dy;
-        double wy = mz * dx - mx * dz;
-        double wz = mx * dy - my * dx;
-        double px = ASIDE_ERROR * (Math.abs(my * dz) + Math.abs(mz * dy));
-        double py = ASIDE_ERROR * (Math.abs(mz * dx) + Math.abs(mx * dz));
-        double pz = ASIDE_ERROR * (Math.abs(mx * dy) + Math.abs(my * dx));
+        double wx = my * ray.dz - mz * ray.dy;
+        double wy = mz * ray.dx - mx * ray.dz;
+        double wz = mx * ray.dy - my * ray.dx;
+        double px = ASIDE_ERROR * (Math.abs(my * ray.dz) + Math.abs(mz * ray.dy));
+        double py = ASIDE_ERROR * (Math.abs(mz * ray.dx) + Math.abs(mx * ray.dz));
+        double pz = ASIDE_ERROR * (Math.abs(mx * ray.dy) + Math.abs(my * ray.dx));
         double ww = wx * wx + wy * wy + wz * wz;
-        double dd = dx * dx + dy * dy + dz * dz;
+        double dd = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
         double chord = r * r * dd - ww;
         double chordError = px * (2 * Math.abs(wx) + px)
                 + py * (2 * Math.abs(wy) + py)
@@ -63,42 +63,31 @@ final class RaySphere {
             return Double.POSITIVE_INFINITY;
         }
         if (isOutside && chord > chordError && ahead > AHEAD_ERROR * aheadSize + UNDERFLOW) {
-            double distance = surface(ox, oy, oz, dx, dy, dz, b, j, (ahead - Math.sqrt(chord)) / dd, s);
+            double distance = surface(ray, b, j, (ahead - Math.sqrt(chord)) / dd, s);
             if (distance >= 0) {
                 return distance;
             }
         }
-        return exact(ox, oy, oz, dx, dy, dz, b, j);
+        return exact(ray, b, j);
     }
 
     // One Newton step from near the entry: relative to that point, only the radius can cancel.
-    private static double surface(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] b,
-            int j,
-            double t,
-            RayScratch s) {
+    private static double surface(BeamAxis ray, double[] b, int j, double t, RayScratch s) {
         double r = b[j + 3];
-        double qx = RayBox.moved(ox, b[j], t, dx);
-        double qy = RayBox.moved(oy, b[j + 1], t, dy);
-        double qz = RayBox.moved(oz, b[j + 2], t, dz);
+        double qx = RayBox.moved(ray.ox, b[j], t, ray.dx);
+        double qy = RayBox.moved(ray.oy, b[j + 1], t, ray.dy);
+        double qz = RayBox.moved(ray.oz, b[j + 2], t, ray.dz);
         double square = qx * qx + qy * qy + qz * qz;
-        double inward = -(qx * dx + qy * dy + qz * dz);
-        double inwardError = 5 * U * (Math.abs(qx * dx) + Math.abs(qy * dy) + Math.abs(qz * dz));
-        double dd = dx * dx + dy * dy + dz * dz;
+        double inward = -(qx * ray.dx + qy * ray.dy + qz * ray.dz);
+        double inwardError = 5 * U * (Math.abs(qx * ray.dx) + Math.abs(qy * ray.dy) + Math.abs(qz * ray.dz));
+        double dd = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
         double correction = (square - r * r) / (2 * inward);
         double certain = inward - inwardError;
         // The square is off by 7u (its parts by 2u for each factor), the step by the quadratic term that Newton leaves.
         double error = (5 * U * (square + r * r) + Math.abs(correction) * inwardError + correction * correction * dd)
                 / certain;
-        double distance = VectorMath.along(t, correction, dx, dy, dz);
-        double largest =
-                Math.max(Math.max(VectorMath.largest(ox, oy, oz), VectorMath.largest(b[j], b[j + 1], b[j + 2])), r);
+        double distance = ray.along(t, correction);
+        double largest = Math.max(Math.max(ray.largest(), VectorMath.largest(b[j], b[j + 1], b[j + 2])), r);
         double length = Math.sqrt(dd);
         if (certain > 0 && VectorMath.isFine(error * length, distance, largest)) {
             return distance;
@@ -107,21 +96,19 @@ final class RaySphere {
             return -1;
         }
         RayRefine refine = s.refine;
-        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
+        refine.place(ray, b[j], b[j + 1], b[j + 2], t, correction);
         double left = refine.sphere(r);
         double size = 2 * (square + r * r) + 4 * Math.abs(t) * length * r;
         double slope = 2 * (inward - correction * dd);
-        error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, dd);
-        distance = VectorMath.along(t, correction + left / slope, dx, dy, dz);
-        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
+        return refine.settled(left, size, -slope, 2 * inwardError + 8 * U * inward, dd, largest);
     }
 
-    private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
+    private static double exact(BeamAxis ray, double[] b, int j) {
         EXACT.count();
         double extent = Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), b[j + 3]);
-        ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent);
-        ExactVector m = ray.point(b, j).minus(ray.start);
-        return distance(ray, m, m.square().subtract(ray.length(b[j + 3]).square()));
+        ExactRay exact = new ExactRay(ray, extent);
+        ExactVector m = exact.point(b, j).minus(exact.start);
+        return distance(exact, m, m.square().subtract(exact.length(b[j + 3]).square()));
     }
 
     /**

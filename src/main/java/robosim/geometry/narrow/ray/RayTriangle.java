@@ -2,6 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
@@ -28,11 +29,10 @@ public final class RayTriangle {
 
     private RayTriangle() {}
 
-    static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] t, int j, RayScratch s) {
-        double ax = t[j] - ox;
-        double ay = t[j + 1] - oy;
-        double az = t[j + 2] - oz;
+    static double distance(BeamAxis ray, double[] t, int j, RayScratch s) {
+        double ax = t[j] - ray.ox;
+        double ay = t[j + 1] - ray.oy;
+        double az = t[j + 2] - ray.oz;
         double ex = t[j + 3] - t[j];
         double ey = t[j + 4] - t[j + 1];
         double ez = t[j + 5] - t[j + 2];
@@ -40,12 +40,12 @@ public final class RayTriangle {
         double fy = t[j + 7] - t[j + 1];
         double fz = t[j + 8] - t[j + 2];
         // The moment of the line about a, and the volumes of the edges that meet there.
-        double mx = dy * az - dz * ay;
-        double my = dz * ax - dx * az;
-        double mz = dx * ay - dy * ax;
-        double px = Math.abs(dy * az) + Math.abs(dz * ay);
-        double py = Math.abs(dz * ax) + Math.abs(dx * az);
-        double pz = Math.abs(dx * ay) + Math.abs(dy * ax);
+        double mx = ray.dy * az - ray.dz * ay;
+        double my = ray.dz * ax - ray.dx * az;
+        double mz = ray.dx * ay - ray.dy * ax;
+        double px = Math.abs(ray.dy * az) + Math.abs(ray.dz * ay);
+        double py = Math.abs(ray.dz * ax) + Math.abs(ray.dx * az);
+        double pz = Math.abs(ray.dx * ay) + Math.abs(ray.dy * ax);
         double v = mx * ex + my * ey + mz * ez;
         double vSize = px * Math.abs(ex) + py * Math.abs(ey) + pz * Math.abs(ez);
         double w = -(mx * fx + my * fy + mz * fz);
@@ -61,8 +61,8 @@ public final class RayTriangle {
         double qx = Math.abs(ey * fz) + Math.abs(ez * fy);
         double qy = Math.abs(ez * fx) + Math.abs(ex * fz);
         double qz = Math.abs(ex * fy) + Math.abs(ey * fx);
-        double det = dx * nx + dy * ny + dz * nz;
-        double detSize = Math.abs(dx) * qx + Math.abs(dy) * qy + Math.abs(dz) * qz;
+        double det = ray.dx * nx + ray.dy * ny + ray.dz * nz;
+        double detSize = Math.abs(ray.dx) * qx + Math.abs(ray.dy) * qy + Math.abs(ray.dz) * qz;
         double third = det - v - w;
         int thirdSign = sign(third, LAST_VOLUME_ERROR * (detSize + vSize + wSize) + UNDERFLOW);
         int side = vSign != 0 ? vSign : wSign;
@@ -77,36 +77,33 @@ public final class RayTriangle {
             return Double.POSITIVE_INFINITY;
         }
         if (vSign * wSign * thirdSign * heightSign * detSign == 0) {
-            return ExactTriangle.distance(ox, oy, oz, dx, dy, dz, t, j);
+            return ExactTriangle.distance(ray, t, j);
         }
         // The plane again, relative to a point near the hit, so that the distance no longer magnifies errors.
         double at = height / det;
-        double hx = Math.fma(-at, dx, ax) + DoubleDouble.differenceTail(t[j], ox, ax);
-        double hy = Math.fma(-at, dy, ay) + DoubleDouble.differenceTail(t[j + 1], oy, ay);
-        double hz = Math.fma(-at, dz, az) + DoubleDouble.differenceTail(t[j + 2], oz, az);
+        double hx = Math.fma(-at, ray.dx, ax) + DoubleDouble.differenceTail(t[j], ray.ox, ax);
+        double hy = Math.fma(-at, ray.dy, ay) + DoubleDouble.differenceTail(t[j + 1], ray.oy, ay);
+        double hz = Math.fma(-at, ray.dz, az) + DoubleDouble.differenceTail(t[j + 2], ray.oz, az);
         double rest = nx * hx + ny * hy + nz * hz;
         double restSize = qx * Math.abs(hx) + qy * Math.abs(hy) + qz * Math.abs(hz);
         double correction = rest / det;
         double error = (REST_ERROR * restSize + Math.abs(correction) * VOLUME_ERROR * detSize) / Math.abs(det);
-        double distance = VectorMath.along(at, correction, dx, dy, dz);
-        double inWorldUnits = error * VectorMath.length(dx, dy, dz);
+        double distance = ray.along(at, correction);
+        double inWorldUnits = error * ray.length();
         if (VectorMath.isFine(
                 inWorldUnits, distance, 0)) { // the usual case: the coordinates only make the test pass more often
             return distance;
         }
-        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(t, j));
+        double largest = Math.max(ray.largest(), extent(t, j));
         if (VectorMath.isFine(inWorldUnits, distance, largest)) {
             return distance;
         }
         RayRefine refine = s.refine;
-        refine.place(ox, oy, oz, dx, dy, dz, t[j], t[j + 1], t[j + 2], at, correction);
+        refine.place(ray, t[j], t[j + 1], t[j + 2], at, correction);
         double left = refine.trianglePlane(t, j);
         double size = restSize + 2 * Math.abs(at) * detSize;
-        error = RayRefine.error(left, size, det, VOLUME_ERROR * detSize, 0);
-        distance = VectorMath.along(at, correction - left / det, dx, dy, dz);
-        return VectorMath.isFine(error * VectorMath.length(dx, dy, dz), distance, largest)
-                ? distance
-                : ExactTriangle.distance(ox, oy, oz, dx, dy, dz, t, j);
+        distance = refine.settled(left, size, det, VOLUME_ERROR * detSize, 0, largest);
+        return distance >= 0 ? distance : ExactTriangle.distance(ray, t, j);
     }
 
     public static double extent(double[] t, int j) {
@@ -125,13 +122,13 @@ public final class RayTriangle {
     private static final class ExactTriangle {
         private ExactTriangle() {}
 
-        static double distance(double ox, double oy, double oz, double dx, double dy, double dz, double[] t, int j) {
+        static double distance(BeamAxis ray, double[] t, int j) {
             EXACT.count();
-            ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent(t, j));
-            ExactVector a = ray.point(t, j).minus(ray.start);
-            ExactVector b = ray.point(t, j + 3).minus(ray.start);
-            ExactVector c = ray.point(t, j + 6).minus(ray.start);
-            ExactVector d = ray.direction;
+            ExactRay exact = new ExactRay(ray, extent(t, j));
+            ExactVector a = exact.point(t, j).minus(exact.start);
+            ExactVector b = exact.point(t, j + 3).minus(exact.start);
+            ExactVector c = exact.point(t, j + 6).minus(exact.start);
+            ExactVector d = exact.direction;
             Dyadic ab = d.dot(a.cross(b));
             Dyadic bc = d.dot(b.cross(c));
             Dyadic ca = d.dot(c.cross(a));
@@ -141,7 +138,7 @@ public final class RayTriangle {
                 return Double.POSITIVE_INFINITY;
             }
             if (least == 0 && most == 0) {
-                return flat(ray, a, b, c);
+                return flat(exact, a, b, c);
             }
             Dyadic volume = a.dot(b.cross(c));
             int side = least + most;
@@ -150,10 +147,10 @@ public final class RayTriangle {
             }
             return volume.signum() == 0
                     ? 0
-                    : ray.distance(volume.abs(), ab.add(bc).add(ca).abs());
+                    : exact.distance(volume.abs(), ab.add(bc).add(ca).abs());
         }
 
-        // The ray lies in the plane, or the triangle is degenerate.
+        // The exact lies in the plane, or the triangle is degenerate.
         private static double flat(ExactRay ray, ExactVector a, ExactVector b, ExactVector c) {
             ExactVector normal = b.minus(a).cross(c.minus(a));
             if (!normal.isZero()) {

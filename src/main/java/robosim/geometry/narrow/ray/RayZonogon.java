@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.narrow.leaf.Leaf;
 
@@ -14,16 +15,16 @@ final class RayZonogon {
      * <p>Computed from the stored numbers with the tails of all products, not from corners, and so equally accurate at
      * low angles.
      */
-    static double entry(double ox, double oz, double ux, double uz, double[] row, int at) {
-        double dx = ox - row[at];
-        double dxTail = DoubleDouble.differenceTail(ox, row[at], dx);
-        double dz = oz - row[at + 2];
-        double dzTail = DoubleDouble.differenceTail(oz, row[at + 2], dz);
+    static double entry(BeamAxis ray, double[] row, int at) {
+        double dx = ray.ox - row[at];
+        double dxTail = DoubleDouble.differenceTail(ray.ox, row[at], dx);
+        double dz = ray.oz - row[at + 2];
+        double dzTail = DoubleDouble.differenceTail(ray.oz, row[at + 2], dz);
         double share = 0;
         for (int axis = 0; axis < 3; axis++) {
             double gx = row[at + Leaf.ROTATION + axis];
             double gz = row[at + Leaf.ROTATION + 6 + axis];
-            double way = Math.abs(DoubleDouble.differenceOfProducts(ux, gz, uz, gx));
+            double way = Math.abs(DoubleDouble.differenceOfProducts(ray.dx, gz, ray.dz, gx));
             if (!(way > 0)) {
                 continue;
             }

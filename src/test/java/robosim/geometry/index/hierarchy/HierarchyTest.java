@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
+import robosim.geometry.exact.BeamAxis;
 
 /** The hierarchy and its cursors against a list of the same boxes. */
 class HierarchyTest {
@@ -215,7 +216,7 @@ class HierarchyTest {
             }
         }
         double limit = random.nextInt(4) == 0 ? INFINITE : scale * random.nextDouble(60);
-        rays.aim(o[0], o[1], o[2], d[0], d[1], d[2], tree.most());
+        rays.aim(new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]), tree.most());
         rays.start(tree);
         List<Integer> found = new ArrayList<>();
         for (int id = rays.next(limit); id >= 0; id = rays.next(limit)) {
@@ -322,7 +323,8 @@ class HierarchyTest {
             d[axis] /= length;
             o[axis] = scale * random.nextDouble(-20, 20);
         }
-        cones.aim(o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), tree.most());
+        cones.aim(
+                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, StrictMath.sin(half)), tree.most());
         boolean isFirst = random.nextBoolean();
         cones.start(isFirst ? tree : other, isFirst ? other : tree);
         List<Integer> found = new ArrayList<>();
@@ -400,7 +402,7 @@ class HierarchyTest {
             double angle = random.nextDouble(6.28);
             double ux = StrictMath.cos(angle);
             double uz = StrictMath.sin(angle);
-            cones.aim(0, 0, 0, ux, 0, uz, cos, sin, tree.most());
+            cones.aim(new BeamAxis().line(0, 0, 0, ux, 0, uz).widen(cos, sin), tree.most());
             cones.start(tree, other);
             double limit = INFINITE;
             for (int id = cones.next(limit); id >= 0; id = cones.next(limit)) {

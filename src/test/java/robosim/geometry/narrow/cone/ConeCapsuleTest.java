@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -73,7 +74,8 @@ class ConeCapsuleTest {
                     radius = new BigDecimal(row[3]);
                 }
             }
-            if (SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray) < 1e300) {
+            if (SpatialRay.distance(new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]), kind, row, 0, scratch.ray)
+                    < 1e300) {
                 continue; // the axis meets it, or starts in it: as exactly as for the ray
             }
             BigDecimal[] least = least(true);
@@ -246,7 +248,12 @@ class ConeCapsuleTest {
     private double cone(double[] o, double[] d, double cosine, LeafKind kind, double[] row) {
         double sine = Math.sqrt((1 - cosine) * (1 + cosine));
         return SpatialCone.distance(
-                o[0], o[1], o[2], d[0], d[1], d[2], cosine, sine, kind, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
+                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cosine, sine),
+                kind,
+                row,
+                0,
+                Double.POSITIVE_INFINITY,
+                scratch.cone);
     }
 
     private void take(double[] o, double[] d, double cosine, LeafKind kind, double[] row) {

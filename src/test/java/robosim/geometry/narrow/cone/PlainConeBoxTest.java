@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -96,7 +97,8 @@ class PlainConeBoxTest {
 
     private void compare(LeafKind kind, double[] row, double[] o, double[] d, double cos, SplittableRandom random) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
-        double all = SpatialCone.all(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch.cone);
+        double all = SpatialCone.all(
+                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, sin), kind, row, 0, scratch.cone);
         double near = near(o, d, cos, sin, kind, row, Double.POSITIVE_INFINITY);
         if (Double.doubleToLongBits(near) != Double.doubleToLongBits(all)) {
             assertThat(near).as(name(kind, row, o, d, cos)).isEqualTo(all);
@@ -118,11 +120,18 @@ class PlainConeBoxTest {
     }
 
     private double near(double[] o, double[] d, double cos, double sin, LeafKind kind, double[] row, double limit) {
-        return SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, limit, scratch.cone);
+        return SpatialCone.distance(
+                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, sin),
+                kind,
+                row,
+                0,
+                limit,
+                scratch.cone);
     }
 
     private void count(double[] o, double[] d, double cos, double[] row) {
-        cone.set(o[0], o[1], o[2], d[0], d[1], d[2], cos);
+        double sin = Math.sqrt((1 - cos) * (1 + cos));
+        cone.set(new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, sin), o[1]);
         int known = plain.look(cone, row, 0, Double.POSITIVE_INFINITY);
         beyond += known == PlainConeBox.BEYOND ? 1 : 0;
         unsure += known == PlainConeBox.UNSURE ? 1 : 0;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -84,16 +85,17 @@ class PlainSectorBoxTest {
             double[] row, double ox, double oz, double dx, double dz, double cos, SplittableRandom random) {
         LeafKind kind = LeafKind.UPRIGHT_BOX;
         double sin = Math.sqrt((1 - cos) * (1 + cos));
-        double all = PlanarCone.all(ox, oz, dx, dz, cos, sin, kind, row, 0, scratch.cone);
+        BeamAxis beam = new BeamAxis().line(ox, 0, oz, dx, 0, dz).widen(cos, sin);
+        double all = PlanarCone.all(beam, kind, row, 0, scratch.cone);
         double none = Double.POSITIVE_INFINITY;
-        double near = PlanarCone.distance(ox, oz, dx, dz, cos, sin, kind, row, 0, none, scratch.cone);
+        double near = PlanarCone.distance(beam, kind, row, 0, none, scratch.cone);
         if (Double.doubleToLongBits(near) != Double.doubleToLongBits(all)) {
             assertThat(near).as(name(row, ox, oz, dx, dz, cos)).isEqualTo(all);
         }
-        cone.set(ox, 0, oz, dx, 0, dz, cos);
-        known[plain.look(ox, oz, cone.ux, cone.uz, cos, cone.sin, row, 0, none)]++;
+        cone.set(beam, 0);
+        known[plain.look(cone, row, 0, none)]++;
         double limit = random.nextInt(3) == 0 ? all : all * random.nextDouble(0.5, 1.5);
-        double limited = PlanarCone.distance(ox, oz, dx, dz, cos, sin, kind, row, 0, limit, scratch.cone);
+        double limited = PlanarCone.distance(beam, kind, row, 0, limit, scratch.cone);
         if (limited != all) {
             cut++;
             assertThat(limited == none && all > limit)

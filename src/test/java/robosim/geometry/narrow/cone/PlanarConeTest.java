@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
@@ -32,12 +33,9 @@ class PlanarConeTest {
 
     private double cone(double ox, double oz, double aim, double half, LeafKind kind, double[] row) {
         return PlanarCone.distance(
-                ox,
-                oz,
-                StrictMath.cos(aim),
-                StrictMath.sin(aim),
-                StrictMath.cos(half),
-                StrictMath.sin(half),
+                new BeamAxis()
+                        .line(ox, 0, oz, StrictMath.cos(aim), 0, StrictMath.sin(aim))
+                        .widen(StrictMath.cos(half), StrictMath.sin(half)),
                 kind,
                 row,
                 0,
@@ -105,7 +103,12 @@ class PlanarConeTest {
                 double at = aim - half + 2 * half * n / 400;
                 least = Math.min(
                         least,
-                        PlanarRay.distance(ox, oz, StrictMath.cos(at), StrictMath.sin(at), kind, row, 0, scratch.ray));
+                        PlanarRay.distance(
+                                new BeamAxis().line(ox, 0, oz, StrictMath.cos(at), 0, StrictMath.sin(at)),
+                                kind,
+                                row,
+                                0,
+                                scratch.ray));
             }
             String text = PlanarRayTest.text(ox, oz, aim, half, kind, row);
             assertThat(distance).as(text).isLessThanOrEqualTo(least + 1e-12);
@@ -169,15 +172,10 @@ class PlanarConeTest {
                 row[corner] += times * dx;
                 row[corner + 2] += times * dz;
             }
-            double axis = PlanarRay.distance(0, 0, dx, dz, kind, row, 0, scratch.ray);
+            double axis = PlanarRay.distance(new BeamAxis().line(0, 0, 0, dx, 0, dz), kind, row, 0, scratch.ray);
             for (double half : new double[] {1e-3, 1e-9, 1e-15, 1e-200}) {
                 double heard = PlanarCone.distance(
-                        0,
-                        0,
-                        dx,
-                        dz,
-                        StrictMath.cos(half),
-                        StrictMath.sin(half),
+                        new BeamAxis().line(0, 0, 0, dx, 0, dz).widen(StrictMath.cos(half), StrictMath.sin(half)),
                         kind,
                         row,
                         0,
@@ -219,15 +217,15 @@ class PlanarConeTest {
         // 3, 4, 5: the nearest corner is on an edge of the sector, but for the rounding of the cosine, which decides
         double[] far = triangle(4, 3, 5, 8, 0, 9);
         assertThat(PlanarCone.distance(
-                        0, 0, 1, 0, 0.8, 0.6, LeafKind.TRIANGLE, far, 0, Double.POSITIVE_INFINITY, scratch.cone))
+                        new BeamAxis().line(0, 0, 0, 1, 0, 0).widen(0.8, 0.6),
+                        LeafKind.TRIANGLE,
+                        far,
+                        0,
+                        Double.POSITIVE_INFINITY,
+                        scratch.cone))
                 .isInfinite(); // 0.8 is stored as a little more
         assertThat(PlanarCone.distance(
-                        0,
-                        0,
-                        1,
-                        0,
-                        Math.nextDown(0.8),
-                        0.6,
+                        new BeamAxis().line(0, 0, 0, 1, 0, 0).widen(Math.nextDown(0.8), 0.6),
                         LeafKind.TRIANGLE,
                         far,
                         0,
@@ -259,12 +257,15 @@ class PlanarConeTest {
         };
         double half = 1.305;
         double distance = PlanarCone.distance(
-                1.6739333017957895E-11,
-                2.2160537056585827E-11,
-                -0.018906939144769708,
-                -0.022766126703541056,
-                StrictMath.cos(half),
-                StrictMath.sin(half),
+                new BeamAxis()
+                        .line(
+                                1.6739333017957895E-11,
+                                0,
+                                2.2160537056585827E-11,
+                                -0.018906939144769708,
+                                0,
+                                -0.022766126703541056)
+                        .widen(StrictMath.cos(half), StrictMath.sin(half)),
                 LeafKind.BOX,
                 box,
                 0,

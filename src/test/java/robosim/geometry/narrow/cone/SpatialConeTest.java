@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Allocated;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.RayOracle;
@@ -284,18 +285,12 @@ class SpatialConeTest {
         }
         double cos = StrictMath.cos(0.7);
         double sin = StrictMath.sin(0.7);
+        BeamAxis beam = new BeamAxis();
         long bytes = Allocated.everyTime(() -> {
             double sum = 0;
             for (int i = 0; i < 10_000; i++) {
                 sum += SpatialCone.distance(
-                        10 + i * 1e-6,
-                        3,
-                        4,
-                        -1,
-                        -0.31,
-                        -0.42,
-                        cos,
-                        sin,
+                        beam.line(10 + i * 1e-6, 3, 4, -1, -0.31, -0.42).widen(cos, sin),
                         Leaves.KINDS[i % 9],
                         rows[i % 9],
                         0,
@@ -308,13 +303,18 @@ class SpatialConeTest {
     }
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
-        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
+        return SpatialRay.distance(new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]), kind, row, 0, scratch.ray);
     }
 
     private double cone(double[] o, double[] d, double cos, LeafKind kind, double[] row) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         return SpatialCone.distance(
-                o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
+                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, sin),
+                kind,
+                row,
+                0,
+                Double.POSITIVE_INFINITY,
+                scratch.cone);
     }
 
     /** Random rays in the cone, the best of them led on by ever smaller steps. */

@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.MeshObject;
@@ -184,15 +185,14 @@ class MeshRayTest {
         double largest = VectorMath.largest(ray[0], ray[1], ray[2]);
         if (!m.take(Dimension.SPATIAL, largest, LeafKind.TRIANGLE, row, 0)) {
             return SpatialRay.distance(
-                    ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], LeafKind.TRIANGLE, row, 0, scratch.ray);
+                    new BeamAxis().line(ray[0], ray[1], ray[2], ray[3], ray[4], ray[5]),
+                    LeafKind.TRIANGLE,
+                    row,
+                    0,
+                    scratch.ray);
         }
         return m.down(SpatialRay.distance(
-                m.up(ray[0]),
-                m.up(ray[1]),
-                m.up(ray[2]),
-                ray[3],
-                ray[4],
-                ray[5],
+                new BeamAxis().line(m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), ray[3], ray[4], ray[5]),
                 LeafKind.TRIANGLE,
                 m.a,
                 0,

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.MeshObject;
@@ -62,7 +63,7 @@ class MeshSightTest {
                         tilt(ray, half, dimension);
                         cast.line(dimension, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5]);
                     }
-                    cast.widen(StrictMath.cos(half), StrictMath.sin(half));
+                    cast.beam.widen(StrictMath.cos(half), StrictMath.sin(half));
                 }
                 String what = mesh + " seen along " + Arrays.toString(ray) + (isCone ? ", half " + half : "");
                 int nearest = -1;
@@ -147,16 +148,15 @@ class MeshSightTest {
             double[] row, double x, double y, double z, Dimension dimension, boolean isCone, double half) {
         double cos = StrictMath.cos(half);
         double sin = StrictMath.sin(half);
-        double dx = cast.way(0);
-        double dy = cast.way(1);
-        double dz = cast.way(2);
+        BeamAxis beam = new BeamAxis();
         if (dimension == Dimension.SPATIAL) {
-            return SpatialCone.distance(
-                    x, y, z, dx, dy, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
+            beam.from(cast.beam, x, y, z).widen(cos, sin);
+            return SpatialCone.distance(beam, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
         }
+        beam.from(cast.beam, x, 0, z);
         return isCone
                 ? PlanarCone.distance(
-                        x, z, dx, dz, cos, sin, LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch.cone)
-                : PlanarRay.distance(x, z, dx, dz, LeafKind.TRIANGLE, row, 0, scratch.ray);
+                        beam.widen(cos, sin), LeafKind.TRIANGLE, row, 0, Double.POSITIVE_INFINITY, scratch.cone)
+                : PlanarRay.distance(beam, LeafKind.TRIANGLE, row, 0, scratch.ray);
     }
 }

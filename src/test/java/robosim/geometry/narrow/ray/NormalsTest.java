@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Leaves;
@@ -156,7 +157,7 @@ class NormalsTest {
     }
 
     private void at(double[] p, double[] d, LeafKind kind, double[] row, Dimension dimension) {
-        normals.at(p[0], p[1], p[2], 0, d[0], d[1], d[2], kind, row, 0, normal, dimension);
+        normals.at(new BeamAxis().line(p[0], p[1], p[2], d[0], d[1], d[2]), 0, kind, row, 0, normal, dimension);
     }
 
     /** A point of a leaf that is not near its edges. */
@@ -219,7 +220,7 @@ class NormalsTest {
     }
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
-        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
+        return SpatialRay.distance(new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]), kind, row, 0, scratch.ray);
     }
 
     private static double[] plus(double[] o, double[] d, double t) {

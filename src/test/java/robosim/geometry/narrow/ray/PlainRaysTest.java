@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
@@ -115,22 +116,26 @@ class PlainRaysTest {
     }
 
     private double plain(LeafKind kind, double[] row, double[] o, double[] d) {
+        BeamAxis ray = new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]);
         return switch (kind) {
-            case BOX -> RayBox.plain(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
-            case UPRIGHT_BOX -> RayBox.plainUpright(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
-            case UPRIGHT_CYLINDER -> RayCylinder.plainUpright(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
-            default -> RayCylinder.plain(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, row[7], row[10], row[13], scratch);
+            case BOX -> RayBox.plain(ray, row, 0, scratch);
+            case UPRIGHT_BOX -> RayBox.plainUpright(ray, row, 0, scratch);
+            default -> RayCylinder.plain(ray, cylinder(kind, row), scratch);
         };
     }
 
     private double bounded(LeafKind kind, double[] row, double[] o, double[] d) {
+        BeamAxis ray = new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]);
         return switch (kind) {
-            case BOX -> RayBox.inSlabs(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
-            case UPRIGHT_BOX -> RayBox.inUprightSlabs(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
-            case UPRIGHT_CYLINDER -> RayCylinder.inUprightBounds(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
-            default ->
-                RayCylinder.inBounds(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, row[7], row[10], row[13], scratch);
+            case BOX -> RayBox.inSlabs(ray, row, 0, scratch);
+            case UPRIGHT_BOX -> RayBox.inUprightSlabs(ray, row, 0, scratch);
+            default -> RayCylinder.inBounds(ray, cylinder(kind, row), scratch);
         };
+    }
+
+    private static PlacedCylinder cylinder(LeafKind kind, double[] row) {
+        PlacedCylinder cylinder = new PlacedCylinder();
+        return kind == LeafKind.UPRIGHT_CYLINDER ? cylinder.upright(row, 0) : cylinder.turned(row, 0);
     }
 
     private static double[] inside(LeafKind kind, double[] row, SplittableRandom random, double most) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
@@ -19,7 +20,7 @@ public class PlanarRayTest {
     private double worst;
 
     private double ray(double ox, double oz, double ux, double uz, LeafKind kind, double[] row) {
-        return PlanarRay.distance(ox, oz, ux, uz, kind, row, 0, scratch.ray);
+        return PlanarRay.distance(new BeamAxis().line(ox, 0, oz, ux, 0, uz), kind, row, 0, scratch.ray);
     }
 
     public static String text(double ox, double oz, double ux, double uz, LeafKind kind, double[] row) {

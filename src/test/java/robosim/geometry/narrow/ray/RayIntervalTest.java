@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.math.BigDecimal;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
@@ -68,7 +69,8 @@ class RayIntervalTest {
 
     // How far the distance is off, in ulp of the largest of it and the coordinates; NaN where both miss.
     private double ulps(double[] o, double[] d, LeafKind kind, double[] row) {
-        double distance = SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
+        double distance =
+                SpatialRay.distance(new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]), kind, row, 0, scratch.ray);
         BigDecimal truth = RayOracle.distance(o, d, kind, row);
         assertThat(distance < Double.POSITIVE_INFINITY).isEqualTo(truth != null);
         if (truth == null) {

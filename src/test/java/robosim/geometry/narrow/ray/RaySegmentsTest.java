@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -30,7 +31,11 @@ class RaySegmentsTest {
 
     private double ray(double[] from, double[] way, double[] row) {
         return SpatialRay.distance(
-                from[0], from[1], from[2], way[0], way[1], way[2], LeafKind.TRIANGLE, row, 0, scratch.ray);
+                new BeamAxis().line(from[0], from[1], from[2], way[0], way[1], way[2]),
+                LeafKind.TRIANGLE,
+                row,
+                0,
+                scratch.ray);
     }
 
     private static double[] at(double unit, double share) {
@@ -85,7 +90,14 @@ class RaySegmentsTest {
 
     private void facing(double[] p, double[] way, double[] row, double x, double z) {
         new Normals()
-                .at(p[0], p[1], p[2], 0, way[0], way[1], way[2], LeafKind.TRIANGLE, row, 0, normal, Dimension.PLANAR);
+                .at(
+                        new BeamAxis().line(p[0], p[1], p[2], way[0], way[1], way[2]),
+                        0,
+                        LeafKind.TRIANGLE,
+                        row,
+                        0,
+                        normal,
+                        Dimension.PLANAR);
         assertThat(normal).containsExactly(new double[] {x, 0, z}, within(1e-15));
     }
 
@@ -104,7 +116,7 @@ class RaySegmentsTest {
     }
 
     private double level(double x, double z, double wayX, double wayZ, double[] row) {
-        return PlanarRay.distance(x, z, wayX, wayZ, LeafKind.CAPSULE, row, 0, scratch.ray);
+        return PlanarRay.distance(new BeamAxis().line(x, 0, z, wayX, 0, wayZ), LeafKind.CAPSULE, row, 0, scratch.ray);
     }
 
     /** A capsule that happens to stand upright is a disc as seen from above. */
@@ -112,7 +124,8 @@ class RaySegmentsTest {
     @ValueSource(doubles = {1, -1})
     void aCapsuleOnEndHasADiscsNormals(double up) {
         double[] row = {1, 2, 3, 5, 2, 0, 1, 0, 0, 0, up, 0, 0, 0, up, 0};
-        new Normals().at(4, 9, 7, 0, -3, 0, -4, LeafKind.CAPSULE, row, 0, normal, Dimension.PLANAR);
+        new Normals()
+                .at(new BeamAxis().line(4, 9, 7, -3, 0, -4), 0, LeafKind.CAPSULE, row, 0, normal, Dimension.PLANAR);
         assertThat(normal).containsExactly(new double[] {0.6, 0, 0.8}, within(1e-15));
     }
 }

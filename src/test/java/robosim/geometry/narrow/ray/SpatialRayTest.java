@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Allocated;
 import robosim.geometry.Effort;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Scratch;
@@ -184,21 +185,17 @@ public class SpatialRayTest {
         for (LeafKind kind : Leaves.KINDS) {
             rows[kind.ordinal()] = Leaves.random(kind, random, 1);
         }
+        BeamAxis beam = new BeamAxis();
         long bytes = Allocated.everyTime(() -> {
             double sum = 0;
             for (int i = 0; i < 20_000; i++) {
-                double[] row = rows[i % 9];
                 // Past everything: no verdict is close.
-                sum += Math.min(1, scratchRay(10 + i * 1e-6, 20, 30, 1, 0.3, 0.2, Leaves.KINDS[i % 9], row));
+                beam.line(10 + i * 1e-6, 20, 30, 1, 0.3, 0.2);
+                sum += Math.min(1, SpatialRay.distance(beam, Leaves.KINDS[i % 9], rows[i % 9], 0, scratch.ray));
             }
             assertThat(sum).isEqualTo(20_000);
         });
         assertThat(bytes).isLessThan(20_000);
-    }
-
-    private double scratchRay(
-            double ox, double oy, double oz, double dx, double dy, double dz, LeafKind kind, double[] row) {
-        return SpatialRay.distance(ox, oy, oz, dx, dy, dz, kind, row, 0, scratch.ray);
     }
 
     private void check(double[] o, double[] d, LeafKind kind, double[] row) {
@@ -236,7 +233,7 @@ public class SpatialRayTest {
     }
 
     private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
-        return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch.ray);
+        return SpatialRay.distance(new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]), kind, row, 0, scratch.ray);
     }
 
     // Half of the rays go at about the leaf, the others anywhere near.

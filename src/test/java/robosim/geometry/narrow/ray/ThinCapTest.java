@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
+import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
@@ -49,7 +50,8 @@ class ThinCapTest {
             double back = random.nextDouble(0, 2);
             double ox = row[0] + end * ax - aside * az / length - back * ux;
             double oz = row[2] + end * az + aside * ax / length - back * uz;
-            double answer = PlanarRay.distance(ox, oz, ux, uz, LeafKind.CYLINDER, row, 0, scratch.ray);
+            double answer = PlanarRay.distance(
+                    new BeamAxis().line(ox, 0, oz, ux, 0, uz), LeafKind.CYLINDER, row, 0, scratch.ray);
             double truth = truth(row, ox, oz, ux, uz, 0);
             double size = Math.abs(row[0]) + Math.abs(row[2]) + 2 * row[3] + row[4] + Math.abs(ox) + Math.abs(oz);
             String what = PlanarRayTest.text(ox, oz, ux, uz, LeafKind.CYLINDER, row) + ": " + answer + " for " + truth;
