@@ -169,14 +169,14 @@ public final class Questions {
         return switch (family.subject()) {
             case OVERLAP ->
                 (planar
-                                ? PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap)
-                                : SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap))
+                                ? PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap)
+                                : SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap))
                         ? 1
                         : 0;
             case DISTANCE ->
                 planar
-                        ? PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance)
-                        : SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
+                        ? PlanarDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance)
+                        : SpatialDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
             case RAY -> ray(pairs.start, pairs.way, kindA, a);
             case CONE -> cone(pairs.start, pairs.way, kindA, a);
             case TRANSLATION -> translation(pairs.way, kindA, a, kindB, b);
@@ -228,15 +228,18 @@ public final class Questions {
 
     private double translation(double[] d, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         return family.planar()
-                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep)
-                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
+                ? PlanarSweep.translation(new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep)
+                : SpatialSweep.translation(
+                        new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep);
     }
 
     private double turn(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double degrees = 720 * angle - 360;
         return family.planar()
-                ? PlanarTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch.turn)
-                : SpatialTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch.turn);
+                ? PlanarTurnSweep.free(
+                        new Leaf(kindA, a, 0), a[0], a[1], a[2], 0, 1, 0, degrees, new Leaf(kindB, b, 0), scratch.turn)
+                : SpatialTurnSweep.free(
+                        new Leaf(kindA, a, 0), a[0], a[1], a[2], 0, 1, 0, degrees, new Leaf(kindB, b, 0), scratch.turn);
     }
 
     /** The largest of the numbers that a distance is computed from. */

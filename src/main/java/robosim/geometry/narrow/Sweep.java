@@ -31,6 +31,11 @@ public final class Sweep {
 
     private final Scratch s;
     private final double[] swept = new double[6];
+    private final Leaf mover = new Leaf();
+    private final Leaf obstacle = new Leaf();
+
+    /** A mesh's bounds as a moving box. */
+    private final Leaf moverBox = new Leaf(LeafKind.UPRIGHT_BOX);
 
     private Dimension dimension = Dimension.SPATIAL;
     private boolean turns;
@@ -69,31 +74,29 @@ public final class Sweep {
     }
 
     /** Whether a leaf that starts and ends on one side of a plane stays there in between; exact. */
-    boolean keeps(ExactVector normal, LeafKind kind, double[] row, int at) {
+    boolean keeps(ExactVector normal, Leaf leaf) {
         if (!turns) {
             return true;
         }
-        return normal.cross(ExactVector.of(wx, wy, wz)).isZero() || isTurnedIntoItself(kind, row, at);
+        return normal.cross(ExactVector.of(wx, wy, wz)).isZero() || isTurnedIntoItself(leaf);
     }
 
     /** The same for a horizontal plane. */
-    boolean keepsLevel(LeafKind kind, double[] row, int at) {
-        return !turns || (wx == 0 && wz == 0) || isTurnedIntoItself(kind, row, at);
+    boolean keepsLevel(Leaf leaf) {
+        return !turns || (wx == 0 && wz == 0) || isTurnedIntoItself(leaf);
     }
 
-    private boolean isTurnedIntoItself(LeafKind kind, double[] row, int at) {
+    private boolean isTurnedIntoItself(Leaf leaf) {
         boolean flat = dimension == Dimension.PLANAR;
         boolean isLevel = wx == 0 && wz == 0;
-        if (row[at] != px || row[at + 2] != pz || (row[at + 1] != py && !(isLevel || flat))) {
+        if (leaf.get(0) != px || leaf.get(2) != pz || (leaf.get(1) != py && !(isLevel || flat))) {
             return false;
         }
-        return switch (kind) {
+        return switch (leaf.kind) {
             case SPHERE -> true;
             case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> isLevel;
             case CYLINDER, CAPSULE ->
-                ExactExtent.axis(kind, row, at)
-                        .cross(ExactVector.of(wx, wy, wz))
-                        .isZero();
+                ExactExtent.axis(leaf).cross(ExactVector.of(wx, wy, wz)).isZero();
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> false;
         };
     }
@@ -174,14 +177,13 @@ public final class Sweep {
     public void bounds(LeafColumn column, int leaf, double[] out) {
         LeafKind kind = column.kind(leaf);
         if (!kind.isMesh()) {
-            bounds(kind, column.rows(leaf), column.at(leaf), out);
+            bounds(mover.set(column, leaf), out);
             return;
         }
         double[] box = s.leaf.meshBox;
         column.bounds(leaf, box);
-        double[] row = s.leaf.triangleB; // the mesh's bounds, as a moving box
-        boxRow(box, row);
-        bounds(LeafKind.UPRIGHT_BOX, row, 0, out);
+        boxRow(box, moverBox.row);
+        bounds(moverBox, out);
     }
 
     /** The same, but with each triangle of a mesh on its own, if the moving bounds of the mesh would be too large. */
@@ -196,7 +198,7 @@ public final class Sweep {
         s.leaf.outer.startBox(column, leaf, s.leaf.meshBox);
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-            bounds(LeafKind.TRIANGLE, s.leaf.triangleA, 0, swept);
+            bounds(s.leaf.faceA, swept);
             for (int k = 0; k < 3; k++) {
                 out[k] = Math.min(out[k], swept[k]);
                 out[3 + k] = Math.max(out[3 + k], swept[3 + k]);
@@ -211,7 +213,7 @@ public final class Sweep {
     public void turnDiagonals(LeafColumn column, int leaf, double[] out4) {
         LeafKind kind = column.kind(leaf);
         if (!kind.isMesh()) {
-            turnDiagonals(kind, column.rows(leaf), column.at(leaf), out4);
+            turnDiagonals(mover.set(column, leaf), out4);
             return;
         }
         double[] box = s.leaf.meshBox;
@@ -220,7 +222,7 @@ public final class Sweep {
             s.leaf.outer.startBox(column, leaf, box);
             for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
                 s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-                turnDiagonals(LeafKind.TRIANGLE, s.leaf.triangleA, 0, out4);
+                turnDiagonals(s.leaf.faceA, out4);
             }
             return;
         }
@@ -228,12 +230,12 @@ public final class Sweep {
         out4[1] = Math.max(out4[1], Math.nextUp(box[3] + box[5]));
         out4[2] = Math.min(out4[2], Math.nextDown(box[0] - box[5]));
         out4[3] = Math.max(out4[3], Math.nextUp(box[3] - box[2]));
-        boxRow(box, s.leaf.triangleB);
-        turnDiagonals(LeafKind.UPRIGHT_BOX, s.leaf.triangleB, 0, out4);
+        boxRow(box, moverBox.row);
+        turnDiagonals(moverBox, out4);
     }
 
-    private void turnDiagonals(LeafKind kind, double[] row, int at, double[] out4) {
-        SweptBounds.turnDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s.turn);
+    private void turnDiagonals(Leaf leaf, double[] out4) {
+        SweptBounds.turnDiagonals(leaf, px, py, pz, wx, wy, wz, degrees, out4, s.turn);
     }
 
     private static void boxRow(double[] box, double[] row) {
@@ -244,11 +246,11 @@ public final class Sweep {
         Rotations.identity(row, Leaf.ROTATION);
     }
 
-    private void bounds(LeafKind kind, double[] row, int at, double[] out) {
+    private void bounds(Leaf leaf, double[] out) {
         if (turns) {
-            SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out, s.turn);
+            SweptBounds.turn(leaf, px, py, pz, wx, wy, wz, degrees, out, s.turn);
         } else {
-            SweptBounds.translation(kind, row, at, dx, dy, dz, out);
+            SweptBounds.translation(leaf, dx, dy, dz, out);
         }
         widen(out);
     }
@@ -322,10 +324,10 @@ public final class Sweep {
         LeafKind kindA = a.kind(i);
         LeafKind kindB = b.kind(j);
         if (!kindA.isMesh() && !kindB.hasPieces()) {
-            return piece(kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), -1, Double.POSITIVE_INFINITY);
+            return piece(mover.set(a, i), obstacle.set(b, j), -1, Double.POSITIVE_INFINITY);
         }
         if (!kindA.isMesh()) {
-            return againstPieces(kindA, a.rows(i), a.at(i), b, j);
+            return againstPieces(mover.set(a, i), b, j);
         }
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
@@ -333,13 +335,13 @@ public final class Sweep {
         s.leaf.outer.startBox(a, i, reach(a, i));
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-            bounds(LeafKind.TRIANGLE, s.leaf.triangleA, 0, swept);
+            bounds(s.leaf.faceA, swept);
             if (meets(swept, s.leaf.triangleBox)) {
                 own = t;
                 int before = otherPiece;
                 double share = kindB.hasPieces()
-                        ? againstPieces(LeafKind.TRIANGLE, s.leaf.triangleA, 0, b, j)
-                        : piece(LeafKind.TRIANGLE, s.leaf.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
+                        ? againstPieces(s.leaf.faceA, b, j)
+                        : piece(s.leaf.faceA, obstacle.set(b, j), -1, least);
                 boolean isFirst =
                         share < least || (share == least && ownPiece >= 0 && isLower(s.leaf.outer, t, ownPiece));
                 if (share != Double.POSITIVE_INFINITY && isFirst) {
@@ -400,8 +402,8 @@ public final class Sweep {
                 && (dimension == Dimension.PLANAR || (a[1] <= b[4] && b[1] <= a[4]));
     }
 
-    private double againstPieces(LeafKind kind, double[] row, int at, LeafColumn b, int j) {
-        return b.kind(j).isGrid() ? againstGrid(kind, row, at, b, j) : againstMesh(kind, row, at, b, j);
+    private double againstPieces(Leaf leaf, LeafColumn b, int j) {
+        return b.kind(j).isGrid() ? againstGrid(leaf, b, j) : againstMesh(leaf, b, j);
     }
 
     /**
@@ -409,23 +411,23 @@ public final class Sweep {
      * {@link PlainCells#compare}. Doubles do not always tell.
      */
     public int passesCells(LeafColumn a, int i, LeafColumn grid, int of) {
-        return s.planar.plainCells.compare(dimension, a.kind(i), a.rows(i), a.at(i), dx, dy, dz, grid, of);
+        return s.planar.plainCells.compare(dimension, mover.set(a, i), dx, dy, dz, grid, of);
     }
 
-    private double againstGrid(LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
+    private double againstGrid(Leaf leaf, LeafColumn grid, int of) {
         if (!turns
                 && pairs == null
-                && s.planar.plainCells.compare(dimension, kind, row, at, dx, dy, dz, grid, of) == PlainCells.PAST) {
+                && s.planar.plainCells.compare(dimension, leaf, dx, dy, dz, grid, of) == PlainCells.PAST) {
             otherPiece = -1;
             return Double.POSITIVE_INFINITY;
         }
-        GridWalk walk = s.leaf.cells(kind);
-        startCells(walk, kind, row, at, grid, of);
+        GridWalk walk = s.leaf.cells(leaf.kind);
+        startCells(walk, leaf, grid, of);
         double least = Double.POSITIVE_INFINITY;
         int first = -1;
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            LeafColumn box = walk.piece(cell, kind);
-            double share = piece(kind, row, at, box.kind(0), box.rows(), 0, cell, least);
+            LeafColumn box = walk.piece(cell, leaf.kind);
+            double share = piece(leaf, obstacle.set(box, 0), cell, least);
             if (share < least || (share == least && cell < first)) {
                 least = share;
                 first = cell;
@@ -436,8 +438,8 @@ public final class Sweep {
     }
 
     /** Starts with all cells that the motion may meet. */
-    private void startCells(GridWalk walk, LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
-        bounds(kind, row, at, swept);
+    private void startCells(GridWalk walk, Leaf leaf, LeafColumn grid, int of) {
+        bounds(leaf, swept);
         if (dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
             swept[4] = Double.POSITIVE_INFINITY;
@@ -448,15 +450,15 @@ public final class Sweep {
         }
         double low = swept[1];
         double high = swept[4];
-        LeafBounds.of(kind, row, at, swept);
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, swept);
         widen(swept);
         swept[1] = low;
         swept[4] = high;
         walk.startSwept(grid, of, swept, dx, dz);
     }
 
-    private double againstMesh(LeafKind kind, double[] row, int at, LeafColumn mesh, int of) {
-        bounds(kind, row, at, swept);
+    private double againstMesh(Leaf leaf, LeafColumn mesh, int of) {
+        bounds(leaf, swept);
         if (dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
             swept[4] = Double.POSITIVE_INFINITY;
@@ -466,7 +468,7 @@ public final class Sweep {
         s.leaf.inner.startBox(mesh, of, swept);
         for (int t = s.leaf.inner.next(0); t >= 0; t = s.leaf.inner.next(0)) {
             s.leaf.inner.corners(t, s.leaf.triangleB, 0);
-            double share = piece(kind, row, at, LeafKind.TRIANGLE, s.leaf.triangleB, 0, t, least);
+            double share = piece(leaf, s.leaf.faceB, t, least);
             if (share < least || (share == least && first >= 0 && isLower(s.leaf.inner, t, first))) {
                 least = share;
                 first = t;
@@ -486,28 +488,26 @@ public final class Sweep {
      * @param u      the other's triangle, or -1
      * @param before a result above this fraction does not matter
      */
-    private double piece(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, int u, double before) {
-        if (standing != null && standing.isBehindLevel(leaf, kindA, a, i, own, kindB, b, j)) {
+    private double piece(Leaf a, Leaf b, int u, double before) {
+        if (standing != null && standing.isBehindLevel(leaf, a, own, b)) {
             return Double.POSITIVE_INFINITY;
         }
-        double share = pairs == null ? convex(kindA, a, i, kindB, b, j) : 0;
+        double share = pairs == null ? convex(a, b) : 0;
         if (standing != null
                 && share != Double.POSITIVE_INFINITY
                 && share <= before
-                && standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
+                && standing.isBehind(leaf, a, own, b)) {
             return Double.POSITIVE_INFINITY;
         }
         return pairs == null ? share : pairs.share(own, u, before);
     }
 
-    private double convex(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private double convex(Leaf a, Leaf b) {
         double x = turns ? px : dx;
         double y = isLevel() ? 0 : turns ? py : dy;
         double z = turns ? pz : dz;
         double largest = VectorMath.largest(x, y, z);
-        return largest < UnderflowScaling.SMALL && isTakenUp(largest, kindA, a, i, kindB, b, j)
-                ? scaled(x, y, z, kindA, kindB)
-                : convex(x, y, z, kindA, a, i, kindB, b, j);
+        return largest < UnderflowScaling.SMALL && isTakenUp(largest, a, b) ? scaled(x, y, z) : convex(x, y, z, a, b);
     }
 
     /** Whether the motion is horizontal. */
@@ -515,26 +515,25 @@ public final class Sweep {
         return dimension == Dimension.PLANAR && !(turns && (wx != 0 || wz != 0));
     }
 
-    private boolean isTakenUp(double largest, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private boolean isTakenUp(double largest, Leaf a, Leaf b) {
         Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
-        return s.leaf.scaling.take(counted, largest, kindA, a, i, kindB, b, j);
+        return s.leaf.scaling.take(counted, largest, a, b);
     }
 
-    private double scaled(double x, double y, double z, LeafKind kindA, LeafKind kindB) {
+    private double scaled(double x, double y, double z) {
         UnderflowScaling m = s.leaf.scaling;
-        return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
+        return convex(m.up(x), m.up(y), m.up(z), m.first, m.second);
     }
 
     /** The fraction for two convex pieces, with the pivot of a turn or the displacement of a translation. */
-    private double convex(
-            double x, double y, double z, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private double convex(double x, double y, double z, Leaf a, Leaf b) {
         if (dimension == Dimension.PLANAR) {
             return turns
-                    ? PlanarTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s.turn)
-                    : PlanarSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s.sweep);
+                    ? PlanarTurnSweep.free(a, x, y, z, wx, wy, wz, degrees, b, s.turn)
+                    : PlanarSweep.translation(a, x, y, z, b, s.sweep);
         }
         return turns
-                ? SpatialTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s.turn)
-                : SpatialSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s.sweep);
+                ? SpatialTurnSweep.free(a, x, y, z, wx, wy, wz, degrees, b, s.turn)
+                : SpatialSweep.translation(a, x, y, z, b, s.sweep);
     }
 }

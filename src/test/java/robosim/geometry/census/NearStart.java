@@ -360,8 +360,9 @@ final class NearStart implements Kernel {
             return "";
         }
         double share = flat
-                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep)
-                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
+                ? PlanarSweep.translation(new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep)
+                : SpatialSweep.translation(
+                        new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep);
         return share > 1 ? null : "moved by " + Arrays.toString(d) + ": " + share;
     }
 
@@ -391,11 +392,7 @@ final class NearStart implements Kernel {
         }
         double share = flat
                 ? PlanarTurnSweep.free(
-                        kindA, a, 0, pivot[0], pivot[1], pivot[2], w[0], w[1], w[2], degrees, kindB, b, 0, scratch.turn)
-                : SpatialTurnSweep.free(
-                        kindA,
-                        a,
-                        0,
+                        new Leaf(kindA, a, 0),
                         pivot[0],
                         pivot[1],
                         pivot[2],
@@ -403,9 +400,18 @@ final class NearStart implements Kernel {
                         w[1],
                         w[2],
                         degrees,
-                        kindB,
-                        b,
-                        0,
+                        new Leaf(kindB, b, 0),
+                        scratch.turn)
+                : SpatialTurnSweep.free(
+                        new Leaf(kindA, a, 0),
+                        pivot[0],
+                        pivot[1],
+                        pivot[2],
+                        w[0],
+                        w[1],
+                        w[2],
+                        degrees,
+                        new Leaf(kindB, b, 0),
                         scratch.turn);
         return share > 1
                 ? null

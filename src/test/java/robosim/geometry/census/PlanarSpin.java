@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.turn.PlanarTurnSweep;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -69,9 +70,7 @@ final class PlanarSpin implements Kernel {
     public Visit ask(SplittableRandom random, boolean adversarial) {
         draw(random, adversarial);
         share = PlanarTurnSweep.free(
-                PlanarCases.kind(places.formA),
-                places.a,
-                0,
+                new Leaf(PlanarCases.kind(places.formA), places.a, 0),
                 px,
                 17,
                 pz,
@@ -79,9 +78,7 @@ final class PlanarSpin implements Kernel {
                 1,
                 0,
                 degrees,
-                PlanarCases.kind(places.formB),
-                places.b,
-                0,
+                new Leaf(PlanarCases.kind(places.formB), places.b, 0),
                 scratch.turn);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));
     }

@@ -2,6 +2,7 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Turns about any axis through the origin. */
@@ -53,9 +54,7 @@ final class SpatialTurn extends SpatialMotion {
     @Override
     double free() {
         return SpatialTurnSweep.free(
-                kindA,
-                a,
-                0,
+                new Leaf(kindA, a, 0),
                 origin[0],
                 origin[1],
                 origin[2],
@@ -63,9 +62,7 @@ final class SpatialTurn extends SpatialMotion {
                 axis[1],
                 axis[2],
                 degrees,
-                kindB,
-                b,
-                0,
+                new Leaf(kindB, b, 0),
                 scratch.turn);
     }
 

@@ -2,6 +2,7 @@ package robosim.geometry.narrow.distance;
 
 import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.planar.PlanarScratch;
@@ -19,8 +20,8 @@ public final class DistanceScratch {
 
     public final SphereDistance sphereDistance = new SphereDistance();
 
-    /** A point as a sphere's row. */
-    public final double[] witness = new double[Leaf.STRIDE];
+    /** A point as a sphere. */
+    public final Leaf witness = new Leaf(LeafKind.SPHERE);
 
     public DistanceScratch(
             RayScratch ray,

@@ -1,13 +1,14 @@
 package robosim.geometry.narrow.leaf;
 
-/** The row of a leaf at a later place of its motion, to within rounding: for choosing an axis, not for proofs. */
+/** A leaf at a later place of its motion, to within rounding: for choosing an axis, not for proofs. */
 public final class MovedLeaf {
     private MovedLeaf() {}
 
-    /** The row after a translation; the kind stays. */
-    public static void moved(LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out) {
-        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        switch (kind.layout()) {
+    /** Writes it after a translation; the kind stays. */
+    public static void moved(Leaf leaf, double dx, double dy, double dz, Leaf to) {
+        to.copy(leaf.kind, leaf.row, leaf.at);
+        double[] out = to.row;
+        switch (leaf.kind.layout()) {
             case CENTRE -> shift(out, 3, dx, dy, dz);
             case CORNERS -> shift(out, 9, dx, dy, dz);
             case RANGES -> {
@@ -40,11 +41,9 @@ public final class MovedLeaf {
         };
     }
 
-    /** The row after a turn about the axis (wx, wy, wz) through (px, py, pz), for any convex kind but a prism. */
+    /** Writes it after a turn about the axis (wx, wy, wz) through (px, py, pz), for any convex kind but a prism. */
     public static void turned(
-            LeafKind kind,
-            double[] row,
-            int at,
+            Leaf leaf,
             double px,
             double py,
             double pz,
@@ -53,9 +52,10 @@ public final class MovedLeaf {
             double wz,
             double cos,
             double sin,
-            double[] out) {
-        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        switch (kind) {
+            Leaf to) {
+        to.copy(turnedKind(leaf.kind), leaf.row, leaf.at);
+        double[] out = to.row;
+        switch (leaf.kind) {
             case UPRIGHT_BOX, BOX, CYLINDER, CAPSULE -> {
                 turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
                 turnAxes(out, wx, wy, wz, cos, sin);
@@ -69,7 +69,7 @@ public final class MovedLeaf {
             }
             case SPHERE -> turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
             case TRIANGLE -> turnPoints(out, 9, px, py, pz, wx, wy, wz, cos, sin);
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
     }
 

@@ -6,6 +6,7 @@ import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.distance.ContactPoint;
 import robosim.geometry.narrow.distance.DistanceScratch;
 import robosim.geometry.narrow.leaf.BoxGap;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
@@ -164,15 +165,15 @@ public final class ContactPairs {
         }
         PartTree a = isReversed ? second : first;
         PartTree b = isReversed ? first : second;
-        a.loadTriangle(partA(k), found[at + (isReversed ? 3 : 1)]);
-        b.loadTriangle(partB(k), found[at + (isReversed ? 1 : 3)]);
-        ContactPoint.of(dimension, a.kind, a.row, a.at, b.kind, b.row, b.at, out, s);
+        Leaf leafA = a.leaf(partA(k), found[at + (isReversed ? 3 : 1)]);
+        Leaf leafB = b.leaf(partB(k), found[at + (isReversed ? 1 : 3)]);
+        ContactPoint.of(dimension, leafA, leafB, out, s);
     }
 
     /** Writes a point of a piece inside a solid, which is a point of both. */
     private void inside(PartTree held, int at, double[] out) {
-        held.loadTriangle(found[at], found[at + 1]);
-        System.arraycopy(held.row, held.at, out, 0, 3);
+        Leaf leaf = held.leaf(found[at], found[at + 1]);
+        System.arraycopy(leaf.row, leaf.at, out, 0, 3);
         Arrays.fill(out, 3, 7, 0);
     }
 
@@ -197,11 +198,8 @@ public final class ContactPairs {
     }
 
     private void test(long a, long b) {
-        first.load(a);
-        second.load(b);
         s.overlap.uncertain = false;
-        if (ConvexOverlap.test(
-                dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s.overlap)) {
+        if (ConvexOverlap.test(dimension, first.leaf(a), second.leaf(b), s.overlap)) {
             add(
                     PartTree.part(a),
                     first.triangle(a),

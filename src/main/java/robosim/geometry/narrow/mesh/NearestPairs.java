@@ -4,6 +4,7 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.BoxGap;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
@@ -141,19 +142,17 @@ public final class NearestPairs {
     }
 
     private void measure(long a, long b) {
-        first.load(a);
-        second.load(b);
+        Leaf leafA = first.leaf(a);
+        Leaf leafB = second.leaf(b);
         Gjk gjk = s.gjk.pair;
-        double lower = flat
-                ? gjk.planar(first.kind, first.row, first.at, second.kind, second.row, second.at)
-                : gjk.spatial(first.kind, first.row, first.at, second.kind, second.row, second.at);
+        double lower = flat ? gjk.planar(leafA, leafB) : gjk.spatial(leafA, leafB);
         if (!gjk.isClosed()) {
             lower = gjk.close();
         }
         high = Math.min(high, BoxGap.up(gjk.upper() + gjk.error()));
         if (lower == 0 || Filter.isDoubting()) {
             s.uncertain = false;
-            if (ConvexOverlap.test(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
+            if (ConvexOverlap.test(dimension, leafA, leafB, s)) {
                 certain |= !s.uncertain;
                 uncertain |= s.uncertain;
             }

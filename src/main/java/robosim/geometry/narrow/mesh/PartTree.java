@@ -41,9 +41,7 @@ final class PartTree {
 
     // The leaf loaded last: a row of the column, or a triangle.
     private final double[] triangle = new double[Leaf.STRIDE];
-    double[] row = triangle;
-    int at;
-    LeafKind kind = LeafKind.TRIANGLE;
+    private final Leaf leaf = new Leaf(LeafKind.TRIANGLE, triangle, 0);
 
     /** Opens an object. */
     void open(LeafColumn leaves, Dimension dimension) {
@@ -131,26 +129,21 @@ final class PartTree {
         return code < 0 ? column.mesh(part(place)).tree().item(~code) : -1;
     }
 
-    /** Loads a leaf into {@link #row}, {@link #at} and {@link #kind}. */
-    void load(long leaf) {
-        loadTriangle(part(leaf), triangle(leaf));
+    /** The leaf at a place, valid until the next one. */
+    Leaf leaf(long place) {
+        return leaf(part(place), triangle(place));
     }
 
     /** The same, given the part and the triangle of the mesh, -1 if the part is not a mesh. */
-    void loadTriangle(int part, int ofMesh) {
+    Leaf leaf(int part, int ofMesh) {
         if (ofMesh < 0) {
-            row = column.rows();
-            at = part * Leaf.STRIDE;
-            kind = column.kind(part);
-            return;
+            return leaf.set(column.kind(part), column.rows(), part * Leaf.STRIDE);
         }
-        row = triangle;
-        at = 0;
-        kind = LeafKind.TRIANGLE;
         TriangleMesh mesh = column.mesh(part);
         for (int corner = 0; corner < 3; corner++) {
             vertex(part, mesh.vertex(ofMesh, corner), triangle, 3 * corner);
         }
+        return leaf.set(LeafKind.TRIANGLE, triangle, 0);
     }
 
     /**
@@ -244,7 +237,7 @@ final class PartTree {
             LeafBounds.of(column.kind(part), column.rows(), part * Leaf.STRIDE, out);
             widenUncertain(column.kind(part), out);
         } else if (code(place) < 0) {
-            load(place);
+            leaf(place);
             LeafBounds.of(LeafKind.TRIANGLE, triangle, 0, out);
         } else {
             meshBox(part, code(place), out);

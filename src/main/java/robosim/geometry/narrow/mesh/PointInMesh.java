@@ -29,10 +29,10 @@ public final class PointInMesh {
     }
 
     /** Whether a leaf that does not meet the surface lies inside the mesh. */
-    public static boolean holdsLeaf(LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, LeafScratch s) {
-        double x = Support.originX(kind, row, at);
-        double y = Support.originY(kind, row, at);
-        double z = Support.originZ(kind, row, at);
+    public static boolean holdsLeaf(LeafColumn mesh, int leaf, Leaf piece, LeafScratch s) {
+        double x = Support.originX(piece.kind, piece.row, piece.at);
+        double y = Support.originY(piece.kind, piece.row, piece.at);
+        double z = Support.originZ(piece.kind, piece.row, piece.at);
         return holds(mesh, leaf, x, y, z, s);
     }
 

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The second stage of {@link MovingAxes}: when the gap along one axis closes, in pairs of doubles.
@@ -41,21 +41,17 @@ final class DoubleDoubleAxes {
 
     void load(
             AxisBody.Mode mode,
-            LeafKind kindA,
-            double[] a,
-            int i,
+            Leaf a,
             double moveX,
             double moveY,
             double moveZ,
-            LeafKind kindB,
-            double[] b,
-            int j,
+            Leaf b,
             double ox,
             double oy,
             double oz,
             double size) {
-        mover.load(mode, kindA, a, i, ox, oy, oz);
-        rest.load(mode, kindB, b, j, ox, oy, oz);
+        mover.load(mode, a, ox, oy, oz);
+        rest.load(mode, b, ox, oy, oz);
         dx = moveX;
         dy = moveY;
         dz = moveZ;

@@ -58,7 +58,7 @@ final class TranslationAdvancement {
 
     private final FeatureDirections facetsA = new FeatureDirections();
     private final FeatureDirections facetsB = new FeatureDirections();
-    private final double[] pose = new double[Leaf.STRIDE];
+    private final Leaf pose = new Leaf();
     private double error;
 
     private final StartGap startGap = new StartGap();
@@ -71,59 +71,34 @@ final class TranslationAdvancement {
     private boolean isAlong;
 
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
-    double time(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
-        double time = roughly(planar, kindA, a, i, dx, dy, dz, kindB, b, j, s);
-        return time > 1 ? time : fromNear(planar, kindA, a, i, dx, dy, dz, kindB, b, j, s, time);
+    double time(boolean planar, Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s) {
+        double time = roughly(planar, a, dx, dy, dz, b, s);
+        return time > 1 ? time : fromNear(planar, a, dx, dy, dz, b, s, time);
     }
 
     /**
      * The time of a motion that {@link #roughly} could not prove free: infinite where it starts nearer than can be resolved, or
      * comes so near on its way along something, and is proven free without rounding. Where not even the verdict is exact, such a start counts as a contact.
      */
-    double fromNear(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s,
-            double time) {
-        if (!(isNear || isAlong) || (contact && isTouching(planar, kindA, a, i, kindB, b, j, s))) {
+    double fromNear(boolean planar, Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s, double time) {
+        if (!(isNear || isAlong) || (contact && isTouching(planar, a, b, s))) {
             return time;
         }
-        if (!kindA.isEnclosure() && !kindB.isEnclosure()) {
-            startGap.between(planar, kindA, a, i, kindB, b, j);
+        if (!a.kind.isEnclosure() && !b.kind.isEnclosure()) {
+            startGap.between(planar, a, b);
             if (startGap.isFree(dx, planar ? 0 : dy, dz, towards)) {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        return time == 0 && !contact && !isExact(planar, kindA, kindB)
-                ? fromContact(planar, kindA, a, i, dx, planar ? 0 : dy, dz, kindB, b, j, s)
+        return time == 0 && !contact && !isExact(planar, a.kind, b.kind)
+                ? fromContact(planar, a, dx, planar ? 0 : dy, dz, b, s)
                 : time;
     }
 
     /** Whether the two certainly touch. */
-    private static boolean isTouching(
-            boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, SweepScratch s) {
-        return isExact(planar, kindA, kindB)
-                && ConvexOverlap.test(
-                        planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.overlap);
+    private static boolean isTouching(boolean planar, Leaf a, Leaf b, SweepScratch s) {
+        return isExact(planar, a.kind, b.kind)
+                && ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s.overlap);
     }
 
     /** Whether it is decided without rounding if two leaves touch. */
@@ -140,18 +115,7 @@ final class TranslationAdvancement {
     }
 
     /** The same, but for what {@link #fromNear} decides. */
-    double roughly(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
+    double roughly(boolean planar, Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s) {
         Gjk gjk = s.gjk.pair;
         double vy = planar ? 0 : dy;
         contact = false;
@@ -160,7 +124,7 @@ final class TranslationAdvancement {
         if (dx == 0 && vy == 0 && dz == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        load(planar, kindA, a, i, kindB, b, j);
+        load(planar, a, b);
         error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + AxisBody.TINY;
         double t = 0;
         for (int step = 0; step < MOST_STEPS; step++) {
@@ -168,11 +132,11 @@ final class TranslationAdvancement {
             if (t > 1) {
                 return Double.POSITIVE_INFINITY;
             }
-            MovedLeaf.moved(kindA, a, i, t * dx, t * vy, t * dz, pose);
+            MovedLeaf.moved(a, t * dx, t * vy, t * dz, pose);
             if (planar) {
-                gjk.planar(kindA, pose, 0, kindB, b, j);
+                gjk.planar(pose, b);
             } else {
-                gjk.spatial(kindA, pose, 0, kindB, b, j);
+                gjk.spatial(pose, b);
             }
             if (step == 0) {
                 begin(gjk, Math.abs(dx) + Math.abs(vy) + Math.abs(dz));
@@ -182,13 +146,13 @@ final class TranslationAdvancement {
                 next = until(gjk.nx(), gjk.ny(), gjk.nz(), dx, vy, dz, t);
             }
             if (!(next > t) && isInDoubt(gjk)) {
-                next = near(planar, kindA, a, i, dx, vy, dz, kindB, b, j, t, gjk);
+                next = near(planar, a, dx, vy, dz, b, t, gjk);
             }
             if (!(next > t)) {
                 if (step > 0 && !isNear) {
                     goesAlong(gjk, dx, vy, dz);
                 }
-                return step > 0 || gjk.lower() > 0 ? t : fromContact(planar, kindA, a, i, dx, vy, dz, kindB, b, j, s);
+                return step > 0 || gjk.lower() > 0 ? t : fromContact(planar, a, dx, vy, dz, b, s);
             }
             t = next;
         }
@@ -218,23 +182,12 @@ final class TranslationAdvancement {
         return !gjk.isDeep() && (gjk.upper() > WORTH * error || gjk.reach() < -error);
     }
 
-    private double fromContact(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double vy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
+    private double fromContact(boolean planar, Leaf a, double dx, double vy, double dz, Leaf b, SweepScratch s) {
         contact = true;
         Penetration ways = s.gjk.penetration();
-        double depth = planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
+        double depth = planar ? ways.planar(a, b) : ways.spatial(a, b);
         boolean isTouch = depth <= WORTH * error;
-        return isAgainst(ways, isTouch, planar, kindA, a, i, dx, vy, dz, kindB, b, j) ? 0 : Double.POSITIVE_INFINITY;
+        return isAgainst(ways, isTouch, planar, a, dx, vy, dz, b) ? 0 : Double.POSITIVE_INFINITY;
     }
 
     /** The time until which a direction from the other to the mover proves the two apart; 0 where it proves nothing at t. */
@@ -259,25 +212,13 @@ final class TranslationAdvancement {
      * The same of the directions that sides and edges have: close to contact that of {@link Gjk} is off by as much as a
      * rounding is large beside the gap, which counts where a flat side, a cylinder's side or an edge meets something.
      */
-    private double near(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double t,
-            Gjk gjk) {
+    private double near(boolean planar, Leaf a, double dx, double dy, double dz, Leaf b, double t, Gjk gjk) {
         if (planar) {
-            facetsA.planar(kindA, a, i);
-            facetsB.planar(kindB, b, j);
+            facetsA.planar(a);
+            facetsB.planar(b);
         } else {
-            facetsA.spatial(kindA, a, i);
-            facetsB.spatial(kindB, b, j);
+            facetsA.spatial(a);
+            facetsB.spatial(b);
         }
         double end = Math.max(sides(facetsA, dx, dy, dz, t), sides(facetsB, dx, dy, dz, t));
         end = Math.max(end, Math.max(edges(facetsA, gjk, dx, dy, dz, t), edges(facetsB, gjk, dx, dy, dz, t)));
@@ -382,16 +323,16 @@ final class TranslationAdvancement {
     }
 
     // Both from the same place, so that what is far away loses nothing.
-    private void load(boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double ox = Support.originX(kindA, a, i);
-        double oy = planar ? 0 : Support.originY(kindA, a, i);
-        double oz = Support.originZ(kindA, a, i);
+    private void load(boolean planar, Leaf a, Leaf b) {
+        double ox = Support.originX(a.kind, a.row, a.at);
+        double oy = planar ? 0 : Support.originY(a.kind, a.row, a.at);
+        double oz = Support.originZ(a.kind, a.row, a.at);
         if (planar) {
-            mover.planar(kindA, a, i, ox, oz, 1);
-            rest.planar(kindB, b, j, ox, oz, 1);
+            mover.planar(a.kind, a.row, a.at, ox, oz, 1);
+            rest.planar(b.kind, b.row, b.at, ox, oz, 1);
         } else {
-            mover.spatial(kindA, a, i, ox, oy, oz, 1);
-            rest.spatial(kindB, b, j, ox, oy, oz, 1);
+            mover.spatial(a.kind, a.row, a.at, ox, oy, oz, 1);
+            rest.spatial(b.kind, b.row, b.at, ox, oy, oz, 1);
         }
     }
 
@@ -403,18 +344,7 @@ final class TranslationAdvancement {
      * @param isTouch whether they overlap by no more than may be rounding
      */
     private static boolean isAgainst(
-            Penetration ways,
-            boolean isTouch,
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j) {
+            Penetration ways, boolean isTouch, boolean planar, Leaf a, double dx, double dy, double dz, Leaf b) {
         double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
         boolean isAlong = false;
         for (int k = 0; k < ways.count(); k++) {
@@ -424,10 +354,10 @@ final class TranslationAdvancement {
             }
             isAlong |= !(out < -slack);
         }
-        if (!(isAlong || isTouch) || kindA.isEnclosure() || kindB.isEnclosure()) {
+        if (!(isAlong || isTouch) || a.kind.isEnclosure() || b.kind.isEnclosure()) {
             return true;
         }
-        List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);
+        List<ExactVector> parting = ExactFeatures.parting(planar, a, b);
         ExactVector way = ExactVector.of(dx, dy, dz);
         return parting.isEmpty()
                 ? !isAlong

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.turn;
 
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** The turn of one leaf's projection on XZ against another's at rest. */
 public final class PlanarTurnSweep {
@@ -19,9 +19,7 @@ public final class PlanarTurnSweep {
      *     remain; {@code +Infinity} if the whole turn is free
      */
     public static double free(
-            LeafKind kindA,
-            double[] a,
-            int i,
+            Leaf a,
             double px,
             double py,
             double pz,
@@ -29,22 +27,19 @@ public final class PlanarTurnSweep {
             double wy,
             double wz,
             double degrees,
-            LeafKind kindB,
-            double[] b,
-            int j,
+            Leaf b,
             TurnScratch s) {
         if (degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        if (wx == 0 && wz == 0 && VerticalTurn.isCovered(kindA) && VerticalTurn.isCovered(kindB)) {
+        if (wx == 0 && wz == 0 && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
             VerticalTurn vertical = s.turns().vertical;
-            double free = vertical.free(
-                    kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
+            double free = vertical.free(a, px, pz, wy < 0 ? -degrees : degrees, b, Double.POSITIVE_INFINITY);
             if (vertical.arc > 0 || !vertical.isApart) {
                 return free;
             }
-            return s.turns().advancement.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+            return s.turns().advancement.free(true, a, px, py, pz, wx, wy, wz, degrees, b, s);
         }
-        return s.turns().advancement.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+        return s.turns().advancement.free(true, a, px, py, pz, wx, wy, wz, degrees, b, s);
     }
 }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.Upright;
 
 /** The turn of one leaf against another at rest, in space. */
@@ -20,9 +20,7 @@ public final class SpatialTurnSweep {
      *     remain; {@code +Infinity} if the whole turn is free
      */
     public static double free(
-            LeafKind kindA,
-            double[] a,
-            int i,
+            Leaf a,
             double px,
             double py,
             double pz,
@@ -30,33 +28,31 @@ public final class SpatialTurnSweep {
             double wy,
             double wz,
             double degrees,
-            LeafKind kindB,
-            double[] b,
-            int j,
+            Leaf b,
             TurnScratch s) {
         if (degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        boolean isUpright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
-        if (wx == 0 && wz == 0 && isUpright && VerticalTurn.isCovered(kindA) && VerticalTurn.isCovered(kindB)) {
-            double mid = Upright.middle(kindA, a, i);
-            double half = Upright.halfHeight(kindA, a, i);
-            double top = Upright.top(kindA, a, i);
-            double otherMid = Upright.middle(kindB, b, j);
-            double otherHalf = Upright.halfHeight(kindB, b, j);
-            double otherTop = Upright.top(kindB, b, j);
+        boolean isUpright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
+        if (wx == 0 && wz == 0 && isUpright && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
+            double mid = Upright.middle(a);
+            double half = Upright.halfHeight(a);
+            double top = Upright.top(a);
+            double otherMid = Upright.middle(b);
+            double otherHalf = Upright.halfHeight(b);
+            double otherTop = Upright.top(b);
             if (Dyadic.signOfSum(mid, -half, -otherTop, -otherHalf) > 0
                     || Dyadic.signOfSum(otherMid, -otherHalf, -top, -half) > 0) {
                 return Double.POSITIVE_INFINITY;
             }
             double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
             VerticalTurn vertical = s.turns().vertical;
-            double free = vertical.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
+            double free = vertical.free(a, px, pz, wy < 0 ? -degrees : degrees, b, depth);
             if (vertical.arc > 0 || !vertical.isApart) {
                 return free;
             }
-            return s.turns().advancement.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+            return s.turns().advancement.free(false, a, px, py, pz, wx, wy, wz, degrees, b, s);
         }
-        return s.turns().advancement.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+        return s.turns().advancement.free(false, a, px, py, pz, wx, wy, wz, degrees, b, s);
     }
 }

@@ -14,9 +14,8 @@ public final class SweptBounds {
     private SweptBounds() {}
 
     /** Writes minimum x, y, z and maximum x, y, z of a leaf over a translation. */
-    public static void translation(
-            LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
-        LeafBounds.of(kind, row, at, out6);
+    public static void translation(Leaf leaf, double dx, double dy, double dz, double[] out6) {
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, out6);
         moved(out6, 0, dx, dy, dz, out6);
     }
 
@@ -40,9 +39,7 @@ public final class SweptBounds {
      * for cylinders that tilt to 2^-36 of their distance from the pivot.
      */
     public static void turn(
-            LeafKind kind,
-            double[] row,
-            int at,
+            Leaf leaf,
             double px,
             double py,
             double pz,
@@ -52,19 +49,19 @@ public final class SweptBounds {
             double degrees,
             double[] out6,
             TurnScratch s) {
-        LeafBounds.of(kind, row, at, out6);
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, out6);
         if (degrees == 0) {
             return;
         }
         UnderflowScaling m = s.leaf.scaling;
-        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
-            extend(kind, row, at, px, py, pz, wx, wy, wz, degrees, out6, s);
+        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), leaf.kind, leaf.row, leaf.at)) {
+            extend(leaf, px, py, pz, wx, wy, wz, degrees, out6, s);
             return;
         }
         for (int k = 0; k < 6; k++) {
             out6[k] = m.up(out6[k]);
         }
-        extend(kind, m.a, 0, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out6, s);
+        extend(m.first, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out6, s);
         for (int k = 0; k < 3; k++) {
             out6[k] = -m.ceiling(-out6[k]);
             out6[k + 3] = m.ceiling(out6[k + 3]);
@@ -72,9 +69,7 @@ public final class SweptBounds {
     }
 
     private static void extend(
-            LeafKind kind,
-            double[] row,
-            int at,
+            Leaf leaf,
             double px,
             double py,
             double pz,
@@ -86,8 +81,8 @@ public final class SweptBounds {
             TurnScratch s) {
         TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
-        body.load(kind, row, at, px, py, pz, wx, wy, wz);
-        double lost = lost(kind, row, at, wx, wz);
+        body.load(leaf, px, py, pz, wx, wy, wz);
+        double lost = lost(leaf, wx, wz);
         // The stored end is at that angle to within rounding.
         double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 3; k++) {
@@ -108,9 +103,10 @@ public final class SweptBounds {
      * What a rim's reach loses in doubles where the cylinder is turned off a direction along its axis by less than can be told
      * from the cosine; 0 for an upright cylinder that stays upright, and for other leaves.
      */
-    private static double lost(LeafKind kind, double[] row, int at, double wx, double wz) {
-        boolean hasRims = kind == LeafKind.CYLINDER || (kind == LeafKind.UPRIGHT_CYLINDER && (wx != 0 || wz != 0));
-        return hasRims ? 0x1p-25 * row[at + Leaf.SIZE] : 0;
+    private static double lost(Leaf leaf, double wx, double wz) {
+        boolean hasRims =
+                leaf.kind == LeafKind.CYLINDER || (leaf.kind == LeafKind.UPRIGHT_CYLINDER && (wx != 0 || wz != 0));
+        return hasRims ? 0x1p-25 * leaf.get(Leaf.SIZE) : 0;
     }
 
     /**
@@ -118,9 +114,7 @@ public final class SweptBounds {
      * anywhere on a turn.
      */
     public static void turnDiagonals(
-            LeafKind kind,
-            double[] row,
-            int at,
+            Leaf leaf,
             double px,
             double py,
             double pz,
@@ -134,14 +128,14 @@ public final class SweptBounds {
             return;
         }
         UnderflowScaling m = s.leaf.scaling;
-        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
-            extendDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s);
+        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), leaf.kind, leaf.row, leaf.at)) {
+            extendDiagonals(leaf, px, py, pz, wx, wy, wz, degrees, out4, s);
             return;
         }
         for (int k = 0; k < 4; k++) {
             out4[k] = m.up(out4[k]);
         }
-        extendDiagonals(kind, m.a, 0, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out4, s);
+        extendDiagonals(m.first, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out4, s);
         for (int k = 0; k < 4; k += 2) {
             out4[k] = -m.ceiling(-out4[k]);
             out4[k + 1] = m.ceiling(out4[k + 1]);
@@ -149,9 +143,7 @@ public final class SweptBounds {
     }
 
     private static void extendDiagonals(
-            LeafKind kind,
-            double[] row,
-            int at,
+            Leaf leaf,
             double px,
             double py,
             double pz,
@@ -163,7 +155,7 @@ public final class SweptBounds {
             TurnScratch s) {
         TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
-        body.load(kind, row, at, px, py, pz, wx, wy, wz);
+        body.load(leaf, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 2; k++) {
             double z = k == 0 ? VectorMath.HALF_ROOT : -VectorMath.HALF_ROOT;

@@ -9,7 +9,6 @@ import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.sweep.StartGap;
@@ -59,7 +58,7 @@ final class TurnAdvancement {
 
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
-    private final double[] pose = new double[Leaf.STRIDE];
+    private final Leaf pose = new Leaf();
 
     private final FeatureDirections ofRest = new FeatureDirections();
     private final FeatureDirections ofMover = new FeatureDirections();
@@ -84,9 +83,7 @@ final class TurnAdvancement {
     /** As {@link SpatialTurnSweep#free} and {@link PlanarTurnSweep#free}. */
     double free(
             boolean inPlane,
-            LeafKind kindA,
-            double[] a,
-            int i,
+            Leaf a,
             double px,
             double py,
             double pz,
@@ -94,9 +91,7 @@ final class TurnAdvancement {
             double axisY,
             double axisZ,
             double degrees,
-            LeafKind kindB,
-            double[] b,
-            int j,
+            Leaf b,
             TurnScratch s) {
         Gjk gjk = s.gjk.pair;
         Penetration ways = s.gjk.penetration();
@@ -107,30 +102,30 @@ final class TurnAdvancement {
         wz = way * axisZ;
         mover.level = planar && wx == 0 && wz == 0;
         rest.level = mover.level;
-        mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
-        rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
+        mover.load(a, px, py, pz, wx, wy, wz);
+        rest.load(b, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees));
         double t = 0;
         double depth = 0;
         haveFacets = false;
-        ask(gjk, kindA, a, i, kindB, b, j);
+        ask(gjk, a, b);
         boolean isContact = !(gjk.lower() > 0);
         boolean isNear = isNear(gjk);
         if (isContact) {
-            depth = Math.max(0, depth(ways, kindA, a, i, kindB, b, j));
+            depth = Math.max(0, depth(ways, a, b));
             t = fromContact(ways);
         }
         if (!isContact || t > 0) {
-            t = advance(kindA, a, i, px, py, pz, kindB, b, j, t, angle, depth, s.gjk);
+            t = advance(a, px, py, pz, b, t, angle, depth, s.gjk);
         }
-        if (!TurningPolygon.covers(t, angle) && isNear && !(isContact && isTouching(kindA, a, i, kindB, b, j, s))) {
-            double rising = fromNear(kindA, a, i, kindB, b, j);
+        if (!TurningPolygon.covers(t, angle) && isNear && !(isContact && isTouching(a, b, s))) {
+            double rising = fromNear(a, b);
             if (TurningPolygon.covers(rising, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
             if (t < STALLED) {
                 isPatient = true;
-                t = Math.max(t, advance(kindA, a, i, px, py, pz, kindB, b, j, Math.max(t, rising), angle, 0, s.gjk));
+                t = Math.max(t, advance(a, px, py, pz, b, Math.max(t, rising), angle, 0, s.gjk));
                 isPatient = false;
             }
         }
@@ -139,22 +134,9 @@ final class TurnAdvancement {
 
     /** Goes on from an angle that is free up to there, with a depth allowed for; infinite where all that is angle is free. */
     private double advance(
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double px,
-            double py,
-            double pz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double from,
-            double angle,
-            double depth,
-            GjkScratch s) {
+            Leaf a, double px, double py, double pz, Leaf b, double from, double angle, double depth, GjkScratch s) {
         Gjk gjk = s.pair;
         Penetration ways = s.penetration();
-        LeafKind kind = MovedLeaf.turnedKind(kindA);
         double t = from;
         double widest = 0;
         for (steps = 0; steps < MOST_STEPS; steps++) {
@@ -162,20 +144,20 @@ final class TurnAdvancement {
             if (TurningPolygon.covers(t, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
-            pose(kindA, a, i, px, py, pz, t);
-            ask(gjk, kind, pose, 0, kindB, b, j);
+            pose(a, px, py, pz, t);
+            ask(gjk, pose, b);
             double next = t;
             if (gjk.lower() > 0) {
-                next = found(gjk, kindA, a, i, kindB, b, j, t, angle, depth);
+                next = found(gjk, a, b, t, angle, depth);
             }
             // Without progress there is contact, or a bracket of round shapes that is still open.
             boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
             if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
-                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, angle, depth));
+                next = Math.max(next, found(gjk, a, b, t, angle, depth));
             }
             double gap = gjk.lower() > 0 ? gjk.upper() : 0;
             if (gap == 0 && depth > 0) {
-                depth(ways, kind, pose, 0, kindB, b, j);
+                depth(ways, pose, b);
                 for (int k = 0; k < ways.count(); k++) {
                     next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
                 }
@@ -201,11 +183,10 @@ final class TurnAdvancement {
     }
 
     /** Whether the two certainly touch at the start. */
-    private boolean isTouching(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, TurnScratch s) {
-        return kindA.isEnclosure()
-                || kindB.isEnclosure()
-                || (ConvexOverlap.test(
-                                planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.overlap)
+    private boolean isTouching(Leaf a, Leaf b, TurnScratch s) {
+        return a.kind.isEnclosure()
+                || b.kind.isEnclosure()
+                || (ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s.overlap)
                         && !s.overlap.uncertain);
     }
 
@@ -213,9 +194,9 @@ final class TurnAdvancement {
      * A start from a gap too small to resolve, taken as a contact: the angle until which some plane, which certainly separates
      * the two at the start, is not approached.
      */
-    private double fromNear(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        startGap.between(planar, kindA, a, i, kindB, b, j);
-        rising = planar ? 0 : alongEdges(kindA, a, i, kindB, b, j);
+    private double fromNear(Leaf a, Leaf b) {
+        startGap.between(planar, a, b);
+        rising = planar ? 0 : alongEdges(a, b);
         axis[0] = wx;
         axis[1] = wy;
         axis[2] = wz;
@@ -227,9 +208,9 @@ final class TurnAdvancement {
      * The same in space for the directions across an edge of each, which turn with both: as long as the edges are far from
      * parallel, as the direction across parallel ones is none.
      */
-    private double alongEdges(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        ofMover.spatial(kindA, a, i);
-        ofRest.spatial(kindB, b, j);
+    private double alongEdges(Leaf a, Leaf b) {
+        ofMover.spatial(a);
+        ofRest.spatial(b);
         haveFacets = true;
         double best = 0;
         for (int k = 0; k < ofRest.edges; k++) {
@@ -287,22 +268,12 @@ final class TurnAdvancement {
     }
 
     /** How far the axis found, and others near it, separate. */
-    private double found(
-            Gjk gjk,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double t,
-            double angle,
-            double depth) {
+    private double found(Gjk gjk, Leaf a, Leaf b, double t, double angle, double depth) {
         double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
         if (next - t < FAR && !TurningPolygon.covers(next, angle) && !planar) {
             if (!haveFacets) {
-                ofMover.spatial(kindA, a, i);
-                ofRest.spatial(kindB, b, j);
+                ofMover.spatial(a);
+                ofRest.spatial(b);
                 haveFacets = true;
             }
             next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
@@ -315,22 +286,22 @@ final class TurnAdvancement {
         return steps;
     }
 
-    private void ask(Gjk gjk, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private void ask(Gjk gjk, Leaf a, Leaf b) {
         if (planar) {
-            gjk.planar(kindA, a, i, kindB, b, j);
+            gjk.planar(a, b);
         } else {
-            gjk.spatial(kindA, a, i, kindB, b, j);
+            gjk.spatial(a, b);
         }
     }
 
-    private double depth(Penetration ways, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        return planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
+    private double depth(Penetration ways, Leaf a, Leaf b) {
+        return planar ? ways.planar(a, b) : ways.spatial(a, b);
     }
 
-    private void pose(LeafKind kind, double[] row, int at, double px, double py, double pz, double t) {
+    private void pose(Leaf leaf, double px, double py, double pz, double t) {
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
-        MovedLeaf.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
+        MovedLeaf.turned(leaf, px, py, pz, wx, wy, wz, cos, sin, pose);
     }
 
     /**

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Radians;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
@@ -68,16 +68,7 @@ final class TurnBody {
     private final RimReach rim = new RimReach();
 
     /** Loads a leaf, relative to the pivot, for turns about a unit axis. */
-    void load(
-            LeafKind kind,
-            double[] row,
-            int at,
-            double px,
-            double py,
-            double pz,
-            double axisX,
-            double axisY,
-            double axisZ) {
+    void load(Leaf leaf, double px, double py, double pz, double axisX, double axisY, double axisZ) {
         wx = axisX;
         wy = axisY;
         wz = axisZ;
@@ -85,22 +76,22 @@ final class TurnBody {
         margin = 0;
         rims = false;
         radius = 0;
-        switch (kind) {
+        switch (leaf.kind) {
             case TRIANGLE -> {
-                for (int m = at; m < at + 9; m += 3) {
-                    add(row[m] - px, row[m + 1] - py, row[m + 2] - pz);
+                for (int m = leaf.at; m < leaf.at + 9; m += 3) {
+                    add(leaf.row[m] - px, leaf.row[m + 1] - py, leaf.row[m + 2] - pz);
                 }
             }
-            case UPRIGHT_CAPSULE -> capsule(row, at, px, py, pz, 0, 1, 0);
-            case CAPSULE -> capsule(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
+            case UPRIGHT_CAPSULE -> capsule(leaf.row, leaf.at, px, py, pz, 0, 1, 0);
+            case CAPSULE -> capsule(leaf.row, leaf.at, px, py, pz, leaf.get(7), leaf.get(10), leaf.get(13));
             case SPHERE -> {
-                add(row[at] - px, row[at + 1] - py, row[at + 2] - pz);
-                margin = row[at + 3];
+                add(leaf.get(0) - px, leaf.get(1) - py, leaf.get(2) - pz);
+                margin = leaf.get(3);
             }
-            case CYLINDER -> cylinder(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
-            case UPRIGHT_CYLINDER -> cylinder(row, at, px, py, pz, 0, 1, 0);
-            case UPRIGHT_BOX, BOX -> box(row, at, px, py, pz);
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case CYLINDER -> cylinder(leaf.row, leaf.at, px, py, pz, leaf.get(7), leaf.get(10), leaf.get(13));
+            case UPRIGHT_CYLINDER -> cylinder(leaf.row, leaf.at, px, py, pz, 0, 1, 0);
+            case UPRIGHT_BOX, BOX -> box(leaf.row, leaf.at, px, py, pz);
+            case PRISM, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
         measure();
     }

@@ -32,7 +32,16 @@ class SweptBoundsTest {
                 double degrees = random.nextDouble(-200, 200) * (k % 5 == 0 ? 3 : 1);
                 double[] bounds = new double[6];
                 SweptBounds.turn(
-                        kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], degrees, bounds, scratch.turn);
+                        new Leaf(kind, row, 0),
+                        p[0],
+                        p[1],
+                        p[2],
+                        axis[0],
+                        axis[1],
+                        axis[2],
+                        degrees,
+                        bounds,
+                        scratch.turn);
                 double[] seen = sampled(kind, row, p, axis, degrees);
                 double[] start = new double[6];
                 LeafBounds.of(kind, row, 0, start);
@@ -57,7 +66,8 @@ class SweptBoundsTest {
         double[] bounds = new double[6];
         double[] start = new double[6];
         LeafBounds.of(LeafKind.UPRIGHT_CYLINDER, robot, 0, start);
-        SweptBounds.turn(LeafKind.UPRIGHT_CYLINDER, robot, 0, 0.1, 0.2, 0.3, 0, 1, 0, 1234.5, bounds, scratch.turn);
+        SweptBounds.turn(
+                new Leaf(LeafKind.UPRIGHT_CYLINDER, robot, 0), 0.1, 0.2, 0.3, 0, 1, 0, 1234.5, bounds, scratch.turn);
         assertThat(bounds).containsExactly(start);
     }
 
@@ -65,7 +75,7 @@ class SweptBoundsTest {
     void aTranslationStretchesTheBounds() {
         double[] box = SweepRows.uprightBox(1, 2, 3, 0.5, 1, 2, 90);
         double[] bounds = new double[6];
-        SweptBounds.translation(LeafKind.UPRIGHT_BOX, box, 0, 4, -8, 0, bounds);
+        SweptBounds.translation(new Leaf(LeafKind.UPRIGHT_BOX, box, 0), 4, -8, 0, bounds);
         assertThat(bounds).containsExactly(-1, -7, 2.5, 7, 3, 3.5);
     }
 
@@ -79,7 +89,17 @@ class SweptBoundsTest {
             double angle = Math.toRadians(degrees * k / SAMPLES);
             double cos = StrictMath.cos(angle);
             double sin = StrictMath.sin(angle);
-            MovedLeaf.turned(kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], cos, sin, pose);
+            MovedLeaf.turned(
+                    new Leaf(kind, row, 0),
+                    p[0],
+                    p[1],
+                    p[2],
+                    axis[0],
+                    axis[1],
+                    axis[2],
+                    cos,
+                    sin,
+                    new Leaf(LeafKind.SPHERE, pose, 0));
             LeafBounds.of(MovedLeaf.turnedKind(kind), pose, 0, bounds);
             for (int m = 0; m < 3; m++) {
                 seen[m] = Math.min(seen[m], bounds[m]);

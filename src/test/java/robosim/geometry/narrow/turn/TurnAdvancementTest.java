@@ -150,13 +150,22 @@ class TurnAdvancementTest {
             double[] a = SweepRows.random(kindA, 1, random);
             double[] b = SweepRows.random(kindB, 1, random);
             double[] about = SweepRows.random(LeafKind.BOX, 1, random);
-            gjk.spatial(kindA, a, 0, kindB, b, 0);
+            gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
             if (!(gjk.lower() > 0)) {
                 continue;
             }
             double degrees = random.nextDouble(-180, 180);
             double share = SpatialTurnSweep.free(
-                    kindA, a, 0, 0.1, 0.2, 0.3, about[6], about[9], about[12], degrees, kindB, b, 0, scratch.turn);
+                    new Leaf(kindA, a, 0),
+                    0.1,
+                    0.2,
+                    0.3,
+                    about[6],
+                    about[9],
+                    about[12],
+                    degrees,
+                    new Leaf(kindB, b, 0),
+                    scratch.turn);
             most = Math.max(most, scratch.turn.turns().advancement.steps());
             if (share > 1) {
                 continue;
@@ -164,9 +173,7 @@ class TurnAdvancementTest {
             stopped++;
             double angle = Math.toRadians(degrees * share);
             MovedLeaf.turned(
-                    kindA,
-                    a,
-                    0,
+                    new Leaf(kindA, a, 0),
                     0.1,
                     0.2,
                     0.3,
@@ -175,8 +182,8 @@ class TurnAdvancementTest {
                     about[12],
                     StrictMath.cos(angle),
                     StrictMath.sin(angle),
-                    pose);
-            gjk.spatial(MovedLeaf.turnedKind(kindA), pose, 0, kindB, b, 0);
+                    new Leaf(LeafKind.SPHERE, pose, 0));
+            gjk.spatial(new Leaf(MovedLeaf.turnedKind(kindA), pose, 0), new Leaf(kindB, b, 0));
             String what = "kind %s %s about %s by %s, kind %s %s"
                     .formatted(kindA, Arrays.toString(a), Arrays.toString(about), degrees, kindB, Arrays.toString(b));
             // The mover reaches at least as far as its centre.
@@ -225,14 +232,15 @@ class TurnAdvancementTest {
 
     private double turn(
             LeafKind kindA, double[] a, double wx, double wy, double wz, double degrees, LeafKind kindB, double[] b) {
-        return SpatialTurnSweep.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch.turn);
+        return SpatialTurnSweep.free(
+                new Leaf(kindA, a, 0), 0, 0, 0, wx, wy, wz, degrees, new Leaf(kindB, b, 0), scratch.turn);
     }
 
     private static double[] turned(double degrees, LeafKind kind, double[] row) {
         double[] out = new double[Leaf.STRIDE];
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
-        MovedLeaf.turned(kind, row, 0, 0, 0, 0, 0, 1, 0, cos, sin, out);
+        MovedLeaf.turned(new Leaf(kind, row, 0), 0, 0, 0, 0, 1, 0, cos, sin, new Leaf(LeafKind.SPHERE, out, 0));
         return out;
     }
 
