@@ -16,6 +16,7 @@ import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.ray.PlanarRay;
@@ -237,9 +238,15 @@ public final class Questions {
         double degrees = 720 * angle - 360;
         return family.planar()
                 ? PlanarTurnSweep.free(
-                        new Leaf(kindA, a, 0), a[0], a[1], a[2], 0, 1, 0, degrees, new Leaf(kindB, b, 0), scratch.turn)
+                        new Leaf(kindA, a, 0),
+                        new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
+                        new Leaf(kindB, b, 0),
+                        scratch.turn)
                 : SpatialTurnSweep.free(
-                        new Leaf(kindA, a, 0), a[0], a[1], a[2], 0, 1, 0, degrees, new Leaf(kindB, b, 0), scratch.turn);
+                        new Leaf(kindA, a, 0),
+                        new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
+                        new Leaf(kindB, b, 0),
+                        scratch.turn);
     }
 
     /** The largest of the numbers that a distance is computed from. */

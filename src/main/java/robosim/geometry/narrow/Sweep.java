@@ -12,6 +12,7 @@ import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.planar.PlainCells;
 import robosim.geometry.narrow.sat.ExactExtent;
@@ -42,13 +43,10 @@ public final class Sweep {
     private double dx;
     private double dy;
     private double dz;
-    private double px;
-    private double py;
-    private double pz;
-    private double wx;
-    private double wy;
-    private double wz;
-    private double degrees;
+    private final Turn turn = new Turn();
+
+    /** The same for kernels, at height 0 where heights do not count. */
+    private final Turn kernelTurn = new Turn();
 
     /**
      * The mover's contacts at the start, if they are to be considered; the moving leaf and triangle, and what is hit
@@ -78,25 +76,27 @@ public final class Sweep {
         if (!turns) {
             return true;
         }
-        return normal.cross(ExactVector.of(wx, wy, wz)).isZero() || isTurnedIntoItself(leaf);
+        return normal.cross(ExactVector.of(turn.wx, turn.wy, turn.wz)).isZero() || isTurnedIntoItself(leaf);
     }
 
     /** The same for a horizontal plane. */
     boolean keepsLevel(Leaf leaf) {
-        return !turns || (wx == 0 && wz == 0) || isTurnedIntoItself(leaf);
+        return !turns || turn.isLevel() || isTurnedIntoItself(leaf);
     }
 
     private boolean isTurnedIntoItself(Leaf leaf) {
         boolean flat = dimension == Dimension.PLANAR;
-        boolean isLevel = wx == 0 && wz == 0;
-        if (leaf.get(0) != px || leaf.get(2) != pz || (leaf.get(1) != py && !(isLevel || flat))) {
+        boolean isLevel = turn.isLevel();
+        if (leaf.get(0) != turn.px || leaf.get(2) != turn.pz || (leaf.get(1) != turn.py && !(isLevel || flat))) {
             return false;
         }
         return switch (leaf.kind) {
             case SPHERE -> true;
             case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> isLevel;
             case CYLINDER, CAPSULE ->
-                ExactExtent.axis(leaf).cross(ExactVector.of(wx, wy, wz)).isZero();
+                ExactExtent.axis(leaf)
+                        .cross(ExactVector.of(turn.wx, turn.wy, turn.wz))
+                        .isZero();
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> false;
         };
     }
@@ -125,25 +125,11 @@ public final class Sweep {
         dz = z;
     }
 
-    /** Sets a turn about a unit axis through a point, counter-clockwise. */
-    public void turn(
-            Dimension inDimension,
-            double pivotX,
-            double pivotY,
-            double pivotZ,
-            double axisX,
-            double axisY,
-            double axisZ,
-            double byDegrees) {
+    /** Sets a turn, which the caller fills in. */
+    public Turn turn(Dimension inDimension) {
         dimension = inDimension;
         turns = true;
-        px = pivotX;
-        py = pivotY;
-        pz = pivotZ;
-        wx = axisX;
-        wy = axisY;
-        wz = axisZ;
-        degrees = byDegrees;
+        return turn;
     }
 
     /**
@@ -151,7 +137,7 @@ public final class Sweep {
      * do not count but matter, as in PLANAR for turns that tip.
      */
     public void direction(double x, double y, double z, double[] out) {
-        if (turns && dimension == Dimension.PLANAR && (wx != 0 || wz != 0)) {
+        if (turns && dimension == Dimension.PLANAR && !turn.isLevel()) {
             Arrays.fill(out, 0, 3, 0);
             return;
         }
@@ -159,10 +145,10 @@ public final class Sweep {
         out[1] = dy;
         out[2] = dz;
         if (turns) {
-            double sign = Math.signum(degrees);
-            out[0] = sign * (wy * (z - pz) - wz * (y - py));
-            out[1] = sign * (wz * (x - px) - wx * (z - pz));
-            out[2] = sign * (wx * (y - py) - wy * (x - px));
+            double sign = Math.signum(turn.degrees);
+            out[0] = sign * (turn.wy * (z - turn.pz) - turn.wz * (y - turn.py));
+            out[1] = sign * (turn.wz * (x - turn.px) - turn.wx * (z - turn.pz));
+            out[2] = sign * (turn.wx * (y - turn.py) - turn.wy * (x - turn.px));
         }
         if (dimension == Dimension.PLANAR) {
             out[1] = 0;
@@ -235,7 +221,7 @@ public final class Sweep {
     }
 
     private void turnDiagonals(Leaf leaf, double[] out4) {
-        SweptBounds.turnDiagonals(leaf, px, py, pz, wx, wy, wz, degrees, out4, s.turn);
+        SweptBounds.turnDiagonals(leaf, turn, out4, s.turn);
     }
 
     private static void boxRow(double[] box, double[] row) {
@@ -248,7 +234,7 @@ public final class Sweep {
 
     private void bounds(Leaf leaf, double[] out) {
         if (turns) {
-            SweptBounds.turn(leaf, px, py, pz, wx, wy, wz, degrees, out, s.turn);
+            SweptBounds.turn(leaf, turn, out, s.turn);
         } else {
             SweptBounds.translation(leaf, dx, dy, dz, out);
         }
@@ -503,37 +489,37 @@ public final class Sweep {
     }
 
     private double convex(Leaf a, Leaf b) {
-        double x = turns ? px : dx;
-        double y = isLevel() ? 0 : turns ? py : dy;
-        double z = turns ? pz : dz;
-        double largest = VectorMath.largest(x, y, z);
-        return largest < UnderflowScaling.SMALL && isTakenUp(largest, a, b) ? scaled(x, y, z) : convex(x, y, z, a, b);
+        Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
+        double y = isLevel() ? 0 : turns ? turn.py : dy;
+        double largest = turns ? VectorMath.largest(turn.px, y, turn.pz) : VectorMath.largest(dx, y, dz);
+        boolean isTakenUp = largest < UnderflowScaling.SMALL && s.leaf.scaling.take(counted, largest, a, b);
+        return turns ? turned(y, isTakenUp, a, b) : moved(y, isTakenUp, a, b);
     }
 
     /** Whether the motion is horizontal. */
     private boolean isLevel() {
-        return dimension == Dimension.PLANAR && !(turns && (wx != 0 || wz != 0));
+        return dimension == Dimension.PLANAR && !(turns && !turn.isLevel());
     }
 
-    private boolean isTakenUp(double largest, Leaf a, Leaf b) {
-        Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
-        return s.leaf.scaling.take(counted, largest, a, b);
-    }
-
-    private double scaled(double x, double y, double z) {
+    private double turned(double y, boolean isTakenUp, Leaf a, Leaf b) {
         UnderflowScaling m = s.leaf.scaling;
-        return convex(m.up(x), m.up(y), m.up(z), m.first, m.second);
+        kernelTurn.about(turn.px, y, turn.pz).by(turn.wx, turn.wy, turn.wz, turn.degrees);
+        Turn by = isTakenUp ? m.up(kernelTurn) : kernelTurn;
+        Leaf one = isTakenUp ? m.first : a;
+        Leaf two = isTakenUp ? m.second : b;
+        return dimension == Dimension.PLANAR
+                ? PlanarTurnSweep.free(one, by, two, s.turn)
+                : SpatialTurnSweep.free(one, by, two, s.turn);
     }
 
-    /** The fraction for two convex pieces, with the pivot of a turn or the displacement of a translation. */
-    private double convex(double x, double y, double z, Leaf a, Leaf b) {
-        if (dimension == Dimension.PLANAR) {
-            return turns
-                    ? PlanarTurnSweep.free(a, x, y, z, wx, wy, wz, degrees, b, s.turn)
-                    : PlanarSweep.translation(a, x, y, z, b, s.sweep);
-        }
-        return turns
-                ? SpatialTurnSweep.free(a, x, y, z, wx, wy, wz, degrees, b, s.turn)
+    private double moved(double y, boolean isTakenUp, Leaf a, Leaf b) {
+        UnderflowScaling m = s.leaf.scaling;
+        return isTakenUp ? moved(m.up(dx), m.up(y), m.up(dz), m.first, m.second) : moved(dx, y, dz, a, b);
+    }
+
+    private double moved(double x, double y, double z, Leaf a, Leaf b) {
+        return dimension == Dimension.PLANAR
+                ? PlanarSweep.translation(a, x, y, z, b, s.sweep)
                 : SpatialSweep.translation(a, x, y, z, b, s.sweep);
     }
 }

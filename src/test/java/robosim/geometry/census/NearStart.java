@@ -11,6 +11,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 import robosim.geometry.narrow.turn.PlanarTurnSweep;
@@ -393,24 +394,12 @@ final class NearStart implements Kernel {
         double share = flat
                 ? PlanarTurnSweep.free(
                         new Leaf(kindA, a, 0),
-                        pivot[0],
-                        pivot[1],
-                        pivot[2],
-                        w[0],
-                        w[1],
-                        w[2],
-                        degrees,
+                        new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
                         new Leaf(kindB, b, 0),
                         scratch.turn)
                 : SpatialTurnSweep.free(
                         new Leaf(kindA, a, 0),
-                        pivot[0],
-                        pivot[1],
-                        pivot[2],
-                        w[0],
-                        w[1],
-                        w[2],
-                        degrees,
+                        new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
                         new Leaf(kindB, b, 0),
                         scratch.turn);
         return share > 1

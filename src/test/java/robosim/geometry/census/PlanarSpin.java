@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.turn.PlanarTurnSweep;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -71,13 +72,7 @@ final class PlanarSpin implements Kernel {
         draw(random, adversarial);
         share = PlanarTurnSweep.free(
                 new Leaf(PlanarCases.kind(places.formA), places.a, 0),
-                px,
-                17,
-                pz,
-                0,
-                1,
-                0,
-                degrees,
+                new Turn().about(px, 17, pz).by(0, 1, 0, degrees),
                 new Leaf(PlanarCases.kind(places.formB), places.b, 0),
                 scratch.turn);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));

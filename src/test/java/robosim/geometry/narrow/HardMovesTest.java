@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 import robosim.geometry.narrow.turn.PlanarTurnSweep;
@@ -26,6 +27,7 @@ class HardMovesTest {
     private final Scratch scratch = new Scratch();
     private final Leaf mover = new Leaf();
     private final Leaf rest = new Leaf();
+    private final Turn turn = new Turn();
     private final SplittableRandom random = new SplittableRandom(20055);
 
     private double planar(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
@@ -38,7 +40,10 @@ class HardMovesTest {
 
     private double turn(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
         return PlanarTurnSweep.free(
-                mover.set(kindA, a, 0), px, 0, pz, 0, 1, 0, degrees, rest.set(kindB, b, 0), scratch.turn);
+                mover.set(kindA, a, 0),
+                turn.about(px, 0, pz).by(0, 1, 0, degrees),
+                rest.set(kindB, b, 0),
+                scratch.turn);
     }
 
     @Test
@@ -173,13 +178,7 @@ class HardMovesTest {
                     .isEqualTo(0);
             assertThat(SpatialTurnSweep.free(
                             new Leaf(LeafKind.UPRIGHT_BOX, cart, 0),
-                            3,
-                            0.5,
-                            4,
-                            0,
-                            1,
-                            0,
-                            degrees,
+                            new Turn().about(3, 0.5, 4).by(0, 1, 0, degrees),
                             new Leaf(LeafKind.UPRIGHT_BOX, floor, 0),
                             scratch.turn))
                     .isEqualTo(FREE);

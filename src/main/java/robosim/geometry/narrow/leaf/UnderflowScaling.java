@@ -23,6 +23,8 @@ public final class UnderflowScaling {
     /** The numbers of the first one. */
     public final double[] a = first.row;
 
+    private final Turn scaled = new Turn();
+
     /** The binary logarithm of the scale factor. */
     private int power;
 
@@ -102,6 +104,11 @@ public final class UnderflowScaling {
 
     public double up(double length) {
         return scale(length, power);
+    }
+
+    /** A turn with its pivot scaled up, valid until the next one. */
+    public Turn up(Turn turn) {
+        return scaled.about(up(turn.px), up(turn.py), up(turn.pz)).by(turn.wx, turn.wy, turn.wz, turn.degrees);
     }
 
     public double down(double length) {

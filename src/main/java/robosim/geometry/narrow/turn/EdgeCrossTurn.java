@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Radians;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
@@ -24,26 +25,32 @@ final class EdgeCrossTurn {
     private final RimReach reach = new RimReach();
     private final TurnSum first = new TurnSum();
     private final TurnSum second = new TurnSum();
+    private final TurnBody rest;
+    private final TurnBody mover;
+    private double wx;
+    private double wy;
+    private double wz;
     private double limit;
     private double radius;
+
+    /** For two bodies, to be loaded before anything is asked. */
+    EdgeCrossTurn(TurnBody rest, TurnBody mover) {
+        this.rest = rest;
+        this.mover = mover;
+    }
+
+    /** Takes the axis of the turn that both are loaded for. */
+    void about(Turn turn) {
+        wx = turn.wx;
+        wy = turn.wy;
+        wz = turn.wz;
+    }
 
     /**
      * Takes two edges' unit directions, (fx, fy, fz) at rest and (mx, my, mz) as the mover stands at the start, so that the
      * direction across both, or (way -1) against it, leads from the leaf at rest to the mover.
      */
-    void aim(
-            TurnBody rest,
-            double fx,
-            double fy,
-            double fz,
-            TurnBody mover,
-            double mx,
-            double my,
-            double mz,
-            double wx,
-            double wy,
-            double wz,
-            double way) {
+    void aim(double fx, double fy, double fz, double mx, double my, double mz, double way) {
         double c1 = fx * wx + fy * wy + fz * wz;
         double c2 = mx * wx + my * wy + mz * wz;
         double ax = fx - c1 * wx;
@@ -54,7 +61,8 @@ final class EdgeCrossTurn {
         double bz = mz - c2 * wz;
         double aa = Math.sqrt(ax * ax + ay * ay + az * az);
         double bb = Math.sqrt(bx * bx + by * by + bz * bz);
-        reach.aim(fx, fy, fz, mx, my, mz, wx, wy, wz, 1);
+        reach.axes(mx, my, mz, wx, wy, wz);
+        reach.aim(fx, fy, fz, 1);
         radius = mover.aside() + rest.aside();
         double most = Math.abs(c1) * bb + Math.abs(c2) * aa + aa * bb;
         limit = ROUNDOFF * most * (mover.extent + rest.extent) + AxisBody.TINY;
@@ -63,7 +71,7 @@ final class EdgeCrossTurn {
         double sx = way * c1 * (wy * bz - wz * by);
         double sy = way * c1 * (wz * bx - wx * bz);
         double sz = way * c1 * (wx * by - wy * bx);
-        first.clear();
+        first.clear(wx, wy, wz);
         for (int m = 0; m < mover.points; m++) {
             double px = mover.x[m];
             double py = mover.y[m];
@@ -75,16 +83,13 @@ final class EdgeCrossTurn {
                     way * az,
                     my * pz - mz * py,
                     mz * px - mx * pz,
-                    mx * py - my * px,
-                    wx,
-                    wy,
-                    wz);
+                    mx * py - my * px);
         }
         // The other's: c2 (d1 x w).q + (q x e1).Rd2, taken off.
         sx = -way * c2 * (ay * wz - az * wy);
         sy = -way * c2 * (az * wx - ax * wz);
         sz = -way * c2 * (ax * wy - ay * wx);
-        second.clear();
+        second.clear(wx, wy, wz);
         for (int m = 0; m < rest.points; m++) {
             double qx = rest.x[m];
             double qy = rest.y[m];
@@ -96,10 +101,7 @@ final class EdgeCrossTurn {
                     -way * (qx * fy - qy * fx),
                     bx,
                     by,
-                    bz,
-                    wx,
-                    wy,
-                    wz);
+                    bz);
         }
     }
 

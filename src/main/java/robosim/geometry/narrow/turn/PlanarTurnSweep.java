@@ -1,14 +1,14 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
 
 /** The turn of one leaf's projection on XZ against another's at rest. */
 public final class PlanarTurnSweep {
     private PlanarTurnSweep() {}
 
     /**
-     * The free fraction of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
-     * (wx, wy, wz) through (px, py, pz).
+     * The free fraction of a turn of leaf a.
      *
      * <p>If the two touch or overlap at the start, the turn is blocked if the depth anywhere on the arc is above that
      * at the start. A gap below 2^-44 of the sizes may count as touching, and touching leaves may get deeper by as
@@ -18,28 +18,18 @@ public final class PlanarTurnSweep {
      *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
      *     remain; {@code +Infinity} if the whole turn is free
      */
-    public static double free(
-            Leaf a,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            Leaf b,
-            TurnScratch s) {
-        if (degrees == 0) {
+    public static double free(Leaf a, Turn turn, Leaf b, TurnScratch s) {
+        if (turn.degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        if (wx == 0 && wz == 0 && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
+        if (turn.isLevel() && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
             VerticalTurn vertical = s.turns().vertical;
-            double free = vertical.free(a, px, pz, wy < 0 ? -degrees : degrees, b, Double.POSITIVE_INFINITY);
+            double free = vertical.free(a, turn, b, Double.POSITIVE_INFINITY);
             if (vertical.arc > 0 || !vertical.isApart) {
                 return free;
             }
-            return s.turns().advancement.free(true, a, px, py, pz, wx, wy, wz, degrees, b, s);
+            return s.turns().advancement.free(true, a, turn, b, s);
         }
-        return s.turns().advancement.free(true, a, px, py, pz, wx, wy, wz, degrees, b, s);
+        return s.turns().advancement.free(true, a, turn, b, s);
     }
 }

@@ -43,27 +43,21 @@ final class RimReach {
     private double a;
     private double b;
 
-    /** Takes a direction, the rim's axis, the turn's axis, all of unit length, and the sense of the turn. */
-    void aim(
-            double dx,
-            double dy,
-            double dz,
-            double axisX,
-            double axisY,
-            double axisZ,
-            double aboutX,
-            double aboutY,
-            double aboutZ,
-            double by) {
-        nx = dx;
-        ny = dy;
-        nz = dz;
+    /** Takes the rim's axis and the turn's, both of unit length. */
+    void axes(double axisX, double axisY, double axisZ, double aboutX, double aboutY, double aboutZ) {
         ux = axisX;
         uy = axisY;
         uz = axisZ;
         wx = aboutX;
         wy = aboutY;
         wz = aboutZ;
+    }
+
+    /** Takes a unit direction, and the sense of the turn. */
+    void aim(double dx, double dy, double dz, double by) {
+        nx = dx;
+        ny = dy;
+        nz = dz;
         sign = by;
         double c = nx * wx + ny * wy + nz * wz;
         double e = ux * wx + uy * wy + uz * wz;

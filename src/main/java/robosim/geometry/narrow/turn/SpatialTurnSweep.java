@@ -2,6 +2,7 @@ package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.leaf.Upright;
 
 /** The turn of one leaf against another at rest, in space. */
@@ -9,8 +10,7 @@ public final class SpatialTurnSweep {
     private SpatialTurnSweep() {}
 
     /**
-     * The free fraction of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
-     * (wx, wy, wz) through (px, py, pz).
+     * The free fraction of a turn of leaf a.
      *
      * <p>If the two touch or overlap at the start, the turn is blocked if the depth anywhere on the arc is above that
      * at the start.
@@ -19,22 +19,12 @@ public final class SpatialTurnSweep {
      *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
      *     remain; {@code +Infinity} if the whole turn is free
      */
-    public static double free(
-            Leaf a,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            Leaf b,
-            TurnScratch s) {
-        if (degrees == 0) {
+    public static double free(Leaf a, Turn turn, Leaf b, TurnScratch s) {
+        if (turn.degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }
         boolean isUpright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
-        if (wx == 0 && wz == 0 && isUpright && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
+        if (turn.isLevel() && isUpright && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
             double mid = Upright.middle(a);
             double half = Upright.halfHeight(a);
             double top = Upright.top(a);
@@ -47,12 +37,12 @@ public final class SpatialTurnSweep {
             }
             double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
             VerticalTurn vertical = s.turns().vertical;
-            double free = vertical.free(a, px, pz, wy < 0 ? -degrees : degrees, b, depth);
+            double free = vertical.free(a, turn, b, depth);
             if (vertical.arc > 0 || !vertical.isApart) {
                 return free;
             }
-            return s.turns().advancement.free(false, a, px, py, pz, wx, wy, wz, degrees, b, s);
+            return s.turns().advancement.free(false, a, turn, b, s);
         }
-        return s.turns().advancement.free(false, a, px, py, pz, wx, wy, wz, degrees, b, s);
+        return s.turns().advancement.free(false, a, turn, b, s);
     }
 }

@@ -3,26 +3,23 @@ package robosim.geometry.narrow.turn;
 /** Sinusoids {@code k + a cos t + b sin t}, one for each point of a leaf. */
 final class TurnSum {
     int count;
+    private double wx;
+    private double wy;
+    private double wz;
     final double[] k = new double[TurnBody.MOST_POINTS];
     final double[] a = new double[TurnBody.MOST_POINTS];
     final double[] b = new double[TurnBody.MOST_POINTS];
 
-    void clear() {
+    /** Begins with sinusoids of turns about a unit axis. */
+    void clear(double axisX, double axisY, double axisZ) {
+        wx = axisX;
+        wy = axisY;
+        wz = axisZ;
         count = 0;
     }
 
     /** Adds {@code constant + u.Rv}, R being the turn by t about the unit axis w. */
-    void add(
-            double constant,
-            double ux,
-            double uy,
-            double uz,
-            double vx,
-            double vy,
-            double vz,
-            double wx,
-            double wy,
-            double wz) {
+    void add(double constant, double ux, double uy, double uz, double vx, double vy, double vz) {
         double along = (ux * wx + uy * wy + uz * wz) * (wx * vx + wy * vy + wz * vz);
         k[count] = constant + along;
         a[count] = ux * vx + uy * vy + uz * vz - along;

@@ -5,6 +5,7 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.planar.ExactPlanar;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sweep.ExactDisc;
@@ -34,18 +35,19 @@ final class VerticalTurn {
     }
 
     /**
-     * As {@link PlanarTurnSweep#free}, by {@code degrees} about the upward vertical through (px, pz).
+     * As {@link PlanarTurnSweep#free}, about a vertical axis.
      *
      * @param heightDepth how far the heights overlap, which a turn does not change: where that is the lesser depth at the
      *     start, nothing gets deeper; infinite where heights do not count
      */
-    double free(Leaf a, double px, double pz, double degrees, Leaf b, double heightDepth) {
+    double free(Leaf a, Turn turn, Leaf b, double heightDepth) {
+        double degrees = turn.wy < 0 ? -turn.degrees : turn.degrees;
         double angle = Degrees.toRadians(Math.abs(degrees));
         isApart = false;
         // From x towards z is clockwise as seen from above.
         sign = degrees > 0 ? -1 : 1;
-        load(mover, a, px, pz);
-        load(rest, b, px, pz);
+        load(mover, a, turn);
+        load(rest, b, turn);
         double free;
         if (a.kind.isDisc()) {
             double radius = a.get(3) + (b.kind.isDisc() ? b.get(3) : 0);
@@ -62,11 +64,11 @@ final class VerticalTurn {
         return TurningPolygon.covers(free, angle) ? Double.POSITIVE_INFINITY : TurningPolygon.fraction(free, angle);
     }
 
-    private void load(ProjectedPolygon outline, Leaf leaf, double px, double pz) {
+    private void load(ProjectedPolygon outline, Leaf leaf, Turn turn) {
         if (leaf.kind.isDisc()) {
-            outline.point(leaf.get(0) - px, leaf.get(2) - pz);
+            outline.point(leaf.get(0) - turn.px, leaf.get(2) - turn.pz);
         } else {
-            outline.load(leaf, px, pz);
+            outline.load(leaf, turn.px, turn.pz);
         }
         outline.mirror(sign);
     }

@@ -13,6 +13,7 @@ import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Motions of all pairs of kinds in space, against poses sampled on the way and judged by GJK. */
@@ -195,13 +196,7 @@ class SpatialSweepTest {
                         Arrays.toString(b));
         double share = SpatialTurnSweep.free(
                 new Leaf(kindA, a, 0),
-                pivot[0],
-                pivot[1],
-                pivot[2],
-                axis[0],
-                axis[1],
-                axis[2],
-                degrees,
+                new Turn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], degrees),
                 new Leaf(kindB, b, 0),
                 scratch.turn);
         double start = gap(kindA, a, kindB, b);
@@ -233,12 +228,7 @@ class SpatialSweepTest {
         double sin = StrictMath.sin(Math.toRadians(degrees));
         MovedLeaf.turned(
                 new Leaf(kind, a, 0),
-                pivot[0],
-                pivot[1],
-                pivot[2],
-                axis[0],
-                axis[1],
-                axis[2],
+                new Turn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], 0),
                 cos,
                 sin,
                 new Leaf(LeafKind.SPHERE, pose, 0));

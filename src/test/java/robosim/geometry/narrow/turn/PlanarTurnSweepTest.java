@@ -10,6 +10,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 
 /** Turns in the plane, against sampled poses: no contact before the answer, and contact right after it. */
 class PlanarTurnSweepTest {
@@ -69,13 +70,7 @@ class PlanarTurnSweepTest {
         double degrees = -51.102608853458996;
         double share = PlanarTurnSweep.free(
                 new Leaf(LeafKind.SPHERE, disc, 0),
-                px,
-                0,
-                pz,
-                0,
-                1,
-                0,
-                degrees,
+                new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
                 new Leaf(LeafKind.UPRIGHT_BOX, box, 0),
                 scratch.turn);
         double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.UPRIGHT_BOX, box)
@@ -112,13 +107,7 @@ class PlanarTurnSweepTest {
         double pz = 1.1514794349385777;
         double share = PlanarTurnSweep.free(
                 new Leaf(LeafKind.SPHERE, disc, 0),
-                px,
-                0,
-                pz,
-                0,
-                1,
-                0,
-                35.23771176608052,
+                new Turn().about(px, 0, pz).by(0, 1, 0, 35.23771176608052),
                 new Leaf(LeafKind.BOX, box, 0),
                 scratch.turn);
         double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.BOX, box).gap(35.23771176608052 * share);
@@ -133,7 +122,10 @@ class PlanarTurnSweepTest {
         String what = "kind %s %s about (%s, %s) by %s, kind %s %s"
                 .formatted(kindA, Arrays.toString(a), px, pz, degrees, kindB, Arrays.toString(b));
         double share = PlanarTurnSweep.free(
-                new Leaf(kindA, a, 0), px, 0, pz, 0, 1, 0, degrees, new Leaf(kindB, b, 0), scratch.turn);
+                new Leaf(kindA, a, 0),
+                new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
+                new Leaf(kindB, b, 0),
+                scratch.turn);
         FlatPair pair = new FlatPair(kindA, a, px, pz, kindB, b);
         double start = pair.gap(0);
         double limit = Math.min(start, 0);

@@ -16,6 +16,7 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.narrow.leaf.Turn;
 
 /** Turns that pass closely: the gap that is let through, and how close a turn comes that is stopped. */
 class TurnAdvancementTest {
@@ -157,13 +158,7 @@ class TurnAdvancementTest {
             double degrees = random.nextDouble(-180, 180);
             double share = SpatialTurnSweep.free(
                     new Leaf(kindA, a, 0),
-                    0.1,
-                    0.2,
-                    0.3,
-                    about[6],
-                    about[9],
-                    about[12],
-                    degrees,
+                    new Turn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], degrees),
                     new Leaf(kindB, b, 0),
                     scratch.turn);
             most = Math.max(most, scratch.turn.turns().advancement.steps());
@@ -174,12 +169,7 @@ class TurnAdvancementTest {
             double angle = Math.toRadians(degrees * share);
             MovedLeaf.turned(
                     new Leaf(kindA, a, 0),
-                    0.1,
-                    0.2,
-                    0.3,
-                    about[6],
-                    about[9],
-                    about[12],
+                    new Turn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], 0),
                     StrictMath.cos(angle),
                     StrictMath.sin(angle),
                     new Leaf(LeafKind.SPHERE, pose, 0));
@@ -233,14 +223,22 @@ class TurnAdvancementTest {
     private double turn(
             LeafKind kindA, double[] a, double wx, double wy, double wz, double degrees, LeafKind kindB, double[] b) {
         return SpatialTurnSweep.free(
-                new Leaf(kindA, a, 0), 0, 0, 0, wx, wy, wz, degrees, new Leaf(kindB, b, 0), scratch.turn);
+                new Leaf(kindA, a, 0),
+                new Turn().about(0, 0, 0).by(wx, wy, wz, degrees),
+                new Leaf(kindB, b, 0),
+                scratch.turn);
     }
 
     private static double[] turned(double degrees, LeafKind kind, double[] row) {
         double[] out = new double[Leaf.STRIDE];
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
-        MovedLeaf.turned(new Leaf(kind, row, 0), 0, 0, 0, 0, 1, 0, cos, sin, new Leaf(LeafKind.SPHERE, out, 0));
+        MovedLeaf.turned(
+                new Leaf(kind, row, 0),
+                new Turn().about(0, 0, 0).by(0, 1, 0, 0),
+                cos,
+                sin,
+                new Leaf(LeafKind.SPHERE, out, 0));
         return out;
     }
 
