@@ -183,7 +183,7 @@ public final class Questions {
             case TRANSLATION -> translation(pairs.way, kindA, a, kindB, b);
             case TURN -> turn(kindA, a, kindB, b);
             case SIDE -> Orientation.side(n[0], n[1], n[2], n[3], n[4], n[5]);
-            case VOLUME -> Orientation.volume(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11]);
+            case VOLUME -> Orientation.volume(n, n[9], n[10], n[11]);
             case BORDER -> border(kindA, a) ? 1 : 0;
             case PRODUCTS -> Orientation.compareProducts(n[0], n[1], n[2], n[3]);
         };

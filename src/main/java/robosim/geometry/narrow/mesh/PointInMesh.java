@@ -84,13 +84,12 @@ public final class PointInMesh {
             return false;
         }
         // The crossing is ahead if the point is on the -X side of the plane.
-        int side = Orientation.volume(t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], t[8], px, py, pz);
+        int side = Orientation.volume(t, px, py, pz);
         int facing = Orientation.side(t[1], t[2], t[4], t[5], t[7], t[8]);
         if (facing == 0) {
             return false; // edge-on: the perturbed ray misses it
         }
-        int behind = Orientation.volume(
-                t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], t[8], least(t) - 1 - Math.abs(least(t)), py, pz);
+        int behind = Orientation.volume(t, least(t) - 1 - Math.abs(least(t)), py, pz);
         return side != 0 && side == behind;
     }
 

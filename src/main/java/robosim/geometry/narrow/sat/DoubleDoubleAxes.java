@@ -39,19 +39,14 @@ final class DoubleDoubleAxes {
     private double dz;
     private double lost;
 
-    void load(
-            AxisBody.Mode mode,
-            Leaf a,
-            double moveX,
-            double moveY,
-            double moveZ,
-            Leaf b,
-            double ox,
-            double oy,
-            double oz,
-            double size) {
+    /** Takes the leaves, relative to an origin. */
+    void load(AxisBody.Mode mode, Leaf a, Leaf b, double ox, double oy, double oz) {
         mover.load(mode, a, ox, oy, oz);
         rest.load(mode, b, ox, oy, oz);
+    }
+
+    /** Takes the displacement, and a bound of all coordinates. */
+    void move(double moveX, double moveY, double moveZ, double size) {
         dx = moveX;
         dy = moveY;
         dz = moveZ;

@@ -79,7 +79,8 @@ public final class MovingAxes {
         if (!decide()) {
             return verdict;
         }
-        fine.load(mode, a, dx, dy, dz, b, ox, oy, oz, mx + my + mz);
+        fine.load(mode, a, b, ox, oy, oz);
+        fine.move(dx, dy, dz, mx + my + mz);
         return enter();
     }
 
