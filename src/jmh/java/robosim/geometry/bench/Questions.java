@@ -23,8 +23,6 @@ import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /**
  * Questions to every kernel, the same for the same seed on every machine: {@link NearContacts} at random and as near to contact
@@ -237,16 +235,16 @@ public final class Questions {
     private double turn(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double degrees = 720 * angle - 360;
         return family.planar()
-                ? PlanarTurnSweep.free(
+                ? PlanarSweep.turn(
                         new Leaf(kindA, a, 0),
                         new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
                         new Leaf(kindB, b, 0),
-                        scratch.turn)
-                : SpatialTurnSweep.free(
+                        scratch.sweep)
+                : SpatialSweep.turn(
                         new Leaf(kindA, a, 0),
                         new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
                         new Leaf(kindB, b, 0),
-                        scratch.turn);
+                        scratch.sweep);
     }
 
     /** The largest of the numbers that a distance is computed from. */

@@ -18,9 +18,7 @@ import robosim.geometry.narrow.planar.PlainCells;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
-import robosim.geometry.narrow.turn.SweptBounds;
+import robosim.geometry.narrow.sweep.SweptBounds;
 
 /**
  * Sweeps one placed leaf against another at rest, meshes and grids included: the only switch over leaf kinds for sweeps. An
@@ -221,7 +219,7 @@ public final class Sweep {
     }
 
     private void turnDiagonals(Leaf leaf, double[] out4) {
-        SweptBounds.turnDiagonals(leaf, turn, out4, s.turn);
+        SweptBounds.turnDiagonals(leaf, turn, out4, s.sweep);
     }
 
     private static void boxRow(double[] box, double[] row) {
@@ -234,7 +232,7 @@ public final class Sweep {
 
     private void bounds(Leaf leaf, double[] out) {
         if (turns) {
-            SweptBounds.turn(leaf, turn, out, s.turn);
+            SweptBounds.turn(leaf, turn, out, s.sweep);
         } else {
             SweptBounds.translation(leaf, dx, dy, dz, out);
         }
@@ -508,8 +506,8 @@ public final class Sweep {
         Leaf one = isTakenUp ? m.first : a;
         Leaf two = isTakenUp ? m.second : b;
         return dimension == Dimension.PLANAR
-                ? PlanarTurnSweep.free(one, by, two, s.turn)
-                : SpatialTurnSweep.free(one, by, two, s.turn);
+                ? PlanarSweep.turn(one, by, two, s.sweep)
+                : SpatialSweep.turn(one, by, two, s.sweep);
     }
 
     private double moved(double y, boolean isTakenUp, Leaf a, Leaf b) {

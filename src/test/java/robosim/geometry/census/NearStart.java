@@ -14,8 +14,6 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /**
  * Motions from a gap too small to resolve: away from an obstacle, along it, or turning away from it. All are free.
@@ -392,16 +390,16 @@ final class NearStart implements Kernel {
             pivot = Space.sum(pivot, ahead, -far);
         }
         double share = flat
-                ? PlanarTurnSweep.free(
+                ? PlanarSweep.turn(
                         new Leaf(kindA, a, 0),
                         new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
                         new Leaf(kindB, b, 0),
-                        scratch.turn)
-                : SpatialTurnSweep.free(
+                        scratch.sweep)
+                : SpatialSweep.turn(
                         new Leaf(kindA, a, 0),
                         new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
                         new Leaf(kindB, b, 0),
-                        scratch.turn);
+                        scratch.sweep);
         return share > 1
                 ? null
                 : "turned about %s through %s by %s: %s"

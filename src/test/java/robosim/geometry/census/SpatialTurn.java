@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.Turn;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
 
 /** Turns about any axis through the origin. */
 final class SpatialTurn extends SpatialMotion {
@@ -54,11 +54,11 @@ final class SpatialTurn extends SpatialMotion {
 
     @Override
     double free() {
-        return SpatialTurnSweep.free(
+        return SpatialSweep.turn(
                 new Leaf(kindA, a, 0),
                 new Turn().about(origin[0], origin[1], origin[2]).by(axis[0], axis[1], axis[2], degrees),
                 new Leaf(kindB, b, 0),
-                scratch.turn);
+                scratch.sweep);
     }
 
     @Override

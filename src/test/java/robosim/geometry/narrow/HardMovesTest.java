@@ -13,8 +13,6 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Motions that other engines got wrong, and those at the edges of the contract. */
 class HardMovesTest {
@@ -39,11 +37,11 @@ class HardMovesTest {
     }
 
     private double turn(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
-        return PlanarTurnSweep.free(
+        return PlanarSweep.turn(
                 mover.set(kindA, a, 0),
                 turn.about(px, 0, pz).by(0, 1, 0, degrees),
                 rest.set(kindB, b, 0),
-                scratch.turn);
+                scratch.sweep);
     }
 
     @Test
@@ -176,11 +174,11 @@ class HardMovesTest {
                     .isEqualTo(0);
             assertThat(spatial(LeafKind.UPRIGHT_CYLINDER, robot, dx, -1e-9, dz, LeafKind.UPRIGHT_BOX, floor))
                     .isEqualTo(0);
-            assertThat(SpatialTurnSweep.free(
+            assertThat(SpatialSweep.turn(
                             new Leaf(LeafKind.UPRIGHT_BOX, cart, 0),
                             new Turn().about(3, 0.5, 4).by(0, 1, 0, degrees),
                             new Leaf(LeafKind.UPRIGHT_BOX, floor, 0),
-                            scratch.turn))
+                            scratch.sweep))
                     .isEqualTo(FREE);
         }
     }

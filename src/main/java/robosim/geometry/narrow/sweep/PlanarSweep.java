@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
 
@@ -34,7 +35,7 @@ public final class PlanarSweep {
         } else if (a.kind.isDisc() && (b.kind.isDisc() || b.kind.isPolytope())) {
             return disc(a, dx, dz, b, s);
         }
-        return s.sweep().move.time(true, a, dx, 0, dz, b, s);
+        return s.sweep().move.time(true, a, dx, 0, dz, b, s.overlap);
     }
 
     private static double disc(Leaf a, double dx, double dz, Leaf b, SweepScratch s) {
@@ -51,5 +52,30 @@ public final class PlanarSweep {
         return b.kind.isDisc()
                 ? disc.discs(a, dx, dz, b, s.sweep().outline)
                 : disc.polygon(a, dx, dz, b, s.sweep().outline);
+    }
+
+    /**
+     * The free fraction of a turn of leaf a.
+     *
+     * <p>If the two touch or overlap at the start, the turn is blocked if the depth anywhere on the arc is above that
+     * at the start. A gap below 2^-44 of the sizes may count as touching, and touching leaves may get deeper by as
+     * much.
+     *
+     * @return the free fraction, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and at
+     *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
+     *     remain; {@code +Infinity} if the whole turn is free
+     */
+    public static double turn(Leaf a, Turn turn, Leaf b, SweepScratch s) {
+        if (turn.degrees == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (turn.isLevel() && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
+            VerticalTurn vertical = s.sweep().vertical;
+            double free = vertical.free(a, turn, b, Double.POSITIVE_INFINITY);
+            if (vertical.arc > 0 || !vertical.isApart) {
+                return free;
+            }
+        }
+        return s.sweep().turning.free(true, a, turn, b, s.overlap);
     }
 }

@@ -3,6 +3,7 @@ package robosim.geometry.narrow.sweep;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.overlap.HeightIntervals;
 import robosim.geometry.narrow.sat.AxisBody;
@@ -29,7 +30,7 @@ public final class SpatialSweep {
         if (a.kind.isEnclosure() || b.kind.isEnclosure()) {
             return a.kind == b.kind
                     ? MovingPrism.time(false, a, dx, dy, dz, b)
-                    : s.sweep().move.time(false, a, dx, dy, dz, b, s);
+                    : s.sweep().move.time(false, a, dx, dy, dz, b, s.overlap);
         }
         if (a.kind.isPolytope() && b.kind.isPolytope()) {
             boolean upright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
@@ -46,7 +47,7 @@ public final class SpatialSweep {
         if (b.kind == LeafKind.SPHERE) {
             return sphere(b, -dx, -dy, -dz, a, s);
         }
-        return s.sweep().move.time(false, a, dx, dy, dz, b, s);
+        return s.sweep().move.time(false, a, dx, dy, dz, b, s.overlap);
     }
 
     /**
@@ -62,7 +63,9 @@ public final class SpatialSweep {
             return Double.POSITIVE_INFINITY;
         }
         TranslationAdvancement held = s.sweep().move;
-        double time = exact ? held.roughly(false, a, dx, dy, dz, b, s) : held.time(false, a, dx, dy, dz, b, s);
+        double time = exact
+                ? held.roughly(false, a, dx, dy, dz, b, s.overlap)
+                : held.time(false, a, dx, dy, dz, b, s.overlap);
         if (held.contact) {
             return exact ? ExactBall.time(a, dx, dy, dz, b) : time;
         }
@@ -115,5 +118,41 @@ public final class SpatialSweep {
                 Dyadic.of(middle).subtract(Dyadic.of(high)).subtract(mine).subtract(half),
                 Dyadic.of(dy));
         return ExactDisc.of(a, dx, dz, b, heights).time();
+    }
+
+    /**
+     * The free fraction of a turn of leaf a.
+     *
+     * <p>If the two touch or overlap at the start, the turn is blocked if the depth anywhere on the arc is above that
+     * at the start.
+     *
+     * @return the free fraction, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and at
+     *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
+     *     remain; {@code +Infinity} if the whole turn is free
+     */
+    public static double turn(Leaf a, Turn turn, Leaf b, SweepScratch s) {
+        if (turn.degrees == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        boolean isUpright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
+        if (turn.isLevel() && isUpright && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
+            double mid = Upright.middle(a);
+            double half = Upright.halfHeight(a);
+            double top = Upright.top(a);
+            double otherMid = Upright.middle(b);
+            double otherHalf = Upright.halfHeight(b);
+            double otherTop = Upright.top(b);
+            if (Dyadic.signOfSum(mid, -half, -otherTop, -otherHalf) > 0
+                    || Dyadic.signOfSum(otherMid, -otherHalf, -top, -half) > 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
+            VerticalTurn vertical = s.sweep().vertical;
+            double free = vertical.free(a, turn, b, depth);
+            if (vertical.arc > 0 || !vertical.isApart) {
+                return free;
+            }
+        }
+        return s.sweep().turning.free(false, a, turn, b, s.overlap);
     }
 }

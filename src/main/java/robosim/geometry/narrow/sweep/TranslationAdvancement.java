@@ -11,6 +11,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
+import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
@@ -79,7 +80,7 @@ final class TranslationAdvancement {
     private boolean isAlong;
 
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
-    double time(boolean inPlane, Leaf moving, double x, double y, double z, Leaf resting, SweepScratch s) {
+    double time(boolean inPlane, Leaf moving, double x, double y, double z, Leaf resting, OverlapScratch s) {
         double time = roughly(inPlane, moving, x, y, z, resting, s);
         return time > 1 ? time : fromNear(time, s);
     }
@@ -88,7 +89,7 @@ final class TranslationAdvancement {
      * The time of the motion that {@link #roughly} could not prove free: infinite where it starts nearer than can be resolved, or
      * comes so near on its way along something, and is proven free without rounding. Where not even the verdict is exact, such a start counts as a contact.
      */
-    private double fromNear(double time, SweepScratch s) {
+    private double fromNear(double time, OverlapScratch s) {
         if (!(isNear || isAlong) || (contact && isTouching(s))) {
             return time;
         }
@@ -102,9 +103,9 @@ final class TranslationAdvancement {
     }
 
     /** Whether the two certainly touch. */
-    private boolean isTouching(SweepScratch s) {
+    private boolean isTouching(OverlapScratch s) {
         return isExact(planar, a.kind, b.kind)
-                && ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s.overlap);
+                && ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s);
     }
 
     /** Whether it is decided without rounding if two leaves touch. */
@@ -121,7 +122,7 @@ final class TranslationAdvancement {
     }
 
     /** The same, but for what {@link #fromNear} decides. */
-    double roughly(boolean inPlane, Leaf moving, double x, double y, double z, Leaf resting, SweepScratch s) {
+    double roughly(boolean inPlane, Leaf moving, double x, double y, double z, Leaf resting, OverlapScratch s) {
         Gjk gjk = s.gjk.pair;
         planar = inPlane;
         a = moving;
@@ -194,7 +195,7 @@ final class TranslationAdvancement {
         return !gjk.isDeep() && (gjk.upper() > WORTH * error || gjk.reach() < -error);
     }
 
-    private double fromContact(SweepScratch s) {
+    private double fromContact(OverlapScratch s) {
         contact = true;
         Penetration ways = s.gjk.penetration();
         double depth = planar ? ways.planar(a, b) : ways.spatial(a, b);

@@ -285,7 +285,7 @@ class MovingBallTest {
                             d[1],
                             d[2],
                             new Leaf(kind, b, 0),
-                            scratch.sweep);
+                            scratch.overlap);
             double found = scratch.sweep
                     .sweep()
                     .ball

@@ -14,7 +14,6 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.leaf.Turn;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Motions of all pairs of kinds in space, against poses sampled on the way and judged by GJK. */
 class SpatialSweepTest {
@@ -194,11 +193,11 @@ class SpatialSweepTest {
                         degrees,
                         kindB,
                         Arrays.toString(b));
-        double share = SpatialTurnSweep.free(
+        double share = SpatialSweep.turn(
                 new Leaf(kindA, a, 0),
                 new Turn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], degrees),
                 new Leaf(kindB, b, 0),
-                scratch.turn);
+                scratch.sweep);
         double start = gap(kindA, a, kindB, b);
         double limit = Math.min(0, start);
         double end = Math.min(1, share);

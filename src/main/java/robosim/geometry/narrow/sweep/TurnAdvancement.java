@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.ExactVector;
@@ -11,7 +11,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
-import robosim.geometry.narrow.sweep.StartGap;
+import robosim.geometry.narrow.overlap.OverlapScratch;
 
 /**
  * A leaf of any kind turned about any axis, against one at rest: conservative advancement with fixed separating axes.
@@ -90,8 +90,8 @@ final class TurnAdvancement {
     /** How much depth is allowed for. */
     private double depth;
 
-    /** As {@link SpatialTurnSweep#free} and {@link PlanarTurnSweep#free}. */
-    double free(boolean inPlane, Leaf moving, Turn by, Leaf resting, TurnScratch s) {
+    /** As {@link SpatialSweep#turn} and {@link PlanarSweep#turn}. */
+    double free(boolean inPlane, Leaf moving, Turn by, Leaf resting, OverlapScratch s) {
         a = moving;
         b = resting;
         gjk = s.gjk.pair;
@@ -134,7 +134,7 @@ final class TurnAdvancement {
     }
 
     /** Goes on from an angle that is free up to there, with the depth allowed for; infinite where all that is angle is free. */
-    private double advance(double from, double angle, TurnScratch s) {
+    private double advance(double from, double angle, OverlapScratch s) {
         double t = from;
         double widest = 0;
         for (steps = 0; steps < MOST_STEPS; steps++) {
@@ -181,11 +181,10 @@ final class TurnAdvancement {
     }
 
     /** Whether the two certainly touch at the start. */
-    private boolean isTouching(TurnScratch s) {
+    private boolean isTouching(OverlapScratch s) {
         return a.kind.isEnclosure()
                 || b.kind.isEnclosure()
-                || (ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s.overlap)
-                        && !s.overlap.uncertain);
+                || (ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s) && !s.uncertain);
     }
 
     /**

@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.ExactVector;
@@ -8,7 +8,6 @@ import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.planar.ExactPlanar;
 import robosim.geometry.narrow.sat.ExactExtent;
-import robosim.geometry.narrow.sweep.ExactDisc;
 
 /**
  * A leaf turned about a vertical line against one at rest, in the plane: chooses between polygons and discs, and
@@ -35,7 +34,7 @@ final class VerticalTurn {
     }
 
     /**
-     * As {@link PlanarTurnSweep#free}, about a vertical axis.
+     * As {@link PlanarSweep#turn}, about a vertical axis.
      *
      * @param heightDepth how far the heights overlap, which a turn does not change: where that is the lesser depth at the
      *     start, nothing gets deeper; infinite where heights do not count

@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -36,7 +36,7 @@ class SweptBoundsTest {
                         new Leaf(kind, row, 0),
                         new Turn().about(p[0], p[1], p[2]).by(axis[0], axis[1], axis[2], degrees),
                         bounds,
-                        scratch.turn);
+                        scratch.sweep);
                 double[] seen = sampled(kind, row, p, axis, degrees);
                 double[] start = new double[6];
                 LeafBounds.of(kind, row, 0, start);
@@ -65,7 +65,7 @@ class SweptBoundsTest {
                 new Leaf(LeafKind.UPRIGHT_CYLINDER, robot, 0),
                 new Turn().about(0.1, 0.2, 0.3).by(0, 1, 0, 1234.5),
                 bounds,
-                scratch.turn);
+                scratch.sweep);
         assertThat(bounds).containsExactly(start);
     }
 

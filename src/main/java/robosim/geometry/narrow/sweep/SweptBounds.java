@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Outward;
@@ -39,7 +39,7 @@ public final class SweptBounds {
      * <p>A bound that the turn does not extend is that of the leaf at the start; others are tight to within rounding,
      * for cylinders that tilt to 2^-36 of their distance from the pivot.
      */
-    public static void turn(Leaf leaf, Turn turn, double[] out6, TurnScratch s) {
+    public static void turn(Leaf leaf, Turn turn, double[] out6, SweepScratch s) {
         LeafBounds.of(leaf.kind, leaf.row, leaf.at, out6);
         if (turn.degrees == 0) {
             return;
@@ -59,8 +59,8 @@ public final class SweptBounds {
         }
     }
 
-    private static void extend(Leaf leaf, Turn turn, double[] out6, TurnScratch s) {
-        TurnBody body = s.turns().body;
+    private static void extend(Leaf leaf, Turn turn, double[] out6, SweepScratch s) {
+        TurnBody body = s.sweep().body;
         double sign = turn.degrees < 0 ? -1 : 1;
         body.load(leaf, turn);
         double lost = lost(leaf, turn);
@@ -93,7 +93,7 @@ public final class SweptBounds {
      * Extends the bounds of x + z (two numbers) and of x - z (two more), which hold at the start, to hold for the leaf
      * anywhere on a turn.
      */
-    public static void turnDiagonals(Leaf leaf, Turn turn, double[] out4, TurnScratch s) {
+    public static void turnDiagonals(Leaf leaf, Turn turn, double[] out4, SweepScratch s) {
         if (turn.degrees == 0) {
             return;
         }
@@ -112,8 +112,8 @@ public final class SweptBounds {
         }
     }
 
-    private static void extendDiagonals(Leaf leaf, Turn turn, double[] out4, TurnScratch s) {
-        TurnBody body = s.turns().body;
+    private static void extendDiagonals(Leaf leaf, Turn turn, double[] out4, SweepScratch s) {
+        TurnBody body = s.sweep().body;
         double sign = turn.degrees < 0 ? -1 : 1;
         body.load(leaf, turn);
         double angle = Degrees.toRadians(Math.abs(turn.degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;

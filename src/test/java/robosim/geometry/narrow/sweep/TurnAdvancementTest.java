@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -56,7 +56,7 @@ class TurnAdvancementTest {
                 assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, still))
                         .as(what)
                         .isInfinite();
-                assertThat(scratch.turn.turns().advancement.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.sweep.sweep().turning.steps()).as(what).isLessThan(FEW);
                 // Through the waist, where the edges cross, and no further.
                 double[] cut = SweepRows.triangle(1 - gap, -1, slope, 1 - gap, 1, -slope, 3, 0, 0);
                 assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, cut))
@@ -97,7 +97,7 @@ class TurnAdvancementTest {
                 if (radius < gap) {
                     assertThat(share).as(what).isInfinite();
                 }
-                assertThat(scratch.turn.turns().advancement.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.sweep.sweep().turning.steps()).as(what).isLessThan(FEW);
             }
         }
     }
@@ -156,12 +156,12 @@ class TurnAdvancementTest {
                 continue;
             }
             double degrees = random.nextDouble(-180, 180);
-            double share = SpatialTurnSweep.free(
+            double share = SpatialSweep.turn(
                     new Leaf(kindA, a, 0),
                     new Turn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], degrees),
                     new Leaf(kindB, b, 0),
-                    scratch.turn);
-            most = Math.max(most, scratch.turn.turns().advancement.steps());
+                    scratch.sweep);
+            most = Math.max(most, scratch.sweep.sweep().turning.steps());
             if (share > 1) {
                 continue;
             }
@@ -222,11 +222,11 @@ class TurnAdvancementTest {
 
     private double turn(
             LeafKind kindA, double[] a, double wx, double wy, double wz, double degrees, LeafKind kindB, double[] b) {
-        return SpatialTurnSweep.free(
+        return SpatialSweep.turn(
                 new Leaf(kindA, a, 0),
                 new Turn().about(0, 0, 0).by(wx, wy, wz, degrees),
                 new Leaf(kindB, b, 0),
-                scratch.turn);
+                scratch.sweep);
     }
 
     private static double[] turned(double degrees, LeafKind kind, double[] row) {
