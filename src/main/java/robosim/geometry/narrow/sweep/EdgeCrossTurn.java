@@ -11,7 +11,7 @@ import robosim.geometry.narrow.sat.AxisBody;
  * passes another it follows them, whereas a fixed direction would be perpendicular to both only for an instant. For a
  * point p of the mover and a point q at rest {@code n.Rp = e1.R(e2 x p)} and {@code n.q = (q x e1).Re2}: sinusoids, of
  * degree one, as all that {@link TurnBody} asks. A cylinder's or capsule's edge is its axis; it reaches |n|
- * times its radius, of which {@link RimReach} has bounds of the same form.
+ * times its radius, of which {@link RimBound} has bounds of the same form.
  *
  * <p>Edges that are nearly along the turn's axis w make a short n, of the size of d1 and d2 in {@code e1 = c1 w + d1} and
  * {@code e2 = c2 w + d2}. So {@code n = c1 w x Rd2 + c2 d1 x w + d1 x Rd2} is taken in these parts, of which
@@ -22,7 +22,7 @@ final class EdgeCrossTurn {
     private static final double ROUNDOFF = 128 * 0x1p-53;
     private static final int MOST_STEPS = 12;
 
-    private final RimReach reach = new RimReach();
+    private final RimBound reach = new RimBound();
     private final Sinusoids first = new Sinusoids();
     private final Sinusoids second = new Sinusoids();
     private final TurnBody rest;
@@ -122,7 +122,7 @@ final class EdgeCrossTurn {
      */
     double notNearer() {
         double end = 0;
-        for (int bound = 0; bound < (radius == 0 ? 1 : RimReach.BOUNDS); bound++) {
+        for (int bound = 0; bound < (radius == 0 ? 1 : RimBound.BOUNDS); bound++) {
             reach.bound(bound, 0);
             double constant = radius == 0 ? 0 : radius * reach.constant;
             double cosine = radius == 0 ? 0 : radius * reach.cosine;
@@ -155,7 +155,7 @@ final class EdgeCrossTurn {
         double t = from;
         for (int step = 0; step < MOST_STEPS && t - from < 2 * Math.PI; step++) {
             double end = t;
-            for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+            for (int bound = 0; bound < RimBound.BOUNDS; bound++) {
                 reach.bound(bound, t);
                 double constant = limit + radius * reach.constant;
                 end = Math.max(end, pairsUntil(constant, radius * reach.cosine, radius * reach.sine, t));

@@ -69,7 +69,7 @@ final class TurnBody {
     private double ny;
     private double nz;
     private double sign;
-    private final RimReach rim = new RimReach();
+    private final RimBound rim = new RimBound();
 
     /** Loads a leaf, relative to the pivot of a turn. */
     void load(Leaf leaf, Turn turn) {
@@ -236,7 +236,7 @@ final class TurnBody {
         double t = from;
         for (int step = 0; step < MOST_STEPS && t - from < FULL; step++) {
             double end = t;
-            for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+            for (int bound = 0; bound < RimBound.BOUNDS; bound++) {
                 rim.bound(bound, t);
                 double constant = limit + radius * rim.constant;
                 end = Math.max(end, pointsUntil(constant, radius * rim.cosine, radius * rim.sine, t));

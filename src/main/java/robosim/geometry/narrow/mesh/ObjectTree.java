@@ -21,7 +21,7 @@ import robosim.geometry.narrow.overlap.SpatialOverlap;
  * mesh are in its own frame and are transformed as its vertices are placed, so that nothing is missed even if the
  * rotation is orthonormal only to 1e-9.
  */
-final class PartTree {
+final class ObjectTree {
     /** Widening relative to the numbers that a box is computed from; see {@link LeafColumn}. */
     private static final double WIDEN = MeshWalk.WIDEN;
 
@@ -150,7 +150,7 @@ final class PartTree {
      * Whether a solid mesh contains a point of a part: the given vertex of a mesh, or for other parts (vertex 0) their
      * reference point.
      */
-    boolean holds(int solid, PartTree other, int part, int vertex, LeafScratch s) {
+    boolean holds(int solid, ObjectTree other, int part, int vertex, LeafScratch s) {
         double[] point = other.triangle;
         if (other.kindOf(part).isMesh()) {
             other.vertex(part, vertex, point, 0);
@@ -161,7 +161,7 @@ final class PartTree {
     }
 
     /** The vertex (0 if there are none) by which {@link #holds} finds a part inside; -1 if it is not inside. */
-    int heldVertex(int solid, PartTree other, int part, LeafScratch s) {
+    int heldVertex(int solid, ObjectTree other, int part, LeafScratch s) {
         if (!other.kindOf(part).isMesh()) {
             return holds(solid, other, part, 0, s) ? 0 : -1;
         }

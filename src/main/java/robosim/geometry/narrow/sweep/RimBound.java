@@ -11,7 +11,7 @@ import robosim.geometry.exact.Radians;
  * along w. For any e above 0 and any D0 it is {@code sqrt(y) <= (e^2 + y) / (2 e)} and {@code -D^2 <= D0^2 - 2 D0 D},
  * so that {@code (e^2 + Q + D0^2 - 2 (c c' + D0) D) / (2 e)} is a bound, a touching one where e = sqrt(y) and D0 = D.
  */
-final class RimReach {
+final class RimBound {
     /** The number of bounds to choose from. */
     static final int BOUNDS = 4;
 
