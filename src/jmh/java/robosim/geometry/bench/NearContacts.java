@@ -147,7 +147,7 @@ final class NearContacts {
     double gap(LeafKind kindA, LeafKind kindB, double share, Scratch scratch) {
         double[] moved = a.clone();
         LeafRows.shift(kindA, moved, share, way);
-        return SpatialDistance.between(kindA, moved, 0, kindB, b, 0, scratch.distance);
+        return SpatialDistance.between(new Leaf(kindA, moved, 0), new Leaf(kindB, b, 0), scratch.distance);
     }
 
     private void begin(SplittableRandom source) {

@@ -17,14 +17,13 @@ import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /**
  * Questions to every kernel, the same for the same seed on every machine: {@link NearContacts} at random and as near to contact
@@ -171,20 +170,20 @@ public final class Questions {
         return switch (family.subject()) {
             case OVERLAP ->
                 (planar
-                                ? PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap)
-                                : SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap))
+                                ? PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap)
+                                : SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap))
                         ? 1
                         : 0;
             case DISTANCE ->
                 planar
-                        ? PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance)
-                        : SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
+                        ? PlanarDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance)
+                        : SpatialDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
             case RAY -> ray(pairs.start, pairs.way, kindA, a);
             case CONE -> cone(pairs.start, pairs.way, kindA, a);
             case TRANSLATION -> translation(pairs.way, kindA, a, kindB, b);
             case TURN -> turn(kindA, a, kindB, b);
             case SIDE -> Orientation.side(n[0], n[1], n[2], n[3], n[4], n[5]);
-            case VOLUME -> Orientation.volume(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11]);
+            case VOLUME -> Orientation.volume(n, n[9], n[10], n[11]);
             case BORDER -> border(kindA, a) ? 1 : 0;
             case PRODUCTS -> Orientation.compareProducts(n[0], n[1], n[2], n[3]);
         };
@@ -228,15 +227,24 @@ public final class Questions {
 
     private double translation(double[] d, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         return family.planar()
-                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep)
-                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
+                ? PlanarSweep.translation(new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep)
+                : SpatialSweep.translation(
+                        new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep);
     }
 
     private double turn(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double degrees = 720 * angle - 360;
         return family.planar()
-                ? PlanarTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch.turn)
-                : SpatialTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch.turn);
+                ? PlanarSweep.turn(
+                        new Leaf(kindA, a, 0),
+                        new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
+                        new Leaf(kindB, b, 0),
+                        scratch.sweep)
+                : SpatialSweep.turn(
+                        new Leaf(kindA, a, 0),
+                        new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
+                        new Leaf(kindB, b, 0),
+                        scratch.sweep);
     }
 
     /** The largest of the numbers that a distance is computed from. */

@@ -41,19 +41,27 @@ public final class SeparatingAxes {
         bench.fill(LeafKind.BOX);
         bench.compare(
                 "boxes in space, without and with motion",
-                at -> bench.polytopes.touch(LeafKind.BOX, bench.a, at, LeafKind.BOX, bench.b, at),
+                at -> bench.polytopes.touch(new Leaf(LeafKind.BOX, bench.a, at), new Leaf(LeafKind.BOX, bench.b, at)),
                 at -> bench.moving.time(
-                                AxisBody.Mode.SPATIAL, LeafKind.BOX, bench.a, at, 1e-9, 0, 0, LeafKind.BOX, bench.b, at)
+                                AxisBody.Mode.SPATIAL,
+                                new Leaf(LeafKind.BOX, bench.a, at),
+                                1e-9,
+                                0,
+                                0,
+                                new Leaf(LeafKind.BOX, bench.b, at))
                         <= 1);
         bench.compare(
                 "boxes in the plane, as boxes and as polygons",
-                at -> ZonogonZonogon.touch(LeafKind.BOX, bench.a, at, LeafKind.BOX, bench.b, at, bench.s.fine),
-                at -> PolygonPolygon.touch(LeafKind.BOX, bench.a, at, LeafKind.BOX, bench.b, at, bench.s));
+                at -> ZonogonZonogon.touch(
+                        new Leaf(LeafKind.BOX, bench.a, at), new Leaf(LeafKind.BOX, bench.b, at), bench.s.fine),
+                at -> PolygonPolygon.touch(
+                        new Leaf(LeafKind.BOX, bench.a, at), new Leaf(LeafKind.BOX, bench.b, at), bench.s));
         bench.fill(LeafKind.UPRIGHT_BOX);
         bench.compare(
                 "upright boxes in the plane, as rectangles and as boxes",
                 at -> RectangleRectangle.touch(bench.a, at, bench.b, at, bench.s.fine),
-                at -> ZonogonZonogon.touch(LeafKind.BOX, bench.a, at, LeafKind.BOX, bench.b, at, bench.s.fine));
+                at -> ZonogonZonogon.touch(
+                        new Leaf(LeafKind.BOX, bench.a, at), new Leaf(LeafKind.BOX, bench.b, at), bench.s.fine));
     }
 
     private void fill(LeafKind kind) {

@@ -38,22 +38,12 @@ public final class Orientation {
     /**
      * Sign of the determinant of {@code b - a}, {@code c - a}, {@code d - a}, exact: +1 if the three vectors are
      * right-handed, 0 if the four points lie in a plane.
+     *
+     * @param t the corners a, b and c of a triangle: nine numbers
      */
-    public static int volume(
-            double ax,
-            double ay,
-            double az,
-            double bx,
-            double by,
-            double bz,
-            double cx,
-            double cy,
-            double cz,
-            double dx,
-            double dy,
-            double dz) {
-        int quick = quickVolume(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz);
-        return quick != 0 ? quick : exactVolume(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz);
+    public static int volume(double[] t, double dx, double dy, double dz) {
+        int quick = quickVolume(t, dx, dy, dz);
+        return quick != 0 ? quick : exactVolume(t, dx, dy, dz);
     }
 
     /** Sign of {@code a * b - c * d}, exact. */
@@ -115,28 +105,16 @@ public final class Orientation {
         return left.compareTo(right);
     }
 
-    static int quickVolume(
-            double ax,
-            double ay,
-            double az,
-            double bx,
-            double by,
-            double bz,
-            double cx,
-            double cy,
-            double cz,
-            double dx,
-            double dy,
-            double dz) {
-        double ux = bx - ax;
-        double uy = by - ay;
-        double uz = bz - az;
-        double vx = cx - ax;
-        double vy = cy - ay;
-        double vz = cz - az;
-        double wx = dx - ax;
-        double wy = dy - ay;
-        double wz = dz - az;
+    static int quickVolume(double[] t, double dx, double dy, double dz) {
+        double ux = t[3] - t[0];
+        double uy = t[4] - t[1];
+        double uz = t[5] - t[2];
+        double vx = t[6] - t[0];
+        double vy = t[7] - t[1];
+        double vz = t[8] - t[2];
+        double wx = dx - t[0];
+        double wy = dy - t[1];
+        double wz = dz - t[2];
         double yz = uy * vz;
         double zy = uz * vy;
         double zx = uz * vx;
@@ -151,70 +129,40 @@ public final class Orientation {
         return det > bound ? 1 : det < -bound ? -1 : 0;
     }
 
-    static int exactVolume(
-            double ax,
-            double ay,
-            double az,
-            double bx,
-            double by,
-            double bz,
-            double cx,
-            double cy,
-            double cz,
-            double dx,
-            double dy,
-            double dz) {
-        boolean fits = !Filter.isOff() && fit(ax, ay, az) && fit(bx, by, bz) && fit(cx, cy, cz) && fit(dx, dy, dz);
+    static int exactVolume(double[] t, double dx, double dy, double dz) {
+        boolean fits = !Filter.isOff()
+                && fit(t[0], t[1], t[2])
+                && fit(t[3], t[4], t[5])
+                && fit(t[6], t[7], t[8])
+                && fit(dx, dy, dz);
         (fits ? VOLUME : BIG_VOLUME).count();
-        return fits
-                ? expandedVolume(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz)
-                : dyadicVolume(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz);
+        return fits ? expandedVolume(t, dx, dy, dz) : dyadicVolume(t, dx, dy, dz);
     }
 
-    static int expandedVolume(
-            double ax,
-            double ay,
-            double az,
-            double bx,
-            double by,
-            double bz,
-            double cx,
-            double cy,
-            double cz,
-            double dx,
-            double dy,
-            double dz) {
-        double[] first = minorTimes(by, ay, cz, az, bz, az, cy, ay, dx, ax);
-        double[] second = minorTimes(bz, az, cx, ax, bx, ax, cz, az, dy, ay);
-        double[] third = minorTimes(bx, ax, cy, ay, by, ay, cx, ax, dz, az);
-        double[] two = new double[first.length + second.length];
-        int n = Expansion.sum(first, first.length, second, second.length, two);
-        double[] all = new double[n + third.length];
-        return Expansion.sign(all, Expansion.sum(two, n, third, third.length, all));
+    static int expandedVolume(double[] t, double dx, double dy, double dz) {
+        double[] ux = difference(t[3], t[0]);
+        double[] uy = difference(t[4], t[1]);
+        double[] uz = difference(t[5], t[2]);
+        double[] vx = difference(t[6], t[0]);
+        double[] vy = difference(t[7], t[1]);
+        double[] vz = difference(t[8], t[2]);
+        double[] first = product(minor(uy, vz, uz, vy), difference(dx, t[0]));
+        double[] second = product(minor(uz, vx, ux, vz), difference(dy, t[1]));
+        double[] third = product(minor(ux, vy, uy, vx), difference(dz, t[2]));
+        double[] all = sum(sum(first, second), third);
+        return Expansion.sign(all, all.length);
     }
 
-    static int dyadicVolume(
-            double ax,
-            double ay,
-            double az,
-            double bx,
-            double by,
-            double bz,
-            double cx,
-            double cy,
-            double cz,
-            double dx,
-            double dy,
-            double dz) {
-        Dyadic ux = Dyadic.difference(bx, ax);
-        Dyadic uy = Dyadic.difference(by, ay);
-        Dyadic uz = Dyadic.difference(bz, az);
-        Dyadic vx = Dyadic.difference(cx, ax);
-        Dyadic vy = Dyadic.difference(cy, ay);
-        Dyadic vz = Dyadic.difference(cz, az);
-        Dyadic x = uy.multiply(vz).subtract(uz.multiply(vy)).multiply(Dyadic.difference(dx, ax));
-        Dyadic y = uz.multiply(vx).subtract(ux.multiply(vz)).multiply(Dyadic.difference(dy, ay));
-        Dyadic z = ux.multiply(vy).subtract(uy.multiply(vx)).multiply(Dyadic.difference(dz, az));
+    static int dyadicVolume(double[] t, double dx, double dy, double dz) {
+        Dyadic ux = Dyadic.difference(t[3], t[0]);
+        Dyadic uy = Dyadic.difference(t[4], t[1]);
+        Dyadic uz = Dyadic.difference(t[5], t[2]);
+        Dyadic vx = Dyadic.difference(t[6], t[0]);
+        Dyadic vy = Dyadic.difference(t[7], t[1]);
+        Dyadic vz = Dyadic.difference(t[8], t[2]);
+        Dyadic x = uy.multiply(vz).subtract(uz.multiply(vy)).multiply(Dyadic.difference(dx, t[0]));
+        Dyadic y = uz.multiply(vx).subtract(ux.multiply(vz)).multiply(Dyadic.difference(dy, t[1]));
+        Dyadic z = ux.multiply(vy).subtract(uy.multiply(vx)).multiply(Dyadic.difference(dz, t[2]));
         return x.add(y).add(z).signum();
     }
 
@@ -228,26 +176,24 @@ public final class Orientation {
         return Expansion.grow(sum, grown, p);
     }
 
-    // ((a - b)(c - d) - (e - f)(g - h)) * (p - q); uses the whole array
-    private static double[] minorTimes(
-            double a, double b, double c, double d, double e, double f, double g, double h, double p, double q) {
-        double[] left = product(a, b, c, d);
-        double[] right = product(e, f, g, h);
+    private static double[] minor(double[] a, double[] b, double[] c, double[] d) {
+        double[] right = product(c, d);
         Expansion.negate(right, right.length);
-        double[] minor = new double[left.length + right.length];
-        int n = Expansion.sum(left, left.length, right, right.length, minor);
-        double[] factor = new double[2];
-        int m = Expansion.difference(p, q, factor);
-        double[] result = new double[2 * n * m];
-        return Arrays.copyOf(result, Expansion.product(minor, n, factor, m, result));
+        return sum(product(a, b), right);
     }
 
-    private static double[] product(double a, double b, double c, double d) {
-        double[] first = new double[2];
-        int n = Expansion.difference(a, b, first);
-        double[] second = new double[2];
-        int m = Expansion.difference(c, d, second);
-        double[] result = new double[2 * n * m];
-        return Arrays.copyOf(result, Expansion.product(first, n, second, m, result));
+    private static double[] difference(double a, double b) {
+        double[] result = new double[2];
+        return Arrays.copyOf(result, Expansion.difference(a, b, result));
+    }
+
+    private static double[] sum(double[] a, double[] b) {
+        double[] result = new double[a.length + b.length];
+        return Arrays.copyOf(result, Expansion.sum(a, a.length, b, b.length, result));
+    }
+
+    private static double[] product(double[] a, double[] b) {
+        double[] result = new double[2 * a.length * b.length];
+        return Arrays.copyOf(result, Expansion.product(a, a.length, b, b.length, result));
     }
 }

@@ -15,10 +15,16 @@ import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sat.ExactFeatures;
 import robosim.geometry.narrow.sat.ExactSeparatingPlane;
 
-/** The planes between two pieces that touch, computed on first use. See {@link StartContacts}. */
+/** Two pieces that touch, and the planes between them, computed on first use. See {@link StartContacts}. */
 final class ContactPlanes {
     /** A plane normal from the other piece to the mover's, with the extents of both along it. */
     private record Plane(ExactVector normal, ExactExtent below, ExactExtent above, boolean isKept) {}
+
+    /** The mover's piece at the start and at the end, and the piece that it touches. */
+    final Leaf start = new Leaf();
+
+    final Leaf end = new Leaf();
+    final Leaf other = new Leaf();
 
     private @Nullable List<Plane> planes;
     private boolean isComplete;
@@ -30,60 +36,43 @@ final class ContactPlanes {
     /**
      * Whether one of the planes separates a piece of the mover, at two places, from another piece.
      *
-     * @param rows  from {@code at} on: the mover's piece in contact, at its start and end, and the piece that it
-     *     touches
+     * @param from the piece at its start
+     * @param to   the same at its end
      */
-    boolean part(
-            Dimension dimension,
-            Sweep motion,
-            double[] rows,
-            int at,
-            LeafKind[] kinds,
-            int kindAt,
-            LeafKind kind,
-            double[] from,
-            int fromAt,
-            LeafKind kindTo,
-            double[] to,
-            int toAt,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            Scratch s) {
+    boolean part(Dimension dimension, Sweep motion, Leaf from, Leaf to, Leaf b, Scratch s) {
         boolean flat = dimension == Dimension.PLANAR;
         if (planes == null) {
-            boolean isKnown = hasOnlyLevel(dimension, rows, at, kinds, kindAt, s);
+            boolean isKnown = hasOnlyLevel(dimension, s);
             isComplete = true;
-            planes = isKnown ? List.of() : find(flat, motion, rows, at, kinds, kindAt);
+            planes = isKnown ? List.of() : find(flat, motion);
         }
         for (Plane plane : planes) {
             ExactVector n = plane.normal;
             if (plane.isKept
-                    && ExactExtent.of(n, kindB, b, j).gapTo(plane.above) >= 0
-                    && motion.keeps(n, kind, from, fromAt)
-                    && plane.below.gapTo(ExactExtent.of(n, kind, from, fromAt)) >= 0
-                    && plane.below.gapTo(ExactExtent.of(n, kindTo, to, toAt)) >= 0) {
+                    && ExactExtent.of(n, b).gapTo(plane.above) >= 0
+                    && motion.keeps(n, from)
+                    && plane.below.gapTo(ExactExtent.of(n, from)) >= 0
+                    && plane.below.gapTo(ExactExtent.of(n, to)) >= 0) {
                 return true;
             }
         }
         if (isComplete || motion.isTurn()) {
             return false;
         }
-        int end = at + Leaf.STRIDE;
-        ExactFeatures q = new ExactFeatures(flat, kindB, b, j);
+        ExactFeatures q = new ExactFeatures(flat, b);
         if (q.isRound || isBeyondAll(q.corners)) {
             return false;
         }
-        ExactFeatures k = new ExactFeatures(flat, kindTo, to, toAt);
-        ExactFeatures i = new ExactFeatures(flat, kinds[kindAt + 1], rows, end);
+        ExactFeatures k = new ExactFeatures(flat, to);
+        ExactFeatures i = new ExactFeatures(flat, end);
         if (k.isRound || isCrossing(k.corners) || isCrossing(i.corners)) {
             return false;
         }
-        ExactFeatures p = new ExactFeatures(flat, kinds[kindAt + 2], rows, end + Leaf.STRIDE);
-        Set<ExactVector> upper = new LinkedHashSet<>(new ExactFeatures(flat, kinds[kindAt], rows, at).corners);
+        ExactFeatures p = new ExactFeatures(flat, other);
+        Set<ExactVector> upper = new LinkedHashSet<>(new ExactFeatures(flat, start).corners);
         upper.addAll(i.corners);
         upper.addAll(k.corners);
-        upper.addAll(new ExactFeatures(flat, kind, from, fromAt).corners);
+        upper.addAll(new ExactFeatures(flat, from).corners);
         List<ExactVector> first = new ArrayList<>(upper);
         int pivot = pivot(first);
         if (pivot < 0) {
@@ -131,25 +120,21 @@ final class ContactPlanes {
     }
 
     /** Whether the horizontal plane is certainly the only one. */
-    private static boolean hasOnlyLevel(
-            Dimension dimension, double[] rows, int at, LeafKind[] kinds, int kindAt, Scratch s) {
-        LeafKind kindA = kinds[kindAt];
-        LeafKind kindB = kinds[kindAt + 2];
-        int rest = at + 2 * Leaf.STRIDE;
-        if (dimension == Dimension.PLANAR || HeightIntervals.side(kindA, rows, at, kindB, rows, rest) == 0) {
+    private boolean hasOnlyLevel(Dimension dimension, Scratch s) {
+        int side = dimension == Dimension.PLANAR ? 0 : HeightIntervals.side(start, other);
+        if (side == 0) {
             return false;
         }
         // A sphere has only one plane at a contact; so have pieces whose contact has interior points within the
         // horizontal plane.
-        if ((kindA == LeafKind.SPHERE && rows[at + Leaf.SIZE] > 0)
-                || (kindB == LeafKind.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
+        if ((start.kind == LeafKind.SPHERE && start.get(Leaf.SIZE) > 0)
+                || (other.kind == LeafKind.SPHERE && other.get(Leaf.SIZE) > 0)) {
             return true;
         }
-        int side = HeightIntervals.side(kindA, rows, at, kindB, rows, rest);
-        HeightIntervals.part(kindA, rows, at, -side, s.overlap.triangleC);
-        HeightIntervals.part(kindB, rows, rest, side, s.overlap.triangleD);
+        HeightIntervals.part(start, -side, s.overlap.levelA);
+        HeightIntervals.part(other, side, s.overlap.levelB);
         Penetration ways = s.gjk.penetration();
-        ways.planar(kindA, s.overlap.triangleC, 0, kindB, s.overlap.triangleD, 0);
+        ways.planar(s.overlap.levelA, s.overlap.levelB);
         return ways.proven() > 0;
     }
 
@@ -173,21 +158,18 @@ final class ContactPlanes {
     /** Whether every plane between the two pieces is one of those found or between them. */
     private boolean isSpanned;
 
-    private List<Plane> find(boolean flat, Sweep motion, double[] rows, int at, LeafKind[] kinds, int kindAt) {
-        int end = at + Leaf.STRIDE;
-        int rest = end + Leaf.STRIDE;
-        ExactFeatures mover = new ExactFeatures(flat, kinds[kindAt], rows, at);
-        ExactFeatures other = new ExactFeatures(flat, kinds[kindAt + 2], rows, rest);
+    private List<Plane> find(boolean flat, Sweep motion) {
+        ExactFeatures mover = new ExactFeatures(flat, start);
+        ExactFeatures touched = new ExactFeatures(flat, other);
         List<Plane> found = new ArrayList<>();
-        for (ExactVector n : ExactFeatures.parting(flat, kinds[kindAt], rows, at, kinds[kindAt + 2], rows, rest)) {
-            ExactExtent above = ExactExtent.of(n, kinds[kindAt], rows, at);
-            ExactExtent below = ExactExtent.of(n, kinds[kindAt + 2], rows, rest);
-            boolean isKept = motion.keeps(n, kinds[kindAt], rows, at)
-                    && below.gapTo(ExactExtent.of(n, kinds[kindAt + 1], rows, end)) >= 0;
+        for (ExactVector n : ExactFeatures.parting(flat, start, other)) {
+            ExactExtent above = ExactExtent.of(n, start);
+            ExactExtent below = ExactExtent.of(n, other);
+            boolean isKept = motion.keeps(n, start) && below.gapTo(ExactExtent.of(n, end)) >= 0;
             found.add(new Plane(n, below, above, isKept));
         }
-        boolean hasCorners = !mover.isRound && !other.isRound;
-        isSpanned = hasCorners && mover.isProper() && other.isProper();
+        boolean hasCorners = !mover.isRound && !touched.isRound;
+        isSpanned = hasCorners && mover.isProper() && touched.isProper();
         isComplete = !hasCorners || (isSpanned && found.size() <= 1);
         return found;
     }

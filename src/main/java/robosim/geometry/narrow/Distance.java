@@ -6,6 +6,7 @@ import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.GridWalk;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -28,6 +29,8 @@ public final class Distance {
     private static final double SHORTER = 0x1p-42;
 
     private final Scratch s;
+    private final Leaf leafA = new Leaf();
+    private final Leaf leafB = new Leaf();
     private final Support support = new Support();
 
     /** Cells of grids in contact. */
@@ -72,15 +75,15 @@ public final class Distance {
             return meshes(dimension, a, i, b, j, limit);
         }
         if (kindA.isMesh()) {
-            double distance = mesh(dimension, a, i, kindB, b.rows(j), b.at(j), limit);
+            double distance = mesh(dimension, a, i, leafB.set(b, j), limit);
             triangleA = triangleB;
             triangleB = -1;
             return distance;
         }
         if (kindB.isMesh()) {
-            return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), limit);
+            return mesh(dimension, b, j, leafA.set(a, i), limit);
         }
-        return convex(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j));
+        return convex(dimension, leafA.set(a, i), leafB.set(b, j));
     }
 
     /** Afterwards the other leaf's piece is in the first place, the cell in the second one. */
@@ -108,26 +111,25 @@ public final class Distance {
         return best;
     }
 
-    private double convex(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (!s.leaf.scaling.take(dimension, kindA, a, i, kindB, b, j)) {
-            return asStored(dimension, kindA, a, i, kindB, b, j);
+    private double convex(Dimension dimension, Leaf a, Leaf b) {
+        if (!s.leaf.scaling.take(dimension, a, b)) {
+            return asStored(dimension, a, b);
         }
         UnderflowScaling m = s.leaf.scaling;
-        return m.down(asStored(dimension, kindA, m.a, 0, kindB, m.b, 0));
+        return m.down(asStored(dimension, m.first, m.second));
     }
 
-    private double asStored(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private double asStored(Dimension dimension, Leaf a, Leaf b) {
         return dimension == Dimension.PLANAR
-                ? PlanarDistance.between(kindA, a, i, kindB, b, j, s.distance)
-                : SpatialDistance.between(kindA, a, i, kindB, b, j, s.distance);
+                ? PlanarDistance.between(a, b, s.distance)
+                : SpatialDistance.between(a, b, s.distance);
     }
 
-    private double mesh(
-            Dimension dimension, LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, double limit) {
-        if (PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s.leaf)) {
+    private double mesh(Dimension dimension, LeafColumn mesh, int leaf, Leaf piece, double limit) {
+        if (PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, piece, s.leaf)) {
             return 0;
         }
-        LeafBounds.of(kind, row, at, s.leaf.box);
+        LeafBounds.of(piece.kind, piece.row, piece.at, s.leaf.box);
         overMesh(dimension, mesh, leaf, s.leaf.box);
         s.leaf.outer.startNearest(mesh, leaf, s.leaf.box);
         double sizes = s.leaf.outer.size() + sides(s.leaf.box);
@@ -136,7 +138,7 @@ public final class Distance {
                 t >= 0;
                 t = s.leaf.outer.next(reach(Math.min(limit, best), sizes))) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-            double distance = convex(dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, kind, row, at);
+            double distance = convex(dimension, s.leaf.faceA, piece);
             if (distance < best || (distance == best && isLower(t))) {
                 best = distance;
                 triangleB = t;
@@ -197,8 +199,7 @@ public final class Distance {
             double left = reach(Math.min(limit, best), sizes);
             for (int u = s.leaf.inner.next(left); u >= 0; u = s.leaf.inner.next(reach(Math.min(limit, best), sizes))) {
                 s.leaf.inner.corners(u, s.leaf.triangleB, 0);
-                double distance = convex(
-                        dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, LeafKind.TRIANGLE, s.leaf.triangleB, 0);
+                double distance = convex(dimension, s.leaf.faceA, s.leaf.faceB);
                 if (distance < best || (distance == best && areLower(t, u))) {
                     best = distance;
                     triangleA = t;
@@ -225,44 +226,32 @@ public final class Distance {
      */
     public void contact(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double[] out) {
         s.work.take();
-        LeafKind kindA = a.kind(i);
-        LeafKind kindB = b.kind(j);
-        double[] rowA = a.rows(i);
-        double[] rowB = b.rows(j);
-        int atA = a.at(i);
-        int atB = b.at(j);
-        if (kindA.hasPieces() || kindB.hasPieces()) {
+        leafA.set(a, i);
+        leafB.set(b, j);
+        if (leafA.kind.hasPieces() || leafB.kind.hasPieces()) {
             between(dimension, a, i, b, j, Double.POSITIVE_INFINITY);
-            if (kindA.isGrid()) {
-                piece.setPiece(a, i, triangleA);
-                kindA = piece.kind(0);
-                rowA = piece.rows();
-                atA = 0;
-            } else if (triangleA >= 0) {
-                s.leaf.outer.open(a, i);
-                s.leaf.outer.corners(triangleA, s.leaf.triangleA, 0);
-                kindA = LeafKind.TRIANGLE;
-                rowA = s.leaf.triangleA;
-                atA = 0;
-            }
-            if (kindB.isGrid()) {
-                otherPiece.setPiece(b, j, triangleB);
-                kindB = otherPiece.kind(0);
-                rowB = otherPiece.rows();
-                atB = 0;
-            } else if (triangleB >= 0) {
-                s.leaf.outer.open(b, j);
-                s.leaf.outer.corners(triangleB, s.leaf.triangleB, 0);
-                kindB = LeafKind.TRIANGLE;
-                rowB = s.leaf.triangleB;
-                atB = 0;
-            }
-            if (kindA.isMesh() || kindB.isMesh()) {
-                inside(rowA, atA, out);
+            piece(a, i, triangleA, piece, s.leaf.faceA, leafA);
+            piece(b, j, triangleB, otherPiece, s.leaf.faceB, leafB);
+            if (leafA.kind.isMesh() || leafB.kind.isMesh()) {
+                inside(leafA, out);
                 return;
             }
         }
-        ConvexContact.between(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s.distance);
+        ConvexContact.between(dimension, leafA, leafB, out, s.distance);
+    }
+
+    /** Sets a leaf to one of another leaf's pieces, or to that leaf if it has none or no piece was found. */
+    private void piece(LeafColumn column, int leaf, int number, LeafColumn cell, Leaf face, Leaf out) {
+        if (column.kind(leaf).isGrid()) {
+            cell.setPiece(column, leaf, number);
+            out.set(cell, 0);
+        } else if (number >= 0) {
+            s.leaf.outer.open(column, leaf);
+            s.leaf.outer.corners(number, face.row, 0);
+            out.set(face.kind, face.row, 0);
+        } else {
+            out.set(column, leaf);
+        }
     }
 
     /** The largest of n.x over the points x of a convex leaf, to rounding; heights do not count in PLANAR. */
@@ -285,8 +274,8 @@ public final class Distance {
     }
 
     /** The contact if one leaf is wholly inside the other and no surfaces are near: a point of the first one. */
-    private static void inside(double[] row, int at, double[] out) {
-        System.arraycopy(row, at, out, 0, 3);
+    private static void inside(Leaf leaf, double[] out) {
+        System.arraycopy(leaf.row, leaf.at, out, 0, 3);
         out[3] = 0;
         out[4] = 1;
         out[5] = 0;

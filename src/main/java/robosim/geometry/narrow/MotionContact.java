@@ -1,6 +1,8 @@
 package robosim.geometry.narrow;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
@@ -8,7 +10,6 @@ import robosim.geometry.narrow.distance.ConvexContact;
 import robosim.geometry.narrow.gjk.ClosingDirections;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 
 /**
@@ -24,8 +25,6 @@ import robosim.geometry.narrow.leaf.UnderflowScaling;
 public final class MotionContact {
     /** Numbers of a contact: a point and a normal. */
     private static final int CONTACT = 6;
-
-    private static final int PAIR = 2 * Leaf.STRIDE;
 
     /** A motion whose direction has less of a normal than this goes along the plane. */
     private static final double ALONG = 0x1p-48;
@@ -54,10 +53,10 @@ public final class MotionContact {
     private Dimension dimension = Dimension.SPATIAL;
     private Sweep motion;
 
-    /** The rows and kinds of each pair that is near, and whether it blocks; the first is the one that was met first. */
-    private double[] rows = new double[4 * PAIR];
+    /** The leaves of each pair that is near, and whether it blocks; the first is the one that was met first. */
+    private final List<Leaf> movers = new ArrayList<>();
 
-    private LeafKind[] kinds = new LeafKind[4 * 2];
+    private final List<Leaf> others = new ArrayList<>();
     private boolean[] isBlocking = new boolean[4];
     private boolean[] isDeep = new boolean[4];
     private int pairs;
@@ -113,7 +112,7 @@ public final class MotionContact {
         found = 0;
         rank = first;
         limit = Double.POSITIVE_INFINITY;
-        visit(own.kind(0), own.rows(), 0, -1, met.kind(0), met.rows(), 0, -1);
+        visit(s.leaf.placedA.set(own, 0), -1, s.leaf.placedB.set(met, 0), -1);
     }
 
     /** How far away other pieces may be that are hit at once. */
@@ -140,8 +139,8 @@ public final class MotionContact {
         near.within(limit).any(dimension, own, i, met, j, visitor);
     }
 
-    private boolean visit(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
-        find(kindA, a, i, kindB, b, j);
+    private boolean visit(Leaf a, int t, Leaf b, int u) {
+        find(a, b);
         if (gap > limit || (gap < -limit && rank < 0)) {
             return false;
         }
@@ -152,7 +151,7 @@ public final class MotionContact {
             point[4] = closing.y(k);
             point[5] = closing.z(k);
             if (motion.isTurn() && (k == 0 || closing.isLevel())) {
-                place(kindA, a, i, kindB, b, j);
+                place(a, b);
             }
             blocks &= offer();
         }
@@ -162,13 +161,13 @@ public final class MotionContact {
         }
         if (found == before) { // concentric: any direction parts them
             Arrays.fill(point, 0);
-            place(kindA, a, i, kindB, b, j);
+            place(a, b);
             offer();
         }
         if (rank < 0 || !blocks) {
             found = before;
         }
-        keep(a, i, kindA, b, j, kindB);
+        keep(a, b);
         isBlocking[pairs - 1] = blocks;
         isDeep[pairs - 1] = gap < -limit;
         current = pairs - 1;
@@ -176,24 +175,24 @@ public final class MotionContact {
     }
 
     /** Finds the closing directions of a pair, its gap and how far that may be off. */
-    private void find(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private void find(Leaf a, Leaf b) {
         current = -1;
         boolean isFlat = dimension == Dimension.PLANAR;
         UnderflowScaling m = s.leaf.scaling;
-        if (m.take(dimension, kindA, a, i, kindB, b, j)) {
-            closing.find(isFlat, kindA, m.a, 0, kindB, m.b, 0);
+        if (m.take(dimension, a, b)) {
+            closing.find(isFlat, m.first, m.second);
             gap = m.down(closing.gap());
             slack = m.down(closing.slack());
         } else {
-            closing.find(isFlat, kindA, a, i, kindB, b, j);
+            closing.find(isFlat, a, b);
             gap = closing.gap();
             slack = closing.slack();
         }
     }
 
     /** Writes the contact point of the pair, which depends on the normal if they are side to side. */
-    private void place(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        ConvexContact.along(dimension, closing.isLevel(), kindA, a, i, kindB, b, j, point, s.distance);
+    private void place(Leaf a, Leaf b) {
+        ConvexContact.along(dimension, closing.isLevel(), a, b, point, s.distance);
         if (closing.isLevel()) {
             point[1] = closing.middle();
         }
@@ -219,17 +218,17 @@ public final class MotionContact {
         return ahead[found++] < -ALONG;
     }
 
-    private void keep(double[] a, int i, LeafKind kindA, double[] b, int j, LeafKind kindB) {
-        if (2 * pairs == kinds.length) {
-            kinds = Arrays.copyOf(kinds, 4 * pairs);
+    private void keep(Leaf a, Leaf b) {
+        if (pairs == movers.size()) {
+            movers.add(new Leaf());
+            others.add(new Leaf());
+        }
+        if (pairs == isBlocking.length) {
             isBlocking = Arrays.copyOf(isBlocking, 2 * pairs);
             isDeep = Arrays.copyOf(isDeep, 2 * pairs);
-            rows = Arrays.copyOf(rows, 2 * rows.length);
         }
-        System.arraycopy(a, i, rows, pairs * PAIR, Leaf.STRIDE);
-        System.arraycopy(b, j, rows, pairs * PAIR + Leaf.STRIDE, Leaf.STRIDE);
-        kinds[2 * pairs] = kindA;
-        kinds[2 * pairs + 1] = kindB;
+        movers.get(pairs).copy(a.kind, a.row, a.at);
+        others.get(pairs).copy(b.kind, b.row, b.at);
         pairs++;
     }
 
@@ -251,13 +250,12 @@ public final class MotionContact {
         best = best >= 0 ? best : best(null, 2);
         System.arraycopy(contacts, CONTACT * best, point, 0, CONTACT);
         if (!motion.isTurn()) { // else it was needed to know which way it goes
-            int at = PAIR * pairOf[best];
-            LeafKind kindA = kinds[2 * pairOf[best]];
-            LeafKind kindB = kinds[2 * pairOf[best] + 1];
+            Leaf mover = movers.get(pairOf[best]);
+            Leaf other = others.get(pairOf[best]);
             if (current != pairOf[best]) {
-                find(kindA, rows, at, kindB, rows, at + Leaf.STRIDE);
+                find(mover, other);
             }
-            place(kindA, rows, at, kindB, rows, at + Leaf.STRIDE);
+            place(mover, other);
         }
         System.arraycopy(point, 0, out, 0, CONTACT);
         lean(motion, out);
@@ -292,16 +290,15 @@ public final class MotionContact {
         if (isDeep[pair]) {
             return;
         }
-        int at = pair * PAIR;
-        LeafKind kindA = kinds[2 * pair];
-        LeafKind kindB = kinds[2 * pair + 1];
+        Leaf mover = movers.get(pair);
+        Leaf other = others.get(pair);
         UnderflowScaling m = s.leaf.scaling;
         boolean flat = dimension == Dimension.PLANAR;
         double error;
-        if (m.take(dimension, kindA, rows, at, kindB, rows, at + Leaf.STRIDE)) {
-            error = closing.load(flat, kindA, m.a, 0, kindB, m.b, 0);
+        if (m.take(dimension, mover, other)) {
+            error = closing.load(flat, m.first, m.second);
         } else {
-            error = closing.load(flat, kindA, rows, at, kindB, rows, at + Leaf.STRIDE);
+            error = closing.load(flat, mover, other);
         }
         for (int d = 0; d < distinctCount; d++) {
             int k = distinct[d];

@@ -23,7 +23,7 @@ public final class Overlap {
         LeafKind kindA = a.kind(i);
         LeafKind kindB = b.kind(j);
         if (dimension == Dimension.PLANAR && LeafColumn.isUpright(j) && kindA.isDisc()) {
-            return disc(kindA, a.rows(i), a.at(i), kindB, b, j, s);
+            return disc(a, i, b, j, s);
         }
         if (kindB.isGrid()) {
             return grid(dimension, b, j, kindA, a, i, s);
@@ -34,20 +34,22 @@ public final class Overlap {
         if (kindA.isMesh()) {
             return kindB.isMesh()
                     ? meshes(dimension, a, i, b, j, s)
-                    : mesh(dimension, a, i, kindB, b.rows(j), b.at(j), s);
+                    : mesh(dimension, a, i, s.leaf.placedB.set(b, j), s);
         }
         if (kindB.isMesh()) {
-            return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), s);
+            return mesh(dimension, b, j, s.leaf.placedA.set(a, i), s);
         }
-        return ConvexOverlap.test(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s.overlap);
+        return ConvexOverlap.test(dimension, s.leaf.placedA.set(a, i), s.leaf.placedB.set(b, j), s.overlap);
     }
 
     /**
      * Tests a disc, seen from above, against a half-row leaf; expands it to a full row only if doubles cannot decide.
      */
-    private static boolean disc(LeafKind kindA, double[] a, int i, LeafKind kindB, LeafColumn b, int j, Scratch s) {
-        int sure = sure(a[i], a[i + 2], a[i + Leaf.SIZE], b.uprightRows(), LeafColumn.uprightAt(j));
-        return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s.overlap) : sure < 0;
+    private static boolean disc(LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
+        double[] row = a.rows(i);
+        int at = a.at(i);
+        int sure = sure(row[at], row[at + 2], row[at + Leaf.SIZE], b.uprightRows(), LeafColumn.uprightAt(j));
+        return sure == 0 ? PlanarOverlap.test(s.leaf.placedA.set(a, i), s.leaf.placedB.set(b, j), s.overlap) : sure < 0;
     }
 
     /**
@@ -73,7 +75,7 @@ public final class Overlap {
     private static boolean grid(
             Dimension dimension, LeafColumn grid, int leaf, LeafKind kind, LeafColumn other, int k, Scratch s) {
         if (!kind.hasPieces()) {
-            int plain = s.planar.plainCells.compare(dimension, kind, other.rows(k), other.at(k), 0, 0, 0, grid, leaf);
+            int plain = s.planar.plainCells.compare(dimension, s.leaf.placedA.set(other, k), 0, 0, 0, grid, leaf);
             if (plain != PlainCells.UNSURE) {
                 return plain == PlainCells.MET;
             }
@@ -99,22 +101,21 @@ public final class Overlap {
                 || (PointInMesh.counts(dimension, b, j) && PointInMesh.holdsMesh(b, j, a, i, s.leaf));
     }
 
-    private static boolean mesh(
-            Dimension dimension, LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, Scratch s) {
-        bounds(dimension, kind, row, at, s.leaf.box);
+    private static boolean mesh(Dimension dimension, LeafColumn mesh, int leaf, Leaf piece, Scratch s) {
+        bounds(dimension, piece, s.leaf.box);
         s.leaf.outer.startBox(mesh, leaf, s.leaf.box);
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-            if (ConvexOverlap.test(dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, kind, row, at, s.overlap)) {
+            if (ConvexOverlap.test(dimension, s.leaf.faceA, piece, s.overlap)) {
                 return true;
             }
         }
-        return PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s.leaf);
+        return PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, piece, s.leaf);
     }
 
     /** The bounds of a leaf, over all heights in PLANAR. */
-    static void bounds(Dimension dimension, LeafKind kind, double[] row, int at, double[] out) {
-        LeafBounds.of(kind, row, at, out);
+    static void bounds(Dimension dimension, Leaf leaf, double[] out) {
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, out);
         widen(dimension, out);
     }
 
@@ -132,7 +133,6 @@ public final class Overlap {
     public static boolean isDeep(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         return !a.kind(i).hasPieces()
                 && !b.kind(j).hasPieces()
-                && ConvexOverlap.isDeep(
-                        dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s.overlap);
+                && ConvexOverlap.isDeep(dimension, s.leaf.placedA.set(a, i), s.leaf.placedB.set(b, j), s.overlap);
     }
 }

@@ -2,6 +2,7 @@ package robosim.geometry.narrow;
 
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.GridWalk;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -17,11 +18,13 @@ final class PiecePairs {
          * @param u the same for the second, or the cell of a grid
          * @return true to stop
          */
-        boolean visit(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u);
+        boolean visit(Leaf a, int t, Leaf b, int u);
     }
 
     private final Scratch s;
     private double margin;
+    private final Leaf first = new Leaf();
+    private final Leaf second = new Leaf();
     private final double[] own = new double[6];
     private final double[] other = new double[6];
 
@@ -39,47 +42,46 @@ final class PiecePairs {
     boolean any(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Visitor visitor) {
         LeafKind kindA = a.kind(i);
         if (!kindA.isMesh()) {
-            return anyOf(dimension, kindA, a.rows(i), a.at(i), -1, b, j, visitor);
+            return anyOf(dimension, first.set(a, i), -1, b, j, visitor);
         }
         b.bounds(j, other);
         widen(dimension, other);
         s.leaf.outer.startBox(a, i, other);
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-            if (anyOf(dimension, LeafKind.TRIANGLE, s.leaf.triangleA, 0, t, b, j, visitor)) {
+            if (anyOf(dimension, s.leaf.faceA, t, b, j, visitor)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean anyOf(
-            Dimension dimension, LeafKind kind, double[] row, int at, int t, LeafColumn b, int j, Visitor visitor) {
+    private boolean anyOf(Dimension dimension, Leaf leaf, int t, LeafColumn b, int j, Visitor visitor) {
         LeafKind kindB = b.kind(j);
         if (!kindB.hasPieces()) {
-            return visitor.visit(kind, row, at, t, kindB, b.rows(j), b.at(j), -1);
+            return visitor.visit(leaf, t, second.set(b, j), -1);
         }
-        LeafBounds.of(kind, row, at, own);
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, own);
         widen(dimension, own);
         if (kindB.isGrid()) {
-            return anyCell(kind, row, at, t, b, j, visitor);
+            return anyCell(leaf, t, b, j, visitor);
         }
         s.leaf.inner.startBox(b, j, own);
         for (int u = s.leaf.inner.next(0); u >= 0; u = s.leaf.inner.next(0)) {
             s.leaf.inner.corners(u, s.leaf.triangleB, 0);
-            if (visitor.visit(kind, row, at, t, LeafKind.TRIANGLE, s.leaf.triangleB, 0, u)) {
+            if (visitor.visit(leaf, t, s.leaf.faceB, u)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean anyCell(LeafKind kind, double[] row, int at, int t, LeafColumn grid, int leaf, Visitor visitor) {
-        GridWalk walk = s.leaf.cells(kind);
+    private boolean anyCell(Leaf piece, int t, LeafColumn grid, int leaf, Visitor visitor) {
+        GridWalk walk = s.leaf.cells(piece.kind);
         walk.startBox(grid, leaf, own);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            LeafColumn box = walk.piece(cell, kind);
-            if (visitor.visit(kind, row, at, t, box.kind(0), box.rows(), 0, cell)) {
+            LeafColumn box = walk.piece(cell, piece.kind);
+            if (visitor.visit(piece, t, second.set(box, 0), cell)) {
                 return true;
             }
         }

@@ -11,7 +11,6 @@ import robosim.geometry.narrow.planar.PlanarScratch;
 import robosim.geometry.narrow.ray.RayScratch;
 import robosim.geometry.narrow.sat.SatScratch;
 import robosim.geometry.narrow.sweep.SweepScratch;
-import robosim.geometry.narrow.turn.TurnScratch;
 
 /**
  * The working memory of all kernels, so that a query allocates nothing: one object for each package, which holds those of the
@@ -24,10 +23,9 @@ public final class Scratch {
     public final SatScratch sat = new SatScratch(gjk, leaf);
     public final OverlapScratch overlap = new OverlapScratch(sat, gjk, planar, leaf);
     public final RayScratch ray = new RayScratch(overlap, planar, leaf);
-    public final DistanceScratch distance = new DistanceScratch(ray, overlap, sat, gjk, planar, leaf);
-    public final SweepScratch sweep = new SweepScratch(distance, overlap, sat, gjk, leaf);
-    public final TurnScratch turn = new TurnScratch(sweep, overlap, gjk, planar, leaf);
-    public final MeshScratch mesh = new MeshScratch(turn, distance, overlap, leaf);
+    public final DistanceScratch distance = new DistanceScratch(overlap, gjk, planar, leaf);
+    public final SweepScratch sweep = new SweepScratch(overlap, leaf);
+    public final MeshScratch mesh = new MeshScratch(distance, overlap, leaf);
     public final ConeScratch cone = new ConeScratch(ray, planar, leaf);
 
     /** Counts what the kernels do. */

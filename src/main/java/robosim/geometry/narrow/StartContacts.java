@@ -25,12 +25,11 @@ import robosim.geometry.narrow.sat.ExactFeatures;
  * <p>Horizontal planes below or above upright pieces need only sums of two doubles, and nothing is allocated.
  */
 public final class StartContacts {
-    private static final int ROWS = 3 * Leaf.STRIDE;
-
     private final Scratch s;
     private final PiecePairs pairs;
     private final MeshWalk elsewhere;
-    private final double[] there = new double[Leaf.STRIDE];
+    private final Leaf place = new Leaf();
+    private final Leaf there = new Leaf();
     private final PiecePairs.Visitor contact = this::gather;
     private final PiecePairs.Visitor anew = this::isAnew;
 
@@ -40,10 +39,6 @@ public final class StartContacts {
     private LeafColumn end;
     private int leaf;
 
-    /** For each contact: the mover's piece at the start and at the end, the other piece, and their kinds. */
-    private double[] rows = new double[4 * ROWS];
-
-    private LeafKind[] kinds = new LeafKind[4 * 3];
     private ContactPlanes[] planes = new ContactPlanes[4];
     private int count;
 
@@ -99,65 +94,59 @@ public final class StartContacts {
         }
     }
 
-    private boolean gather(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
-        if (kindA.isEnclosure() || kindB.isEnclosure()) {
+    private boolean gather(Leaf a, int t, Leaf b, int u) {
+        if (a.kind.isEnclosure() || b.kind.isEnclosure()) {
             return false; // rounded outward, so that what touches overlaps
         }
-        if (!touch(kindA, a, i, kindB, b, j) || ConvexOverlap.isDeep(dimension, kindA, a, i, kindB, b, j, s.overlap)) {
+        if (!touch(a, b) || ConvexOverlap.isDeep(dimension, a, b, s.overlap)) {
             return false; // no plane separates a deep overlap
         }
         if (count == planes.length) {
             planes = Arrays.copyOf(planes, 2 * count);
-            rows = Arrays.copyOf(rows, 2 * rows.length);
-            kinds = Arrays.copyOf(kinds, 2 * kinds.length);
         }
-        int at = count * ROWS;
-        copy(a, i, at);
-        LeafKind kindEnd = kindA;
-        if (t >= 0) {
-            elsewhere.open(end, leaf);
-            elsewhere.corners(t, rows, at + Leaf.STRIDE);
-        } else {
-            kindEnd = end.kind(leaf);
-            copy(end.rows(leaf), end.at(leaf), at + Leaf.STRIDE);
-        }
-        copy(b, j, at + 2 * Leaf.STRIDE);
-        kinds[3 * count] = kindA;
-        kinds[3 * count + 1] = kindEnd;
-        kinds[3 * count + 2] = kindB;
         ContactPlanes found = planes[count];
         if (found == null) {
             found = new ContactPlanes();
             planes[count] = found;
         }
         found.clear();
-        noteLevel(at, kindA, kindEnd, kindB);
+        found.start.copy(a.kind, a.row, a.at);
+        Leaf atEnd = place(end, leaf, a.kind, t);
+        found.end.copy(atEnd.kind, atEnd.row, atEnd.at);
+        found.other.copy(b.kind, b.row, b.at);
+        noteLevel(found);
         count++;
         return false;
     }
 
-    private void copy(double[] row, int at, int to) {
-        System.arraycopy(row, at, rows, to, Leaf.STRIDE);
+    /** A leaf of the mover at its start or its end, or a triangle of it, valid until the next one. */
+    private Leaf place(LeafColumn column, int of, LeafKind kind, int t) {
+        if (t < 0) {
+            return place.set(column, of);
+        }
+        elsewhere.open(column, of);
+        elsewhere.corners(t, there.row, 0);
+        there.kind = kind;
+        return there;
     }
 
     /**
      * Records the horizontal plane that separates a contact, if there is one and the mover stays on its side; points in
      * it are on both sides.
      */
-    private void noteLevel(int at, LeafKind kindA, LeafKind kindEnd, LeafKind kindB) {
+    private void noteLevel(ContactPlanes found) {
         if (dimension == Dimension.PLANAR
-                || !kindA.hasLevels()
-                || !kindB.hasLevels()
-                || !kindEnd.hasLevels()
-                || !motion.keepsLevel(kindA, rows, at)) {
+                || !found.start.kind.hasLevels()
+                || !found.other.kind.hasLevels()
+                || !found.end.kind.hasLevels()
+                || !motion.keepsLevel(found.start)) {
             return;
         }
-        int b = at + 2 * Leaf.STRIDE;
         for (int side = 1; side >= -1; side -= 2) {
-            double middle = HeightIntervals.middle(kindB, rows, b, side);
-            double half = side * HeightIntervals.half(kindB, rows, b);
-            if (HeightIntervals.isBeyond(kindA, rows, at, middle, half, side)
-                    && HeightIntervals.isBeyond(kindEnd, rows, at + Leaf.STRIDE, middle, half, side)) {
+            double middle = HeightIntervals.middle(found.other, side);
+            double half = side * HeightIntervals.half(found.other);
+            if (HeightIntervals.isBeyond(found.start, middle, half, side)
+                    && HeightIntervals.isBeyond(found.end, middle, half, side)) {
                 note(middle, half, side);
             }
         }
@@ -181,19 +170,10 @@ public final class StartContacts {
     /**
      * Whether a piece does not block a piece of the mover because it is behind the plane of a contact.
      *
-     * @param kindTo the mover's piece at its destination, which is the end or a place before it
+     * @param to the mover's piece at its destination, which is the end or a place before it
      */
-    boolean isBehind(
-            LeafKind kind,
-            double[] from,
-            int at,
-            LeafKind kindTo,
-            double[] to,
-            int atTo,
-            LeafKind kindB,
-            double[] b,
-            int j) {
-        if (isBehindLevel(kind, from, at, kindTo, to, atTo, kindB, b, j)) {
+    boolean isBehind(Leaf from, Leaf to, Leaf b) {
+        if (isBehindLevel(from, to, b)) {
             return true;
         }
         if (count == 0) {
@@ -201,27 +181,25 @@ public final class StartContacts {
         }
         HullOverlap hulls = s.gjk.hulls();
         hulls.clear(dimension == Dimension.PLANAR);
-        hulls.above(kind, from, at);
-        hulls.above(kindTo, to, atTo);
-        hulls.below(kindB, b, j);
+        hulls.above(from);
+        hulls.above(to);
+        hulls.below(b);
         if (hulls.areDeep()) {
             return false; // the motion goes into it, as for nearly everything that blocks
         }
         for (int k = 0; k < count; k++) {
             s.work.take();
-            int row = k * ROWS;
             hulls.clear(dimension == Dimension.PLANAR);
-            hulls.above(kinds[3 * k], rows, row);
-            hulls.above(kinds[3 * k + 1], rows, row + Leaf.STRIDE);
-            hulls.above(kind, from, at);
-            hulls.above(kindTo, to, atTo);
-            hulls.below(kinds[3 * k + 2], rows, row + 2 * Leaf.STRIDE);
-            hulls.below(kindB, b, j);
+            hulls.above(planes[k].start);
+            hulls.above(planes[k].end);
+            hulls.above(from);
+            hulls.above(to);
+            hulls.below(planes[k].other);
+            hulls.below(b);
             if (hulls.areDeep()) {
                 continue;
             }
-            if (planes[k].part(
-                    dimension, motion, rows, row, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j, s)) {
+            if (planes[k].part(dimension, motion, from, to, b, s)) {
                 spares = true;
                 return true;
             }
@@ -229,27 +207,18 @@ public final class StartContacts {
         return false;
     }
 
-    private boolean isBehindLevel(
-            LeafKind kind,
-            double[] from,
-            int at,
-            LeafKind kindTo,
-            double[] to,
-            int atTo,
-            LeafKind kindB,
-            double[] b,
-            int j) {
+    private boolean isBehindLevel(Leaf from, Leaf to, Leaf b) {
         if (levelCount > 0
-                && kind.hasLevels()
-                && kindTo.hasLevels()
-                && kindB.hasLevels()
-                && motion.keepsLevel(kind, from, at)) {
+                && from.kind.hasLevels()
+                && to.kind.hasLevels()
+                && b.kind.hasLevels()
+                && motion.keepsLevel(from)) {
             for (int k = 0; k < levelCount; k++) {
                 double middle = levels[2 * k];
                 double half = levels[2 * k + 1];
-                if (HeightIntervals.isBeyond(kind, from, at, middle, half, sides[k])
-                        && HeightIntervals.isBeyond(kindTo, to, atTo, middle, half, sides[k])
-                        && HeightIntervals.isBeyond(kindB, b, j, middle, half, -sides[k])) {
+                if (HeightIntervals.isBeyond(from, middle, half, sides[k])
+                        && HeightIntervals.isBeyond(to, middle, half, sides[k])
+                        && HeightIntervals.isBeyond(b, middle, half, -sides[k])) {
                     return true;
                 }
             }
@@ -261,26 +230,16 @@ public final class StartContacts {
      * Whether it is behind a horizontal contact plane: the part of {@link #isBehind} that needs no exact numbers and
      * decides most cases.
      */
-    boolean isBehindLevel(int i, LeafKind kind, double[] from, int at, int t, LeafKind kindB, double[] b, int j) {
+    boolean isBehindLevel(int i, Leaf from, int t, Leaf b) {
         if (levelCount == 0) {
             return false;
         }
-        if (t < 0) {
-            return isBehindLevel(kind, from, at, end.kind(i), end.rows(i), end.at(i), kindB, b, j);
-        }
-        elsewhere.open(end, i);
-        elsewhere.corners(t, there, 0);
-        return isBehindLevel(kind, from, at, kind, there, 0, kindB, b, j);
+        return isBehindLevel(from, place(end, i, from.kind, t), b);
     }
 
     /** The same for a leaf of the mover, or a triangle of its mesh, moving to the end. */
-    boolean isBehind(int i, LeafKind kind, double[] from, int at, int t, LeafKind kindB, double[] b, int j) {
-        if (t < 0) {
-            return isBehind(kind, from, at, end.kind(i), end.rows(i), end.at(i), kindB, b, j);
-        }
-        elsewhere.open(end, i);
-        elsewhere.corners(t, there, 0);
-        return isBehind(kind, from, at, kind, there, 0, kindB, b, j);
+    boolean isBehind(int i, Leaf from, int t, Leaf b) {
+        return isBehind(from, place(end, i, from.kind, t), b);
     }
 
     /**
@@ -326,23 +285,13 @@ public final class StartContacts {
         return !isMet && !(isAnew && Overlap.test(dimension, start, i, b, j, s));
     }
 
-    private boolean isAnew(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
-        if (!touch(kindA, a, i, kindB, b, j)) {
+    private boolean isAnew(Leaf a, int t, Leaf b, int u) {
+        if (!touch(a, b)) {
             return false;
         }
         isMet = true;
-        LeafKind kind = kindA;
-        double[] from = there;
-        int at = 0;
-        if (t >= 0) {
-            elsewhere.open(start, leaf);
-            elsewhere.corners(t, there, 0);
-        } else {
-            kind = start.kind(leaf);
-            from = start.rows(leaf);
-            at = start.at(leaf);
-        }
-        if ((onlyAnew && touch(kind, from, at, kindB, b, j)) || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
+        Leaf from = place(start, leaf, a.kind, t);
+        if ((onlyAnew && touch(from, b)) || isBehind(from, a, b)) {
             return false;
         }
         ownPiece = t;
@@ -350,8 +299,8 @@ public final class StartContacts {
         return true;
     }
 
-    private boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        int known = dimension == Dimension.PLANAR ? 0 : HeightIntervals.touch(kindA, a, i, kindB, b, j, s.overlap);
-        return known == 0 ? ConvexOverlap.test(dimension, kindA, a, i, kindB, b, j, s.overlap) : known > 0;
+    private boolean touch(Leaf a, Leaf b) {
+        int known = dimension == Dimension.PLANAR ? 0 : HeightIntervals.touch(a, b, s.overlap);
+        return known == 0 ? ConvexOverlap.test(dimension, a, b, s.overlap) : known > 0;
     }
 }

@@ -12,14 +12,13 @@ import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.planar.PlainCells;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
-import robosim.geometry.narrow.turn.SweptBounds;
+import robosim.geometry.narrow.sweep.SweptBounds;
 
 /**
  * Sweeps one placed leaf against another at rest, meshes and grids included: the only switch over leaf kinds for sweeps. An
@@ -31,19 +30,21 @@ public final class Sweep {
 
     private final Scratch s;
     private final double[] swept = new double[6];
+    private final Leaf mover = new Leaf();
+    private final Leaf obstacle = new Leaf();
+
+    /** A mesh's bounds as a moving box. */
+    private final Leaf moverBox = new Leaf(LeafKind.UPRIGHT_BOX);
 
     private Dimension dimension = Dimension.SPATIAL;
     private boolean turns;
     private double dx;
     private double dy;
     private double dz;
-    private double px;
-    private double py;
-    private double pz;
-    private double wx;
-    private double wy;
-    private double wz;
-    private double degrees;
+    private final Turn turn = new Turn();
+
+    /** The same for kernels, at height 0 where heights do not count. */
+    private final Turn kernelTurn = new Turn();
 
     /**
      * The mover's contacts at the start, if they are to be considered; the moving leaf and triangle, and what is hit
@@ -69,30 +70,30 @@ public final class Sweep {
     }
 
     /** Whether a leaf that starts and ends on one side of a plane stays there in between; exact. */
-    boolean keeps(ExactVector normal, LeafKind kind, double[] row, int at) {
+    boolean keeps(ExactVector normal, Leaf leaf) {
         if (!turns) {
             return true;
         }
-        return normal.cross(ExactVector.of(wx, wy, wz)).isZero() || isTurnedIntoItself(kind, row, at);
+        return normal.cross(ExactVector.of(turn.wx, turn.wy, turn.wz)).isZero() || isTurnedIntoItself(leaf);
     }
 
     /** The same for a horizontal plane. */
-    boolean keepsLevel(LeafKind kind, double[] row, int at) {
-        return !turns || (wx == 0 && wz == 0) || isTurnedIntoItself(kind, row, at);
+    boolean keepsLevel(Leaf leaf) {
+        return !turns || turn.isLevel() || isTurnedIntoItself(leaf);
     }
 
-    private boolean isTurnedIntoItself(LeafKind kind, double[] row, int at) {
+    private boolean isTurnedIntoItself(Leaf leaf) {
         boolean flat = dimension == Dimension.PLANAR;
-        boolean isLevel = wx == 0 && wz == 0;
-        if (row[at] != px || row[at + 2] != pz || (row[at + 1] != py && !(isLevel || flat))) {
+        boolean isLevel = turn.isLevel();
+        if (leaf.get(0) != turn.px || leaf.get(2) != turn.pz || (leaf.get(1) != turn.py && !(isLevel || flat))) {
             return false;
         }
-        return switch (kind) {
+        return switch (leaf.kind) {
             case SPHERE -> true;
             case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> isLevel;
             case CYLINDER, CAPSULE ->
-                ExactExtent.axis(kind, row, at)
-                        .cross(ExactVector.of(wx, wy, wz))
+                ExactExtent.axis(leaf)
+                        .cross(ExactVector.of(turn.wx, turn.wy, turn.wz))
                         .isZero();
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> false;
         };
@@ -122,25 +123,11 @@ public final class Sweep {
         dz = z;
     }
 
-    /** Sets a turn about a unit axis through a point, counter-clockwise. */
-    public void turn(
-            Dimension inDimension,
-            double pivotX,
-            double pivotY,
-            double pivotZ,
-            double axisX,
-            double axisY,
-            double axisZ,
-            double byDegrees) {
+    /** Sets a turn, which the caller fills in. */
+    public Turn turn(Dimension inDimension) {
         dimension = inDimension;
         turns = true;
-        px = pivotX;
-        py = pivotY;
-        pz = pivotZ;
-        wx = axisX;
-        wy = axisY;
-        wz = axisZ;
-        degrees = byDegrees;
+        return turn;
     }
 
     /**
@@ -148,7 +135,7 @@ public final class Sweep {
      * do not count but matter, as in PLANAR for turns that tip.
      */
     public void direction(double x, double y, double z, double[] out) {
-        if (turns && dimension == Dimension.PLANAR && (wx != 0 || wz != 0)) {
+        if (turns && dimension == Dimension.PLANAR && !turn.isLevel()) {
             Arrays.fill(out, 0, 3, 0);
             return;
         }
@@ -156,10 +143,10 @@ public final class Sweep {
         out[1] = dy;
         out[2] = dz;
         if (turns) {
-            double sign = Math.signum(degrees);
-            out[0] = sign * (wy * (z - pz) - wz * (y - py));
-            out[1] = sign * (wz * (x - px) - wx * (z - pz));
-            out[2] = sign * (wx * (y - py) - wy * (x - px));
+            double sign = Math.signum(turn.degrees);
+            out[0] = sign * (turn.wy * (z - turn.pz) - turn.wz * (y - turn.py));
+            out[1] = sign * (turn.wz * (x - turn.px) - turn.wx * (z - turn.pz));
+            out[2] = sign * (turn.wx * (y - turn.py) - turn.wy * (x - turn.px));
         }
         if (dimension == Dimension.PLANAR) {
             out[1] = 0;
@@ -174,14 +161,13 @@ public final class Sweep {
     public void bounds(LeafColumn column, int leaf, double[] out) {
         LeafKind kind = column.kind(leaf);
         if (!kind.isMesh()) {
-            bounds(kind, column.rows(leaf), column.at(leaf), out);
+            bounds(mover.set(column, leaf), out);
             return;
         }
         double[] box = s.leaf.meshBox;
         column.bounds(leaf, box);
-        double[] row = s.leaf.triangleB; // the mesh's bounds, as a moving box
-        boxRow(box, row);
-        bounds(LeafKind.UPRIGHT_BOX, row, 0, out);
+        boxRow(box, moverBox.row);
+        bounds(moverBox, out);
     }
 
     /** The same, but with each triangle of a mesh on its own, if the moving bounds of the mesh would be too large. */
@@ -196,7 +182,7 @@ public final class Sweep {
         s.leaf.outer.startBox(column, leaf, s.leaf.meshBox);
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-            bounds(LeafKind.TRIANGLE, s.leaf.triangleA, 0, swept);
+            bounds(s.leaf.faceA, swept);
             for (int k = 0; k < 3; k++) {
                 out[k] = Math.min(out[k], swept[k]);
                 out[3 + k] = Math.max(out[3 + k], swept[3 + k]);
@@ -211,7 +197,7 @@ public final class Sweep {
     public void turnDiagonals(LeafColumn column, int leaf, double[] out4) {
         LeafKind kind = column.kind(leaf);
         if (!kind.isMesh()) {
-            turnDiagonals(kind, column.rows(leaf), column.at(leaf), out4);
+            turnDiagonals(mover.set(column, leaf), out4);
             return;
         }
         double[] box = s.leaf.meshBox;
@@ -220,7 +206,7 @@ public final class Sweep {
             s.leaf.outer.startBox(column, leaf, box);
             for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
                 s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-                turnDiagonals(LeafKind.TRIANGLE, s.leaf.triangleA, 0, out4);
+                turnDiagonals(s.leaf.faceA, out4);
             }
             return;
         }
@@ -228,12 +214,12 @@ public final class Sweep {
         out4[1] = Math.max(out4[1], Math.nextUp(box[3] + box[5]));
         out4[2] = Math.min(out4[2], Math.nextDown(box[0] - box[5]));
         out4[3] = Math.max(out4[3], Math.nextUp(box[3] - box[2]));
-        boxRow(box, s.leaf.triangleB);
-        turnDiagonals(LeafKind.UPRIGHT_BOX, s.leaf.triangleB, 0, out4);
+        boxRow(box, moverBox.row);
+        turnDiagonals(moverBox, out4);
     }
 
-    private void turnDiagonals(LeafKind kind, double[] row, int at, double[] out4) {
-        SweptBounds.turnDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s.turn);
+    private void turnDiagonals(Leaf leaf, double[] out4) {
+        SweptBounds.turnDiagonals(leaf, turn, out4, s.sweep);
     }
 
     private static void boxRow(double[] box, double[] row) {
@@ -244,11 +230,11 @@ public final class Sweep {
         Rotations.identity(row, Leaf.ROTATION);
     }
 
-    private void bounds(LeafKind kind, double[] row, int at, double[] out) {
+    private void bounds(Leaf leaf, double[] out) {
         if (turns) {
-            SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out, s.turn);
+            SweptBounds.turn(leaf, turn, out, s.sweep);
         } else {
-            SweptBounds.translation(kind, row, at, dx, dy, dz, out);
+            SweptBounds.translation(leaf, dx, dy, dz, out);
         }
         widen(out);
     }
@@ -322,10 +308,10 @@ public final class Sweep {
         LeafKind kindA = a.kind(i);
         LeafKind kindB = b.kind(j);
         if (!kindA.isMesh() && !kindB.hasPieces()) {
-            return piece(kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), -1, Double.POSITIVE_INFINITY);
+            return piece(mover.set(a, i), obstacle.set(b, j), -1, Double.POSITIVE_INFINITY);
         }
         if (!kindA.isMesh()) {
-            return againstPieces(kindA, a.rows(i), a.at(i), b, j);
+            return againstPieces(mover.set(a, i), b, j);
         }
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
@@ -333,13 +319,13 @@ public final class Sweep {
         s.leaf.outer.startBox(a, i, reach(a, i));
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
-            bounds(LeafKind.TRIANGLE, s.leaf.triangleA, 0, swept);
+            bounds(s.leaf.faceA, swept);
             if (meets(swept, s.leaf.triangleBox)) {
                 own = t;
                 int before = otherPiece;
                 double share = kindB.hasPieces()
-                        ? againstPieces(LeafKind.TRIANGLE, s.leaf.triangleA, 0, b, j)
-                        : piece(LeafKind.TRIANGLE, s.leaf.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
+                        ? againstPieces(s.leaf.faceA, b, j)
+                        : piece(s.leaf.faceA, obstacle.set(b, j), -1, least);
                 boolean isFirst =
                         share < least || (share == least && ownPiece >= 0 && isLower(s.leaf.outer, t, ownPiece));
                 if (share != Double.POSITIVE_INFINITY && isFirst) {
@@ -400,8 +386,8 @@ public final class Sweep {
                 && (dimension == Dimension.PLANAR || (a[1] <= b[4] && b[1] <= a[4]));
     }
 
-    private double againstPieces(LeafKind kind, double[] row, int at, LeafColumn b, int j) {
-        return b.kind(j).isGrid() ? againstGrid(kind, row, at, b, j) : againstMesh(kind, row, at, b, j);
+    private double againstPieces(Leaf leaf, LeafColumn b, int j) {
+        return b.kind(j).isGrid() ? againstGrid(leaf, b, j) : againstMesh(leaf, b, j);
     }
 
     /**
@@ -409,23 +395,23 @@ public final class Sweep {
      * {@link PlainCells#compare}. Doubles do not always tell.
      */
     public int passesCells(LeafColumn a, int i, LeafColumn grid, int of) {
-        return s.planar.plainCells.compare(dimension, a.kind(i), a.rows(i), a.at(i), dx, dy, dz, grid, of);
+        return s.planar.plainCells.compare(dimension, mover.set(a, i), dx, dy, dz, grid, of);
     }
 
-    private double againstGrid(LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
+    private double againstGrid(Leaf leaf, LeafColumn grid, int of) {
         if (!turns
                 && pairs == null
-                && s.planar.plainCells.compare(dimension, kind, row, at, dx, dy, dz, grid, of) == PlainCells.PAST) {
+                && s.planar.plainCells.compare(dimension, leaf, dx, dy, dz, grid, of) == PlainCells.PAST) {
             otherPiece = -1;
             return Double.POSITIVE_INFINITY;
         }
-        GridWalk walk = s.leaf.cells(kind);
-        startCells(walk, kind, row, at, grid, of);
+        GridWalk walk = s.leaf.cells(leaf.kind);
+        startCells(walk, leaf, grid, of);
         double least = Double.POSITIVE_INFINITY;
         int first = -1;
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            LeafColumn box = walk.piece(cell, kind);
-            double share = piece(kind, row, at, box.kind(0), box.rows(), 0, cell, least);
+            LeafColumn box = walk.piece(cell, leaf.kind);
+            double share = piece(leaf, obstacle.set(box, 0), cell, least);
             if (share < least || (share == least && cell < first)) {
                 least = share;
                 first = cell;
@@ -436,8 +422,8 @@ public final class Sweep {
     }
 
     /** Starts with all cells that the motion may meet. */
-    private void startCells(GridWalk walk, LeafKind kind, double[] row, int at, LeafColumn grid, int of) {
-        bounds(kind, row, at, swept);
+    private void startCells(GridWalk walk, Leaf leaf, LeafColumn grid, int of) {
+        bounds(leaf, swept);
         if (dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
             swept[4] = Double.POSITIVE_INFINITY;
@@ -448,15 +434,15 @@ public final class Sweep {
         }
         double low = swept[1];
         double high = swept[4];
-        LeafBounds.of(kind, row, at, swept);
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, swept);
         widen(swept);
         swept[1] = low;
         swept[4] = high;
         walk.startSwept(grid, of, swept, dx, dz);
     }
 
-    private double againstMesh(LeafKind kind, double[] row, int at, LeafColumn mesh, int of) {
-        bounds(kind, row, at, swept);
+    private double againstMesh(Leaf leaf, LeafColumn mesh, int of) {
+        bounds(leaf, swept);
         if (dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
             swept[4] = Double.POSITIVE_INFINITY;
@@ -466,7 +452,7 @@ public final class Sweep {
         s.leaf.inner.startBox(mesh, of, swept);
         for (int t = s.leaf.inner.next(0); t >= 0; t = s.leaf.inner.next(0)) {
             s.leaf.inner.corners(t, s.leaf.triangleB, 0);
-            double share = piece(kind, row, at, LeafKind.TRIANGLE, s.leaf.triangleB, 0, t, least);
+            double share = piece(leaf, s.leaf.faceB, t, least);
             if (share < least || (share == least && first >= 0 && isLower(s.leaf.inner, t, first))) {
                 least = share;
                 first = t;
@@ -486,55 +472,52 @@ public final class Sweep {
      * @param u      the other's triangle, or -1
      * @param before a result above this fraction does not matter
      */
-    private double piece(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, int u, double before) {
-        if (standing != null && standing.isBehindLevel(leaf, kindA, a, i, own, kindB, b, j)) {
+    private double piece(Leaf a, Leaf b, int u, double before) {
+        if (standing != null && standing.isBehindLevel(leaf, a, own, b)) {
             return Double.POSITIVE_INFINITY;
         }
-        double share = pairs == null ? convex(kindA, a, i, kindB, b, j) : 0;
+        double share = pairs == null ? convex(a, b) : 0;
         if (standing != null
                 && share != Double.POSITIVE_INFINITY
                 && share <= before
-                && standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
+                && standing.isBehind(leaf, a, own, b)) {
             return Double.POSITIVE_INFINITY;
         }
         return pairs == null ? share : pairs.share(own, u, before);
     }
 
-    private double convex(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double x = turns ? px : dx;
-        double y = isLevel() ? 0 : turns ? py : dy;
-        double z = turns ? pz : dz;
-        double largest = VectorMath.largest(x, y, z);
-        return largest < UnderflowScaling.SMALL && isTakenUp(largest, kindA, a, i, kindB, b, j)
-                ? scaled(x, y, z, kindA, kindB)
-                : convex(x, y, z, kindA, a, i, kindB, b, j);
+    private double convex(Leaf a, Leaf b) {
+        Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
+        double y = isLevel() ? 0 : turns ? turn.py : dy;
+        double largest = turns ? VectorMath.largest(turn.px, y, turn.pz) : VectorMath.largest(dx, y, dz);
+        boolean isTakenUp = largest < UnderflowScaling.SMALL && s.leaf.scaling.take(counted, largest, a, b);
+        return turns ? turned(y, isTakenUp, a, b) : moved(y, isTakenUp, a, b);
     }
 
     /** Whether the motion is horizontal. */
     private boolean isLevel() {
-        return dimension == Dimension.PLANAR && !(turns && (wx != 0 || wz != 0));
+        return dimension == Dimension.PLANAR && !(turns && !turn.isLevel());
     }
 
-    private boolean isTakenUp(double largest, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
-        return s.leaf.scaling.take(counted, largest, kindA, a, i, kindB, b, j);
-    }
-
-    private double scaled(double x, double y, double z, LeafKind kindA, LeafKind kindB) {
+    private double turned(double y, boolean isTakenUp, Leaf a, Leaf b) {
         UnderflowScaling m = s.leaf.scaling;
-        return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
+        kernelTurn.about(turn.px, y, turn.pz).by(turn.wx, turn.wy, turn.wz, turn.degrees);
+        Turn by = isTakenUp ? m.up(kernelTurn) : kernelTurn;
+        Leaf one = isTakenUp ? m.first : a;
+        Leaf two = isTakenUp ? m.second : b;
+        return dimension == Dimension.PLANAR
+                ? PlanarSweep.turn(one, by, two, s.sweep)
+                : SpatialSweep.turn(one, by, two, s.sweep);
     }
 
-    /** The fraction for two convex pieces, with the pivot of a turn or the displacement of a translation. */
-    private double convex(
-            double x, double y, double z, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (dimension == Dimension.PLANAR) {
-            return turns
-                    ? PlanarTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s.turn)
-                    : PlanarSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s.sweep);
-        }
-        return turns
-                ? SpatialTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s.turn)
-                : SpatialSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s.sweep);
+    private double moved(double y, boolean isTakenUp, Leaf a, Leaf b) {
+        UnderflowScaling m = s.leaf.scaling;
+        return isTakenUp ? moved(m.up(dx), m.up(y), m.up(dz), m.first, m.second) : moved(dx, y, dz, a, b);
+    }
+
+    private double moved(double x, double y, double z, Leaf a, Leaf b) {
+        return dimension == Dimension.PLANAR
+                ? PlanarSweep.translation(a, x, y, z, b, s.sweep)
+                : SpatialSweep.translation(a, x, y, z, b, s.sweep);
     }
 }

@@ -11,10 +11,9 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /**
  * Motions from a gap too small to resolve: away from an obstacle, along it, or turning away from it. All are free.
@@ -360,8 +359,9 @@ final class NearStart implements Kernel {
             return "";
         }
         double share = flat
-                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep)
-                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
+                ? PlanarSweep.translation(new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep)
+                : SpatialSweep.translation(
+                        new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep);
         return share > 1 ? null : "moved by " + Arrays.toString(d) + ": " + share;
     }
 
@@ -390,23 +390,16 @@ final class NearStart implements Kernel {
             pivot = Space.sum(pivot, ahead, -far);
         }
         double share = flat
-                ? PlanarTurnSweep.free(
-                        kindA, a, 0, pivot[0], pivot[1], pivot[2], w[0], w[1], w[2], degrees, kindB, b, 0, scratch.turn)
-                : SpatialTurnSweep.free(
-                        kindA,
-                        a,
-                        0,
-                        pivot[0],
-                        pivot[1],
-                        pivot[2],
-                        w[0],
-                        w[1],
-                        w[2],
-                        degrees,
-                        kindB,
-                        b,
-                        0,
-                        scratch.turn);
+                ? PlanarSweep.turn(
+                        new Leaf(kindA, a, 0),
+                        new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
+                        new Leaf(kindB, b, 0),
+                        scratch.sweep)
+                : SpatialSweep.turn(
+                        new Leaf(kindA, a, 0),
+                        new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
+                        new Leaf(kindB, b, 0),
+                        scratch.sweep);
         return share > 1
                 ? null
                 : "turned about %s through %s by %s: %s"

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /**
@@ -69,9 +70,9 @@ final class OverlapKernel implements Kernel {
         Body a = pairs.a;
         Body b = pairs.b;
         scratch.overlap.uncertain = false;
-        boolean touch = SpatialOverlap.test(a.kind, a.row, 0, b.kind, b.row, 0, scratch.overlap);
+        boolean touch = SpatialOverlap.test(new Leaf(a.kind, a.row, 0), new Leaf(b.kind, b.row, 0), scratch.overlap);
         boolean doubtful = scratch.overlap.uncertain;
-        boolean swapped = SpatialOverlap.test(b.kind, b.row, 0, a.kind, a.row, 0, scratch.overlap);
+        boolean swapped = SpatialOverlap.test(new Leaf(b.kind, b.row, 0), new Leaf(a.kind, a.row, 0), scratch.overlap);
         twin.find(a, b);
         double rounding = NearestTwin.rounding(a, b);
         Boolean truth = twin.low > rounding ? Boolean.FALSE : surelyMeet(a, b, DEEPER * rounding) ? Boolean.TRUE : null;

@@ -3,6 +3,7 @@ package robosim.geometry.census;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.reference.Truth.Form;
 
@@ -71,15 +72,11 @@ final class PlanarOvalWay implements Kernel {
         dx = way[0];
         dz = way[1];
         time = PlanarSweep.translation(
-                PlanarCases.kind(places.formA),
-                places.a,
-                0,
+                new Leaf(PlanarCases.kind(places.formA), places.a, 0),
                 dx,
                 17,
                 dz,
-                PlanarCases.kind(places.formB),
-                places.b,
-                0,
+                new Leaf(PlanarCases.kind(places.formB), places.b, 0),
                 scratch.sweep);
         PlanarTwin one = PlanarTwin.of(places.formA, places.a);
         PlanarTwin two = PlanarTwin.of(places.formB, places.b);

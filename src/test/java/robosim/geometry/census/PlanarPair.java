@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.reference.Truth;
@@ -91,8 +92,8 @@ final class PlanarPair implements Kernel {
     private Visit compare(double[] a, double[] b, PlanarTwin one, PlanarTwin two) {
         LeafKind kindA = PlanarCases.kind(formA);
         LeafKind kindB = PlanarCases.kind(formB);
-        boolean touch = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
-        double distance = PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
+        boolean touch = PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
+        double distance = PlanarDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
         String text = PlanarCases.paste(formA, a) + " and " + PlanarCases.paste(formB, b);
         double size = one.size() + two.size();
         return hasOval()

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
 
@@ -68,21 +70,11 @@ final class PlanarSpin implements Kernel {
     @Override
     public Visit ask(SplittableRandom random, boolean adversarial) {
         draw(random, adversarial);
-        share = PlanarTurnSweep.free(
-                PlanarCases.kind(places.formA),
-                places.a,
-                0,
-                px,
-                17,
-                pz,
-                0,
-                1,
-                0,
-                degrees,
-                PlanarCases.kind(places.formB),
-                places.b,
-                0,
-                scratch.turn);
+        share = PlanarSweep.turn(
+                new Leaf(PlanarCases.kind(places.formA), places.a, 0),
+                new Turn().about(px, 17, pz).by(0, 1, 0, degrees),
+                new Leaf(PlanarCases.kind(places.formB), places.b, 0),
+                scratch.sweep);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));
     }
 

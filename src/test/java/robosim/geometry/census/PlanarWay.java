@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.reference.Quantity.Doubt;
 import robosim.geometry.reference.StartTruth;
@@ -76,15 +77,11 @@ final class PlanarWay implements Kernel {
         dx = way[0];
         dz = way[1];
         time = PlanarSweep.translation(
-                PlanarCases.kind(places.formA),
-                places.a,
-                0,
+                new Leaf(PlanarCases.kind(places.formA), places.a, 0),
                 dx,
                 17,
                 dz,
-                PlanarCases.kind(places.formB),
-                places.b,
-                0,
+                new Leaf(PlanarCases.kind(places.formB), places.b, 0),
                 scratch.sweep);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));
     }

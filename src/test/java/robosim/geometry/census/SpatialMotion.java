@@ -154,7 +154,9 @@ abstract class SpatialMotion implements Kernel {
             }
             contact = start <= 1 ? 0 : random.nextDouble(0.05, 0.95);
             place(random, adversarial, start <= 1, contact, start == 0);
-            if (start <= 1 || t == TRIES || !SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap)) {
+            if (start <= 1
+                    || t == TRIES
+                    || !SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap)) {
                 break;
             }
         }
@@ -166,7 +168,7 @@ abstract class SpatialMotion implements Kernel {
         rest = Solid.of(kindB, b, origin);
         double reach = mover.reach();
         double sizes = reach + rest.reach();
-        if (SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap)) {
+        if (SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap)) {
             return Visit.right(FREE); // no such luck in any of the tries; a handful
         }
         double end = Math.min(1, share);

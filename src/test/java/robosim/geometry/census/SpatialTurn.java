@@ -2,7 +2,9 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.sweep.SpatialSweep;
 
 /** Turns about any axis through the origin. */
 final class SpatialTurn extends SpatialMotion {
@@ -52,21 +54,11 @@ final class SpatialTurn extends SpatialMotion {
 
     @Override
     double free() {
-        return SpatialTurnSweep.free(
-                kindA,
-                a,
-                0,
-                origin[0],
-                origin[1],
-                origin[2],
-                axis[0],
-                axis[1],
-                axis[2],
-                degrees,
-                kindB,
-                b,
-                0,
-                scratch.turn);
+        return SpatialSweep.turn(
+                new Leaf(kindA, a, 0),
+                new Turn().about(origin[0], origin[1], origin[2]).by(axis[0], axis[1], axis[2], degrees),
+                new Leaf(kindB, b, 0),
+                scratch.sweep);
     }
 
     @Override

@@ -2,6 +2,7 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 
 /** Straight translations. */
@@ -47,7 +48,8 @@ final class SpatialWay extends SpatialMotion {
 
     @Override
     double free() {
-        return SpatialSweep.translation(kindA, a, 0, way[0], way[1], way[2], kindB, b, 0, scratch.sweep);
+        return SpatialSweep.translation(
+                new Leaf(kindA, a, 0), way[0], way[1], way[2], new Leaf(kindB, b, 0), scratch.sweep);
     }
 
     @Override

@@ -67,11 +67,8 @@ class OrientationTest {
             spatial(random, i % 5, p);
             String sample = Arrays.toString(p);
             int truth = volume(p);
-            assertThat(Orientation.volume(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11]))
-                    .as(sample)
-                    .isEqualTo(truth);
-            int first =
-                    Orientation.quickVolume(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11]);
+            assertThat(Orientation.volume(p, p[9], p[10], p[11])).as(sample).isEqualTo(truth);
+            int first = Orientation.quickVolume(p, p[9], p[10], p[11]);
             boolean fits = Arrays.stream(p).allMatch(x -> Expansion.fits(x, 3));
             if (first != 0) {
                 assertThat(first).as(sample).isEqualTo(truth);
@@ -82,8 +79,7 @@ class OrientationTest {
                 dyadic++;
             }
             if (fits) {
-                assertThat(Orientation.expandedVolume(
-                                p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11]))
+                assertThat(Orientation.expandedVolume(p, p[9], p[10], p[11]))
                         .as(sample)
                         .isEqualTo(truth);
             }
@@ -142,8 +138,10 @@ class OrientationTest {
         assertThat(Orientation.side(0, 0, 1, 0, 0, -1)).isEqualTo(-1);
         assertThat(Orientation.side(0, 0, 1, 1, 3, 3)).isZero();
         assertThat(Orientation.side(-0.0, 0, 0, 0, 5, 7)).isZero();
-        assertThat(Orientation.volume(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1)).isEqualTo(1);
-        assertThat(Orientation.volume(0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1)).isEqualTo(-1);
+        assertThat(Orientation.volume(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, 0, 0, 1))
+                .isEqualTo(1);
+        assertThat(Orientation.volume(new double[] {0, 0, 0, 0, 1, 0, 1, 0, 0}, 0, 0, 1))
+                .isEqualTo(-1);
     }
 
     private static void planar(SplittableRandom random, int family, double[] p) {

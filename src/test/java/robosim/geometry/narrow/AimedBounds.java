@@ -99,6 +99,8 @@ public final class AimedBounds {
                 && CylinderTwin.dot(cross, cross)
                                 .compareTo(radii.multiply(radii).multiply(square))
                         <= 0;
-        return CylinderCylinder.touch(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0, scratch.overlap) != truth;
+        return CylinderCylinder.touch(
+                        new Leaf(LeafKind.CYLINDER, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.overlap)
+                != truth;
     }
 }

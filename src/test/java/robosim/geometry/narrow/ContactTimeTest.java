@@ -106,7 +106,8 @@ class ContactTimeTest {
             }
             String what = what(kindA, a, d, LeafKind.BOX, b);
             boolean deeper = hull.goesDeeper(d);
-            double time = SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], LeafKind.BOX, b, 0, scratch.sweep);
+            double time = SpatialSweep.translation(
+                    new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(LeafKind.BOX, b, 0), scratch.sweep);
             assertThat(time).as(what).isEqualTo(deeper ? 0 : FREE);
             into += deeper ? 1 : 0;
             free += deeper ? 0 : 1;
@@ -125,7 +126,12 @@ class ContactTimeTest {
             for (int k = 0; k < 40; k++) {
                 double[] disc = SweepRows.disc(0.05 * (k - 20), 0, -3, 0x1p-30, 1);
                 double time = PlanarSweep.translation(
-                        LeafKind.SPHERE, disc, 0, 0x1p-60, 0, 4, LeafKind.BOX, box, 0, scratch.sweep);
+                        new Leaf(LeafKind.SPHERE, disc, 0),
+                        0x1p-60,
+                        0,
+                        4,
+                        new Leaf(LeafKind.BOX, box, 0),
+                        scratch.sweep);
                 assertThat(time).isBetween(0.49, 0.51);
                 flat(LeafKind.SPHERE, disc, 0x1p-60, 4, LeafKind.BOX, box, 1);
             }
@@ -134,7 +140,7 @@ class ContactTimeTest {
 
     private void flat(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b, double unit) {
         String what = what(kindA, a, new double[] {dx, 0, dz}, kindB, b);
-        double time = PlanarSweep.translation(kindA, a, 0, dx, 17, dz, kindB, b, 0, scratch.sweep);
+        double time = PlanarSweep.translation(new Leaf(kindA, a, 0), dx, 17, dz, new Leaf(kindB, b, 0), scratch.sweep);
         double[] p = scaled(kindA, a, 1 / unit);
         double[] q = scaled(kindB, b, 1 / unit);
         FlatTwin twin = new FlatTwin(kindA, p, dx / unit, dz / unit, kindB, q);
@@ -156,7 +162,8 @@ class ContactTimeTest {
 
     private void solid(LeafKind kindA, double[] a, double[] d, LeafKind kindB, double[] b) {
         String what = what(kindA, a, d, kindB, b);
-        double time = SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
+        double time =
+                SpatialSweep.translation(new Leaf(kindA, a, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep);
         HullMotion twin = HullMotion.of(corners(kindA, a), corners(kindB, b), d);
         if (twin == null || twin.compareTo(1) > 0) {
             misses++;
@@ -171,12 +178,14 @@ class ContactTimeTest {
     }
 
     private double[] broughtToContact(LeafKind kindA, double[] a, double[] d, LeafKind kindB, double[] b) {
-        double time = PlanarSweep.translation(kindA, a, 0, d[0], 0, d[2], kindB, b, 0, scratch.sweep);
+        double time =
+                PlanarSweep.translation(new Leaf(kindA, a, 0), d[0], 0, d[2], new Leaf(kindB, b, 0), scratch.sweep);
         if (time > 1) {
             return a;
         }
         double[] pose = new double[Leaf.STRIDE];
-        MovedLeaf.moved(kindA, a, 0, time * d[0], time * d[1], time * d[2], pose);
+        MovedLeaf.moved(
+                new Leaf(kindA, a, 0), time * d[0], time * d[1], time * d[2], new Leaf(LeafKind.SPHERE, pose, 0));
         double x = d[0];
         if (random.nextBoolean()) { // and then across
             d[0] = -d[2];
@@ -274,7 +283,7 @@ class ContactTimeTest {
 
     private static double[] shifted(LeafKind kind, double[] row, double far) {
         double[] out = row.clone();
-        MovedLeaf.moved(kind, row, 0, far, 0, -far, out);
+        MovedLeaf.moved(new Leaf(kind, row, 0), far, 0, -far, new Leaf(LeafKind.SPHERE, out, 0));
         return out;
     }
 

@@ -10,10 +10,9 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
-import robosim.geometry.narrow.turn.PlanarTurnSweep;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Motions that other engines got wrong, and those at the edges of the contract. */
 class HardMovesTest {
@@ -24,18 +23,25 @@ class HardMovesTest {
             .toArray(LeafKind[]::new);
 
     private final Scratch scratch = new Scratch();
+    private final Leaf mover = new Leaf();
+    private final Leaf rest = new Leaf();
+    private final Turn turn = new Turn();
     private final SplittableRandom random = new SplittableRandom(20055);
 
     private double planar(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
-        return PlanarSweep.translation(kindA, a, 0, dx, 0, dz, kindB, b, 0, scratch.sweep);
+        return PlanarSweep.translation(mover.set(kindA, a, 0), dx, 0, dz, rest.set(kindB, b, 0), scratch.sweep);
     }
 
     private double spatial(LeafKind kindA, double[] a, double dx, double dy, double dz, LeafKind kindB, double[] b) {
-        return SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
+        return SpatialSweep.translation(mover.set(kindA, a, 0), dx, dy, dz, rest.set(kindB, b, 0), scratch.sweep);
     }
 
     private double turn(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
-        return PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch.turn);
+        return PlanarSweep.turn(
+                mover.set(kindA, a, 0),
+                turn.about(px, 0, pz).by(0, 1, 0, degrees),
+                rest.set(kindB, b, 0),
+                scratch.sweep);
     }
 
     @Test
@@ -168,21 +174,11 @@ class HardMovesTest {
                     .isEqualTo(0);
             assertThat(spatial(LeafKind.UPRIGHT_CYLINDER, robot, dx, -1e-9, dz, LeafKind.UPRIGHT_BOX, floor))
                     .isEqualTo(0);
-            assertThat(SpatialTurnSweep.free(
-                            LeafKind.UPRIGHT_BOX,
-                            cart,
-                            0,
-                            3,
-                            0.5,
-                            4,
-                            0,
-                            1,
-                            0,
-                            degrees,
-                            LeafKind.UPRIGHT_BOX,
-                            floor,
-                            0,
-                            scratch.turn))
+            assertThat(SpatialSweep.turn(
+                            new Leaf(LeafKind.UPRIGHT_BOX, cart, 0),
+                            new Turn().about(3, 0.5, 4).by(0, 1, 0, degrees),
+                            new Leaf(LeafKind.UPRIGHT_BOX, floor, 0),
+                            scratch.sweep))
                     .isEqualTo(FREE);
         }
     }
@@ -390,11 +386,17 @@ class HardMovesTest {
             String text = Arrays.toString(a) + " past " + Arrays.toString(b);
             if (across == 2) {
                 double planar = PlanarSweep.translation(
-                        LeafKind.UPRIGHT_BOX, a, 0, 8, 0, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch.sweep);
+                        new Leaf(LeafKind.UPRIGHT_BOX, a, 0),
+                        8,
+                        0,
+                        0,
+                        new Leaf(LeafKind.UPRIGHT_BOX, b, 0),
+                        scratch.sweep);
                 assertThat(planar == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
             }
             for (LeafKind kind : new LeafKind[] {LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
-                double time = SpatialSweep.translation(kind, a, 0, 8, 0, 0, kind, b, 0, scratch.sweep);
+                double time =
+                        SpatialSweep.translation(new Leaf(kind, a, 0), 8, 0, 0, new Leaf(kind, b, 0), scratch.sweep);
                 assertThat(time == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
             }
             free += isFree ? 1 : 0;

@@ -54,9 +54,9 @@ class NearContactTest {
                     count++;
                     assertThat(high - low).as(what).isBetween(0.0, 0x1p-44 * (high + pairs.size));
                     if (dimension == Dimension.PLANAR) {
-                        gjk.planar(kindA, pairs.a, 0, kindB, pairs.b, 0);
+                        gjk.planar(new Leaf(kindA, pairs.a, 0), new Leaf(kindB, pairs.b, 0));
                     } else {
-                        gjk.spatial(kindA, pairs.a, 0, kindB, pairs.b, 0);
+                        gjk.spatial(new Leaf(kindA, pairs.a, 0), new Leaf(kindB, pairs.b, 0));
                     }
                     if (gjk.lower() > 0) {
                         apart++;
@@ -79,7 +79,8 @@ class NearContactTest {
                 for (int n = 0; n < PAIRS; n++) {
                     pairs.make(kindA, kindB, pairs.gap());
                     measure(Dimension.SPATIAL, pairs);
-                    double distance = SpatialDistance.between(kindA, pairs.a, 0, kindB, pairs.b, 0, scratch.distance);
+                    double distance = SpatialDistance.between(
+                            new Leaf(kindA, pairs.a, 0), new Leaf(kindB, pairs.b, 0), scratch.distance);
                     double bound = 0x1p-44 * (nearest.high() + pairs.size);
                     // Of what is flat all around the answer is not the lower end of a bracket but its middle.
                     double above = isFlat(kindA) && isFlat(kindB) ? bound : 0;

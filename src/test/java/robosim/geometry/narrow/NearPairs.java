@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
@@ -55,7 +56,7 @@ public final class NearPairs {
             shift(kindB, b, apart * random.nextDouble(-0.5, 0.5), direction());
         }
         for (int round = 0; round < 3; round++) {
-            gjk.spatial(kindA, a, 0, kindB, b, 0);
+            gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
             double[] n = {gjk.nx(), gjk.ny(), gjk.nz()};
             shift(kindB, b, gjk.reach() - gap * apart, n);
         }

@@ -7,6 +7,7 @@ import robosim.geometry.Allocated;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.ray.PlanarRay;
@@ -30,15 +31,20 @@ class PlanarAllocationTest {
         assertThat(bytes / (4.0 * rows.length)).isLessThan(1);
     }
 
-    private static double ask(double[][] rows, Scratch scratch) {
+    private final Leaf one = new Leaf();
+    private final Leaf two = new Leaf();
+
+    private double ask(double[][] rows, Scratch scratch) {
         double sum = 0;
         BeamAxis beam = new BeamAxis();
         for (int k = 0; k < rows.length; k++) {
             LeafKind kind = Leaves.KINDS[k % 7];
             int m = (k * 31 + 5) % rows.length;
             LeafKind other = Leaves.KINDS[m % 7];
-            sum += PlanarOverlap.test(kind, rows[k], 0, other, rows[m], 0, scratch.overlap) ? 1 : 0;
-            sum += PlanarDistance.between(kind, rows[k], 0, other, rows[m], 0, scratch.distance);
+            one.set(kind, rows[k], 0);
+            two.set(other, rows[m], 0);
+            sum += PlanarOverlap.test(one, two, scratch.overlap) ? 1 : 0;
+            sum += PlanarDistance.between(one, two, scratch.distance);
             sum += Math.min(9, PlanarRay.distance(beam.line(-3, 0, 0.1, 1, 0, 0), kind, rows[k], 0, scratch.ray));
             sum += Math.min(
                     9,

@@ -138,7 +138,7 @@ class SweepScaleTest {
         if (degrees == 0) {
             sweep.translation(dimension, x, y, z);
         } else {
-            sweep.turn(dimension, x, y, z, tilts ? 0.6 : 0, tilts ? 0 : 1, tilts ? 0.8 : 0, degrees);
+            sweep.turn(dimension).about(x, y, z).by(tilts ? 0.6 : 0, tilts ? 0 : 1, tilts ? 0.8 : 0, degrees);
         }
         return sweep.free(column(a.kind(0), a.rows(), power), 0, column(b.kind(0), b.rows(), power), 0);
     }

@@ -12,6 +12,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -71,7 +72,8 @@ class FoundTest {
             -0x1.cf599dded3e4p-5,
             0
         };
-        assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch().overlap))
+        assertThat(PlanarOverlap.test(
+                        new Leaf(LeafKind.SPHERE, disc, 0), new Leaf(LeafKind.BOX, box, 0), new Scratch().overlap))
                 .isTrue();
     }
 
@@ -102,7 +104,9 @@ class FoundTest {
             0
         };
         assertThat(SpatialOverlap.test(
-                        LeafKind.SPHERE, sphere, 0, LeafKind.CYLINDER, cylinder, 0, new Scratch().overlap))
+                        new Leaf(LeafKind.SPHERE, sphere, 0),
+                        new Leaf(LeafKind.CYLINDER, cylinder, 0),
+                        new Scratch().overlap))
                 .isFalse();
     }
 
@@ -158,7 +162,12 @@ class FoundTest {
         point[2] = 1.25 * unit;
         double[] square = {0.5 * unit, 0.5 * unit, -1.5 * unit, 0, 0, 0.25 * unit, 0, 1, 0, 1, 0, 0, 0, 0, -1, 0};
         double time = SpatialSweep.translation(
-                LeafKind.SPHERE, point, 0, 6 * unit, 6 * unit, -6 * unit, LeafKind.BOX, square, 0, new Scratch().sweep);
+                new Leaf(LeafKind.SPHERE, point, 0),
+                6 * unit,
+                6 * unit,
+                -6 * unit,
+                new Leaf(LeafKind.BOX, square, 0),
+                new Scratch().sweep);
         assertThat(time).isEqualTo(0.5);
     }
 
@@ -173,7 +182,12 @@ class FoundTest {
         disc[2] = -1.5 * unit;
         disc[3] = unit;
         double time = PlanarSweep.translation(
-                LeafKind.TRIANGLE, side, 0, -3 * unit, 0, -2.5 * unit, LeafKind.SPHERE, disc, 0, new Scratch().sweep);
+                new Leaf(LeafKind.TRIANGLE, side, 0),
+                -3 * unit,
+                0,
+                -2.5 * unit,
+                new Leaf(LeafKind.SPHERE, disc, 0),
+                new Scratch().sweep);
         assertThat(time).isBetween(0.5, 1.0);
     }
 
@@ -184,7 +198,10 @@ class FoundTest {
         double[] disc = new double[16];
         for (int k = 1; k < 16; k++) {
             disc[3] = k / 8.0;
-            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.TRIANGLE, side, 0, new Scratch().overlap))
+            assertThat(PlanarOverlap.test(
+                            new Leaf(LeafKind.SPHERE, disc, 0),
+                            new Leaf(LeafKind.TRIANGLE, side, 0),
+                            new Scratch().overlap))
                     .as("a disc of radius " + disc[3] + " under a side at 1")
                     .isEqualTo(disc[3] >= 1);
         }
@@ -279,7 +296,8 @@ class FoundTest {
         disc[2] = -3.3086614204348531E17;
         for (double radius : new double[] {0, 1, 1e3, 1e5, 1e6, 1e9}) {
             disc[3] = radius;
-            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch().overlap))
+            assertThat(PlanarOverlap.test(
+                            new Leaf(LeafKind.SPHERE, disc, 0), new Leaf(LeafKind.BOX, box, 0), new Scratch().overlap))
                     .as("a disc of radius " + radius)
                     .isTrue();
         }

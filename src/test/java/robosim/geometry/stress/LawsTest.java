@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -206,9 +207,10 @@ class LawsTest {
             if (!kindA.isVerticalPrism() || !kindB.isVerticalPrism()) {
                 return;
             }
-            assertThat(SpatialOverlap.test(kindA, level.a, 0, kindB, level.b, 0, scratch.overlap))
+            assertThat(SpatialOverlap.test(new Leaf(kindA, level.a, 0), new Leaf(kindB, level.b, 0), scratch.overlap))
                     .as(() -> family.call() + "\n" + level.paste())
-                    .isEqualTo(PlanarOverlap.test(kindA, level.a, 0, kindB, level.b, 0, scratch.overlap));
+                    .isEqualTo(PlanarOverlap.test(
+                            new Leaf(kindA, level.a, 0), new Leaf(kindB, level.b, 0), scratch.overlap));
         });
     }
 }

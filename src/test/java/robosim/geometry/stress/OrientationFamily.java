@@ -23,7 +23,7 @@ final class OrientationFamily extends Family {
         double[] p = c.a;
         return axes == 2
                 ? Orientation.side(p[0], p[1], p[2], p[3], p[4], p[5])
-                : Orientation.volume(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11]);
+                : Orientation.volume(p, p[9], p[10], p[11]);
     }
 
     @Override

@@ -2,6 +2,7 @@ package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -52,8 +53,8 @@ final class OverlapFamily extends Family {
     @Override
     int product(Case q, Scratch s) {
         boolean touch = planar
-                ? PlanarOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s.overlap)
-                : SpatialOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s.overlap);
+                ? PlanarOverlap.test(new Leaf(kind(q.formA), q.a, 0), new Leaf(kind(q.formB), q.b, 0), s.overlap)
+                : SpatialOverlap.test(new Leaf(kind(q.formA), q.a, 0), new Leaf(kind(q.formB), q.b, 0), s.overlap);
         return touch ? 1 : 0;
     }
 

@@ -2,6 +2,7 @@ package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -35,14 +36,14 @@ final class SweepFamily extends Family {
         double dy = c.ray[4];
         double dz = c.ray[5];
         boolean atOnce = planar
-                ? PlanarOverlap.test(kindA, c.a, 0, kindB, c.b, 0, s.overlap)
-                : SpatialOverlap.test(kindA, c.a, 0, kindB, c.b, 0, s.overlap);
+                ? PlanarOverlap.test(new Leaf(kindA, c.a, 0), new Leaf(kindB, c.b, 0), s.overlap)
+                : SpatialOverlap.test(new Leaf(kindA, c.a, 0), new Leaf(kindB, c.b, 0), s.overlap);
         if (atOnce) {
             return AT_ONCE;
         }
         double time = planar
-                ? PlanarSweep.translation(kindA, c.a, 0, dx, dy, dz, kindB, c.b, 0, s.sweep)
-                : SpatialSweep.translation(kindA, c.a, 0, dx, dy, dz, kindB, c.b, 0, s.sweep);
+                ? PlanarSweep.translation(new Leaf(kindA, c.a, 0), dx, dy, dz, new Leaf(kindB, c.b, 0), s.sweep)
+                : SpatialSweep.translation(new Leaf(kindA, c.a, 0), dx, dy, dz, new Leaf(kindB, c.b, 0), s.sweep);
         return time < Double.POSITIVE_INFINITY ? 1 : 0;
     }
 

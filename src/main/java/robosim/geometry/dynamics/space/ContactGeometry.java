@@ -21,6 +21,8 @@ final class ContactGeometry {
     private static final double PARALLEL = 1e-3;
 
     private final Gjk gjk = new Gjk();
+    private final Leaf first = new Leaf();
+    private final Leaf second = new Leaf();
     private final Support own = new Support();
     private final Support others = new Support();
     private final Feature mine = new Feature();
@@ -47,7 +49,7 @@ final class ContactGeometry {
         if (otherKind.isBox() && isBesideFace(kind, row, at, otherKind, other, otherAt)) {
             return true;
         }
-        apart = gjk.spatial(kind, row, at, otherKind, other, otherAt);
+        apart = gjk.spatial(first.set(kind, row, at), second.set(otherKind, other, otherAt));
         if (!(apart > 0) && !gjk.isClosed()) {
             apart = gjk.close();
         }

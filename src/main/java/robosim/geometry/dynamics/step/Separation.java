@@ -1,7 +1,7 @@
 package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Turned;
+import robosim.geometry.exact.SinCos;
 
 /**
  * How far two convex pieces are apart where they have been put, and along which direction. Plain doubles: what is decided here
@@ -61,7 +61,7 @@ final class Separation {
     /** The square of the least distance of a corner and an edge. */
     private double nearest;
 
-    private final Turned turned = new Turned();
+    private final SinCos turned = new SinCos();
 
     void putA(Bodies bodies, Pieces pieces, int piece, double t) {
         int n = pieces.corners(piece);

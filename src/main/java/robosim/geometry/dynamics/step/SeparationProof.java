@@ -1,7 +1,7 @@
 package robosim.geometry.dynamics.step;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Turned;
+import robosim.geometry.exact.SinCos;
 
 /**
  * Proves that two bodies stay apart on their ways, each going straight and turning evenly from place to place, both at once;
@@ -38,7 +38,7 @@ final class SeparationProof {
     private final Bodies bodies;
     private final Separation from = new Separation();
     private final Separation to = new Separation();
-    private final Turned turned = new Turned();
+    private final SinCos turned = new SinCos();
 
     // The bulges of the two that are asked about.
     private double bulgeAx;

@@ -13,7 +13,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.planar.DiscWay;
+import robosim.geometry.narrow.planar.DiscSweepFilter;
 import robosim.geometry.narrow.planar.PlainCells;
 
 /**
@@ -171,7 +171,9 @@ final class EdgeFastPath {
         boolean isApart =
                 qx * qx + qz * qz > (reach + 2 * slack) * (reach + 2 * slack) * (1 + 0x1p-45) + VectorMath.UNDERFLOW;
         boolean isOnSpot = dx == 0 && dz == 0;
-        return isApart && (isOnSpot || DiscWay.past(qx, qz, dx, dz, reach, slack, false) == DiscWay.CLEAR)
+        return isApart
+                        && (isOnSpot
+                                || DiscSweepFilter.past(qx, qz, dx, dz, reach, slack, false) == DiscSweepFilter.CLEAR)
                 ? PlainCells.PAST
                 : PlainCells.UNSURE;
     }

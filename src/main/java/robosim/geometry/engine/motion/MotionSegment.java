@@ -250,15 +250,13 @@ public final class MotionSegment {
     void turnBy(double share) {
         int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
         boolean isOwn = axis == OWN_X || axis == OWN_Y;
-        sweep.turn(
-                view.dimension,
-                start[0],
-                start[1],
-                start[2],
-                isOwn ? start[column] : axis == WORLD_X ? 1 : 0,
-                isOwn ? start[column + 3] : axis == WORLD_X ? 0 : 1,
-                isOwn ? start[column + 6] : 0,
-                share * degrees);
+        sweep.turn(view.dimension)
+                .about(start[0], start[1], start[2])
+                .by(
+                        isOwn ? start[column] : axis == WORLD_X ? 1 : 0,
+                        isOwn ? start[column + 3] : axis == WORLD_X ? 0 : 1,
+                        isOwn ? start[column + 6] : 0,
+                        share * degrees);
     }
 
     /** Whether heights count. */

@@ -13,7 +13,7 @@ import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.planar.DiscWay;
+import robosim.geometry.narrow.planar.DiscSweepFilter;
 import robosim.geometry.narrow.planar.PlainCells;
 
 /**
@@ -185,8 +185,8 @@ final class TranslationFastPath {
     /** Whether another object stops this one. */
     private boolean stops(LeafTable table, int other) {
         int quick = isGrid(table, other) ? pastCells(table, other) : quickly(table, other);
-        isCertain = quick == DiscWay.MET;
-        return isCertain || (quick == DiscWay.UNSURE && table.meets(other, box) && !passes(table, other));
+        isCertain = quick == DiscSweepFilter.MET;
+        return isCertain || (quick == DiscSweepFilter.UNSURE && table.meets(other, box) && !passes(table, other));
     }
 
     private static boolean isGrid(LeafTable table, int other) {
@@ -197,13 +197,13 @@ final class TranslationFastPath {
     private int pastCells(LeafTable table, int other) {
         int first = own.first(id);
         sweep.translation(view.dimension, dx, dy, dz);
-        int all = DiscWay.CLEAR;
+        int all = DiscSweepFilter.CLEAR;
         for (int i = first; i < first + own.count(id); i++) {
             int one = sweep.passesCells(own.leaves(), i, table.leaves(), table.first(other));
             if (one == PlainCells.MET) {
-                return DiscWay.MET;
+                return DiscSweepFilter.MET;
             }
-            all = one == PlainCells.PAST ? all : DiscWay.UNSURE;
+            all = one == PlainCells.PAST ? all : DiscSweepFilter.UNSURE;
         }
         return all;
     }
@@ -246,7 +246,7 @@ final class TranslationFastPath {
         double qz = 0.5 * minZ + 0.5 * maxZ - ownZ;
         // Who meets as seen from above may be higher or lower.
         boolean isAll = isDisc && ownIsDisc && view.dimension == Dimension.PLANAR;
-        return DiscWay.past(qx, qz, dx, dz, ownRadius + radius, slack, isAll);
+        return DiscSweepFilter.past(qx, qz, dx, dz, ownRadius + radius, slack, isAll);
     }
 
     private boolean passes(LeafTable table, int other) {

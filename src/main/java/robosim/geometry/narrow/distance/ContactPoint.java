@@ -4,7 +4,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.BoxGap;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactCommonPoint;
 
 /** A point that two touching leaves have in common, and how far rounding may have moved it off either. */
@@ -26,71 +25,53 @@ public final class ContactPoint {
      *
      * @param out seven numbers
      */
-    public static void of(
-            Dimension dimension,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double[] out,
-            DistanceScratch s) {
+    public static void of(Dimension dimension, Leaf a, Leaf b, double[] out, DistanceScratch s) {
         boolean flat = dimension == Dimension.PLANAR;
-        ConvexContact.between(dimension, kindA, a, i, kindB, b, j, out, s);
-        double rounding = bound(flat, kindA, a, i, kindB, b, j, out, s);
+        ConvexContact.between(dimension, a, b, out, s);
+        double rounding = bound(flat, a, b, out, s);
         if (flat && out[6] > FAR * rounding) {
             // For deep overlaps the middle of the way out may be in neither.
-            s.gjk.pair.planar(kindA, a, i, kindB, b, j);
+            s.gjk.pair.planar(a, b);
             double x = out[0];
             double z = out[2];
             double before = out[6];
             out[0] = 0.5 * s.gjk.pair.ax() + 0.5 * s.gjk.pair.bx();
             out[2] = 0.5 * s.gjk.pair.az() + 0.5 * s.gjk.pair.bz();
-            bound(true, kindA, a, i, kindB, b, j, out, s);
+            bound(true, a, b, out, s);
             if (out[6] > before) {
                 out[0] = x;
                 out[2] = z;
                 out[6] = before;
             }
         }
-        boolean exactly = !flat && kindA.isPolytope() && kindB.isPolytope();
-        if (exactly && out[6] > FAR * rounding && ExactCommonPoint.point(kindA, a, i, kindB, b, j, out)) {
-            bound(false, kindA, a, i, kindB, b, j, out, s);
+        boolean exactly = !flat && a.kind.isPolytope() && b.kind.isPolytope();
+        if (exactly && out[6] > FAR * rounding && ExactCommonPoint.point(a, b, out)) {
+            bound(false, a, b, out, s);
         }
     }
 
     /** Bounds the point's distances and returns how much of that is rounding for any point. */
-    private static double bound(
-            boolean flat,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double[] out,
-            DistanceScratch s) {
+    private static double bound(boolean flat, Leaf a, Leaf b, double[] out, DistanceScratch s) {
         for (int axis = 0; axis < 3; axis++) {
             out[axis] = Math.max(-MOST, Math.min(MOST, out[axis]));
         }
-        double fromA = off(flat, kindA, a, i, out, s);
+        double fromA = off(flat, a, out, s);
         double rounding = s.gjk.pair.error();
-        double fromB = off(flat, kindB, b, j, out, s);
+        double fromB = off(flat, b, out, s);
         out[6] = Math.max(fromA, fromB);
         return Math.max(rounding, s.gjk.pair.error());
     }
 
     /** An upper bound of the distance from a leaf to the point at the beginning of an array. */
-    private static double off(boolean flat, LeafKind kind, double[] row, int at, double[] point, DistanceScratch s) {
-        double[] sphere = s.witness;
-        System.arraycopy(point, 0, sphere, 0, 3);
-        sphere[Leaf.SIZE] = 0;
+    private static double off(boolean flat, Leaf leaf, double[] point, DistanceScratch s) {
+        Leaf sphere = s.witness;
+        System.arraycopy(point, 0, sphere.row, 0, 3);
+        sphere.row[Leaf.SIZE] = 0;
         Gjk gjk = s.gjk.pair;
         if (flat) {
-            gjk.planar(LeafKind.SPHERE, sphere, 0, kind, row, at);
+            gjk.planar(sphere, leaf);
         } else {
-            gjk.spatial(LeafKind.SPHERE, sphere, 0, kind, row, at);
+            gjk.spatial(sphere, leaf);
         }
         return BoxGap.up(gjk.upper() + gjk.error());
     }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.distance;
 
 import robosim.geometry.model.Dimension;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 
 /** Where two convex leaves touch or are nearest. */
@@ -13,24 +13,15 @@ public final class ConvexContact {
      *
      * @param out six numbers: point, normal
      */
-    public static void between(
-            Dimension dimension,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double[] out,
-            DistanceScratch s) {
+    public static void between(Dimension dimension, Leaf a, Leaf b, double[] out, DistanceScratch s) {
         UnderflowScaling m = s.leaf.scaling;
-        if (m.take(dimension, kindA, a, i, kindB, b, j)) {
-            storedContact(dimension, kindA, m.a, 0, kindB, m.b, 0, out, s);
+        if (m.take(dimension, a, b)) {
+            storedContact(dimension, m.first, m.second, out, s);
             for (int axis = 0; axis < 3; axis++) {
                 out[axis] = m.down(out[axis]);
             }
         } else {
-            storedContact(dimension, kindA, a, i, kindB, b, j, out, s);
+            storedContact(dimension, a, b, out, s);
         }
     }
 
@@ -40,60 +31,32 @@ public final class ConvexContact {
      *
      * @param isLevel whether the two meet side to side, so that the point's height does not matter
      */
-    public static void along(
-            Dimension dimension,
-            boolean isLevel,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double[] out,
-            DistanceScratch s) {
+    public static void along(Dimension dimension, boolean isLevel, Leaf a, Leaf b, double[] out, DistanceScratch s) {
         UnderflowScaling m = s.leaf.scaling;
         boolean isFlat = isLevel || dimension == Dimension.PLANAR;
-        if (m.take(dimension, kindA, a, i, kindB, b, j)) {
-            storedPoint(isFlat, kindA, m.a, 0, kindB, m.b, 0, out, s);
+        if (m.take(dimension, a, b)) {
+            storedPoint(isFlat, m.first, m.second, out, s);
             for (int axis = 0; axis < 3; axis++) {
                 out[axis] = m.down(out[axis]);
             }
         } else {
-            storedPoint(isFlat, kindA, a, i, kindB, b, j, out, s);
+            storedPoint(isFlat, a, b, out, s);
         }
     }
 
-    private static void storedPoint(
-            boolean isFlat,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double[] out,
-            DistanceScratch s) {
+    private static void storedPoint(boolean isFlat, Leaf a, Leaf b, double[] out, DistanceScratch s) {
         if (isFlat) {
-            PlanarContact.point(kindA, a, i, kindB, b, j, out, s);
+            PlanarContact.point(a, b, out, s);
         } else {
-            SpatialContact.point(kindA, a, i, kindB, b, j, out, s);
+            SpatialContact.point(a, b, out, s);
         }
     }
 
-    private static void storedContact(
-            Dimension dimension,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double[] out,
-            DistanceScratch s) {
+    private static void storedContact(Dimension dimension, Leaf a, Leaf b, double[] out, DistanceScratch s) {
         if (dimension == Dimension.PLANAR) {
-            PlanarContact.between(kindA, a, i, kindB, b, j, out, s);
+            PlanarContact.between(a, b, out, s);
         } else {
-            SpatialContact.between(kindA, a, i, kindB, b, j, out, s);
+            SpatialContact.between(a, b, out, s);
         }
     }
 }

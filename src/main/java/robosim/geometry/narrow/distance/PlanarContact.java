@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.distance;
 
 import robosim.geometry.exact.Radians;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
-import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.planar.PlanarBracket;
 import robosim.geometry.narrow.planar.PlanarShape;
@@ -25,31 +25,29 @@ public final class PlanarContact {
      *
      * <p>A witness in plain doubles, for leaves that touch or nearly do; no decision depends on it.
      */
-    public static void between(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
-        boolean reversed = PairOrder.isReversed(kindA, a, i, kindB, b, j);
+    public static void between(Leaf a, Leaf b, double[] out, DistanceScratch s) {
+        boolean reversed = PairOrder.isReversed(a, b);
         if (reversed) {
-            ordered(kindB, b, j, kindA, a, i, out, s);
+            ordered(b, a, out, s);
             out[3] = 0 - out[3];
             out[5] = 0 - out[5];
         } else {
-            ordered(kindA, a, i, kindB, b, j, out, s);
+            ordered(a, b, out, s);
         }
-        out[1] = height(kindA, a, i, kindB, b, j, s);
+        out[1] = height(a, b, s);
         out[4] = 0;
     }
 
     /** Writes the contact point alone, for a known unit normal from b towards a, the last three of six numbers. */
-    public static void point(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
+    public static void point(Leaf a, Leaf b, double[] out, DistanceScratch s) {
         PlanarShape p = s.planar.planarA;
         PlanarShape q = s.planar.planarB;
         double nx = out[3];
         double nz = out[5];
-        double ox = PlanarShape.originX(kindA, a, i);
-        double oz = PlanarShape.originZ(kindA, a, i);
-        p.set(kindA, a, i, ox, oz);
-        q.set(kindB, b, j, ox, oz);
+        double ox = PlanarShape.originX(a.kind, a.row, a.at);
+        double oz = PlanarShape.originZ(a.kind, a.row, a.at);
+        p.set(a.kind, a.row, a.at, ox, oz);
+        q.set(b.kind, b.row, b.at, ox, oz);
         point(p, q, nx, nz, ox, oz, out);
         // The direction between a corner and a curve is known to half the digits, and the corner to all.
         if (p.outline == PlanarShape.Outline.POLYGON && q.outline != PlanarShape.Outline.POLYGON) {
@@ -57,7 +55,7 @@ public final class PlanarContact {
         } else if (q.outline == PlanarShape.Outline.POLYGON && p.outline != PlanarShape.Outline.POLYGON) {
             clamp(q, nx, nz, ox, oz, out);
         }
-        out[1] = height(kindA, a, i, kindB, b, j, s);
+        out[1] = height(a, b, s);
     }
 
     /** Moves a point along the foremost side of a polygon onto it, or to its foremost corner. */
@@ -71,14 +69,13 @@ public final class PlanarContact {
         out[2] += by * nx;
     }
 
-    private static void ordered(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
+    private static void ordered(Leaf a, Leaf b, double[] out, DistanceScratch s) {
         PlanarShape p = s.planar.planarA;
         PlanarShape q = s.planar.planarB;
-        double ox = PlanarShape.originX(kindA, a, i);
-        double oz = PlanarShape.originZ(kindA, a, i);
-        p.set(kindA, a, i, ox, oz);
-        q.set(kindB, b, j, ox, oz);
+        double ox = PlanarShape.originX(a.kind, a.row, a.at);
+        double oz = PlanarShape.originZ(a.kind, a.row, a.at);
+        p.set(a.kind, a.row, a.at, ox, oz);
+        q.set(b.kind, b.row, b.at, ox, oz);
         PlanarBracket bracket = s.planar.planarBracket;
         bracket.find(q, p, false);
         double nx = bracket.normalX;
@@ -255,13 +252,12 @@ public final class PlanarContact {
         return side * end;
     }
 
-    private static double height(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
+    private static double height(Leaf a, Leaf b, DistanceScratch s) {
         double[] bounds = s.planar.planarBounds;
-        LeafBounds.of(kindA, a, i, bounds);
+        LeafBounds.of(a.kind, a.row, a.at, bounds);
         double least = bounds[1];
         double most = bounds[4];
-        LeafBounds.of(kindB, b, j, bounds);
+        LeafBounds.of(b.kind, b.row, b.at, bounds);
         return (Math.max(least, bounds[1]) + Math.min(most, bounds[4])) / 2;
     }
 }

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.distance;
 
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
@@ -18,58 +19,53 @@ public final class PlanarDistance {
      *
      * <p>For a turned cylinder the lower end of a bracket, no more than 2^-45 of the sizes and the offset below the truth.
      */
-    public static double between(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        if (PairOrder.isReversed(kindA, a, i, kindB, b, j)) {
-            return ordered(kindB, b, j, kindA, a, i, s);
+    public static double between(Leaf a, Leaf b, DistanceScratch s) {
+        if (PairOrder.isReversed(a, b)) {
+            return ordered(b, a, s);
         }
-        return ordered(kindA, a, i, kindB, b, j, s);
+        return ordered(a, b, s);
     }
 
-    private static double ordered(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        return switch (kindA.fromAbove()) {
-            case DISC -> disc(kindA, a, i, kindB, b, j, s);
-            case POLYGON -> polygon(kindA, a, i, kindB, b, j, s);
-            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES, CELLS -> throw kindA.refused();
+    private static double ordered(Leaf a, Leaf b, DistanceScratch s) {
+        return switch (a.kind.fromAbove()) {
+            case DISC -> disc(a, b, s);
+            case POLYGON -> polygon(a, b, s);
+            case OVAL -> oval(a, b, s);
+            case TRIANGLES, CELLS -> throw a.kind.refused();
         };
     }
 
-    private static double disc(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        return switch (kindB.fromAbove()) {
-            case DISC -> DiscDisc.distance(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3]);
-            case POLYGON -> discPolygon(a, i, kindB, b, j, s);
-            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES, CELLS -> throw kindB.refused();
+    private static double disc(Leaf a, Leaf b, DistanceScratch s) {
+        return switch (b.kind.fromAbove()) {
+            case DISC -> DiscDisc.distance(a.get(0), a.get(2), a.get(3), b.get(0), b.get(2), b.get(3));
+            case POLYGON -> discPolygon(a, b, s);
+            case OVAL -> oval(a, b, s);
+            case TRIANGLES, CELLS -> throw b.kind.refused();
         };
     }
 
-    private static double polygon(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        return switch (kindB.fromAbove()) {
-            case DISC -> discPolygon(b, j, kindA, a, i, s);
-            case POLYGON -> PolygonPolygon.distance(kindA, a, i, kindB, b, j, s.planar);
-            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES, CELLS -> throw kindB.refused();
+    private static double polygon(Leaf a, Leaf b, DistanceScratch s) {
+        return switch (b.kind.fromAbove()) {
+            case DISC -> discPolygon(b, a, s);
+            case POLYGON -> PolygonPolygon.distance(a, b, s.planar);
+            case OVAL -> oval(a, b, s);
+            case TRIANGLES, CELLS -> throw b.kind.refused();
         };
     }
 
     /** Two projections of which one at least is an oval. */
-    private static double oval(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        double ox = PlanarShape.originX(kindA, a, i);
-        double oz = PlanarShape.originZ(kindA, a, i);
-        s.planar.planarA.set(kindA, a, i, ox, oz);
-        s.planar.planarB.set(kindB, b, j, ox, oz);
+    private static double oval(Leaf a, Leaf b, DistanceScratch s) {
+        double ox = PlanarShape.originX(a.kind, a.row, a.at);
+        double oz = PlanarShape.originZ(a.kind, a.row, a.at);
+        s.planar.planarA.set(a.kind, a.row, a.at, ox, oz);
+        s.planar.planarB.set(b.kind, b.row, b.at, ox, oz);
         s.planar.planarBracket.find(s.planar.planarA, s.planar.planarB, false);
         return s.planar.planarBracket.distance();
     }
 
-    private static double discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, DistanceScratch s) {
-        return kind == LeafKind.UPRIGHT_BOX && DiscRectangle.isSquare(b, j)
-                ? DiscRectangle.distance(disc[i], disc[i + 2], disc[i + 3], b, j, s.planar)
-                : DiscPolygon.distance(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s.planar);
+    private static double discPolygon(Leaf disc, Leaf b, DistanceScratch s) {
+        return b.kind == LeafKind.UPRIGHT_BOX && DiscRectangle.isSquare(b.row, b.at)
+                ? DiscRectangle.distance(disc.get(0), disc.get(2), disc.get(3), b.row, b.at, s.planar)
+                : DiscPolygon.distance(disc.get(0), disc.get(2), disc.get(3), b, s.planar);
     }
 }

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.distance;
 
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.Penetration;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** The contact point and normal of two leaves in space. */
 public final class SpatialContact {
@@ -16,10 +16,9 @@ public final class SpatialContact {
      * <p>A witness in plain doubles, for leaves that touch or nearly do; no decision depends on it. The normal is
      * opposite for (b, a).
      */
-    public static void between(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
+    public static void between(Leaf a, Leaf b, double[] out, DistanceScratch s) {
         Penetration penetration = s.gjk.penetration();
-        penetration.spatial(kindA, a, i, kindB, b, j);
+        penetration.spatial(a, b);
         point(penetration.bracket(), out);
         out[3] = penetration.nx(0);
         out[4] = penetration.ny(0);
@@ -27,9 +26,8 @@ public final class SpatialContact {
     }
 
     /** Writes the point alone. */
-    public static void point(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
-        s.gjk.pair.spatial(kindA, a, i, kindB, b, j);
+    public static void point(Leaf a, Leaf b, double[] out, DistanceScratch s) {
+        s.gjk.pair.spatial(a, b);
         point(s.gjk.pair, out);
     }
 

@@ -3,6 +3,7 @@ package robosim.geometry.narrow.distance;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.leaf.Upright;
@@ -22,38 +23,34 @@ public final class SpatialDistance {
      * upright: the lower end of a bracket, no more than 2^-44 of the distance and 2^-46 of the sizes and the offset
      * below the truth, never above it.
      */
-    public static double between(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
-            double planar = PlanarDistance.between(kindA, a, i, kindB, b, j, s);
-            double vertical = gap(kindA, a, i, kindB, b, j);
+    public static double between(Leaf a, Leaf b, DistanceScratch s) {
+        if (a.kind.isVerticalPrism() && b.kind.isVerticalPrism()) {
+            double planar = PlanarDistance.between(a, b, s);
+            double vertical = gap(a, b);
             return vertical == 0 ? planar : planar == 0 ? vertical : VectorMath.legs(planar, vertical);
         }
-        if (kindA == LeafKind.SPHERE && SphereDistance.isFor(kindB, a, i, b, j)) {
-            return s.sphereDistance.between(a, i, kindB, b, j);
+        if (a.kind == LeafKind.SPHERE && SphereDistance.isFor(a, b)) {
+            return s.sphereDistance.between(a, b);
         }
-        if (kindB == LeafKind.SPHERE && SphereDistance.isFor(kindA, b, j, a, i)) {
-            return s.sphereDistance.between(b, j, kindA, a, i);
+        if (b.kind == LeafKind.SPHERE && SphereDistance.isFor(b, a)) {
+            return s.sphereDistance.between(b, a);
         }
-        return PairOrder.isReversed(kindA, a, i, kindB, b, j)
-                ? bracketed(kindB, b, j, kindA, a, i, s)
-                : bracketed(kindA, a, i, kindB, b, j, s);
+        return PairOrder.isReversed(a, b) ? bracketed(b, a, s) : bracketed(a, b, s);
     }
 
-    private static double bracketed(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
+    private static double bracketed(Leaf a, Leaf b, DistanceScratch s) {
         Gjk gjk = s.gjk.pair;
-        double lower = gjk.spatial(kindA, a, i, kindB, b, j);
-        if (lower == 0 && SpatialOverlap.test(kindA, a, i, kindB, b, j, s.overlap)) {
+        double lower = gjk.spatial(a, b);
+        if (lower == 0 && SpatialOverlap.test(a, b, s.overlap)) {
             return 0;
         }
         if (lower == 0) {
-            gjk.spatial(kindA, a, i, kindB, b, j); // the test may have used it for another query
+            gjk.spatial(a, b); // the test may have used it for another query
         }
         if (!gjk.isClosed()) {
             lower = gjk.close();
         }
-        return isBracketed(kindA) || isBracketed(kindB) ? lower : Math.max(0, gjk.reach());
+        return isBracketed(a.kind) || isBracketed(b.kind) ? lower : Math.max(0, gjk.reach());
     }
 
     /** Whether its nearest point is found to a bracket only: where it is round, but not a ball about a point or a segment. */
@@ -66,19 +63,19 @@ public final class SpatialDistance {
     }
 
     /** The gap between the heights of two upright leaves, to within a rounding; 0 if they touch. */
-    private static double gap(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (Upright.heightsTouch(kindA, a, i, kindB, b, j)) {
+    private static double gap(Leaf a, Leaf b) {
+        if (Upright.heightsTouch(a, b)) {
             return 0;
         }
-        return Math.max(above(kindA, a, i, kindB, b, j), above(kindB, b, j, kindA, a, i));
+        return Math.max(above(a, b), above(b, a));
     }
 
     /** How far the minimum height of a is above the maximum of b. */
-    private static double above(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double base = Upright.middle(kindA, a, i);
-        double down = Upright.halfHeight(kindA, a, i);
-        double top = Upright.top(kindB, b, j);
-        double up = Upright.halfHeight(kindB, b, j);
+    private static double above(Leaf a, Leaf b) {
+        double base = Upright.middle(a);
+        double down = Upright.halfHeight(a);
+        double top = Upright.top(b);
+        double up = Upright.halfHeight(b);
         double between = base - top;
         double sizes = down + up;
         double lost = DoubleDouble.sumTail(base, -top, between) - DoubleDouble.sumTail(down, up, sizes);

@@ -43,50 +43,53 @@ final class SphereDistance {
     private double doubt;
 
     /** Whether the kernel is for this leaf, and large enough for it. */
-    static boolean isFor(LeafKind kind, double[] sphere, int i, double[] row, int j) {
-        return switch (kind) {
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE ->
-                size(kind, sphere, i, row, j) > SMALL;
+    static boolean isFor(Leaf sphere, Leaf leaf) {
+        return switch (leaf.kind) {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE -> size(sphere, leaf) > SMALL;
             case PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         };
     }
 
-    private static double size(LeafKind kind, double[] sphere, int i, double[] row, int j) {
-        double size = VectorMath.largest(row[j] - sphere[i], row[j + 1] - sphere[i + 1], row[j + 2] - sphere[i + 2]);
-        if (kind.layout() == LeafKind.Layout.CORNERS) {
-            for (int k = j + 3; k < j + 9; k += 3) {
-                size = Math.max(
-                        size,
-                        VectorMath.largest(row[k] - sphere[i], row[k + 1] - sphere[i + 1], row[k + 2] - sphere[i + 2]));
+    private static double size(Leaf sphere, Leaf leaf) {
+        double size = 0;
+        if (leaf.kind.layout() == LeafKind.Layout.CORNERS) {
+            for (int k = 0; k < 9; k += 3) {
+                size = Math.max(size, offset(sphere, leaf, k));
             }
         } else {
-            for (int k = Leaf.SIZE; k < kind.lengths(); k++) {
-                size += row[j + k];
+            size = offset(sphere, leaf, 0);
+            for (int k = Leaf.SIZE; k < leaf.kind.lengths(); k++) {
+                size += leaf.get(k);
             }
         }
-        return size + sphere[i + Leaf.SIZE];
+        return size + sphere.get(Leaf.SIZE);
+    }
+
+    private static double offset(Leaf sphere, Leaf leaf, int k) {
+        return VectorMath.largest(
+                leaf.get(k) - sphere.get(0), leaf.get(k + 1) - sphere.get(1), leaf.get(k + 2) - sphere.get(2));
     }
 
     /**
      * At most 4 ulp of the distance, or 2^-60 of the sizes and the offset, below the truth, never above it, and 0 in
      * contact; for a triangle whose edges span a sine below 2^-30 at most 2^-44 of them below.
      */
-    double between(double[] sphere, int i, LeafKind kind, double[] row, int j) {
-        extent = size(kind, sphere, i, row, j);
+    double between(Leaf sphere, Leaf leaf) {
+        extent = size(sphere, leaf);
         doubt = PAIRS_ERROR * extent;
         for (int k = 0; k < 3; k++) {
-            p.difference(AWAY + k, sphere[i + k], row[j + k]);
+            p.difference(AWAY + k, sphere.get(k), leaf.get(k));
         }
-        switch (kind) {
+        switch (leaf.kind) {
             case SPHERE -> centre();
-            case UPRIGHT_CYLINDER -> cylinder(row, j, 0, 1, 0);
-            case CYLINDER -> cylinder(row, j, row[j + 7], row[j + 10], row[j + 13]);
-            case TRIANGLE -> triangle(row, j);
-            case UPRIGHT_BOX, BOX -> box(row, j);
-            case PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case UPRIGHT_CYLINDER -> cylinder(leaf.row, leaf.at, 0, 1, 0);
+            case CYLINDER -> cylinder(leaf.row, leaf.at, leaf.get(7), leaf.get(10), leaf.get(13));
+            case TRIANGLE -> triangle(leaf.row, leaf.at);
+            case UPRIGHT_BOX, BOX -> box(leaf.row, leaf.at);
+            case PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
-        p.difference(TEMPORARY, sphere[i + Leaf.SIZE], kind == LeafKind.SPHERE ? -row[j + Leaf.SIZE] : 0);
+        p.difference(TEMPORARY, sphere.get(Leaf.SIZE), leaf.kind == LeafKind.SPHERE ? -leaf.get(Leaf.SIZE) : 0);
         p.subtract(LEAST, LEAST, TEMPORARY);
         double distance = p.get(LEAST) - doubt;
         return Math.max(0, Math.nextDown(Math.nextDown(distance)));

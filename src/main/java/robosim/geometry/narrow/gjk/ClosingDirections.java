@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.narrow.leaf.FeatureDirections;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Upright;
 
@@ -39,19 +40,19 @@ public final class ClosingDirections {
     private double low;
 
     /** Finds the directions, each a unit vector from b towards a; in the plane with y = 0. */
-    public void find(boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    public void find(boolean planar, Leaf a, Leaf b) {
         isLevel = false;
-        if (planar || !hasUprightCore(kindA) || !hasUprightCore(kindB)) {
-            solve(planar, kindA, a, i, kindB, b, j);
+        if (planar || !hasUprightCore(a.kind) || !hasUprightCore(b.kind)) {
+            solve(planar, a, b);
             return;
         }
-        double above = bottom(kindA, a, i) - top(kindB, b, j);
-        double below = bottom(kindB, b, j) - top(kindA, a, i);
-        low = Math.max(bottom(kindA, a, i), bottom(kindB, b, j));
-        high = Math.min(top(kindA, a, i), top(kindB, b, j));
-        boolean isPrisms = kindA.isVerticalPrism() && kindB.isVerticalPrism();
+        double above = bottom(a) - top(b);
+        double below = bottom(b) - top(a);
+        low = Math.max(bottom(a), bottom(b));
+        high = Math.min(top(a), top(b));
+        boolean isPrisms = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
         if (isPrisms || Math.max(above, below) <= 0) {
-            solve(true, kindA, a, i, kindB, b, j);
+            solve(true, a, b);
             if (isPrisms) {
                 slack += Gjk.ROUNDOFF * (Math.abs(low) + Math.abs(high));
                 combine(Math.max(above, below), above >= below ? 1 : -1);
@@ -62,7 +63,7 @@ public final class ClosingDirections {
                 return;
             }
         }
-        solve(false, kindA, a, i, kindB, b, j);
+        solve(false, a, b);
     }
 
     /** Whether the leaf is all that is within a radius of a prism or a vertical segment. */
@@ -70,14 +71,12 @@ public final class ClosingDirections {
         return kind.isVerticalPrism() || kind == LeafKind.SPHERE || kind == LeafKind.UPRIGHT_CAPSULE;
     }
 
-    private static double bottom(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.SPHERE
-                ? row[at + 1]
-                : Upright.middle(kind, row, at) - Upright.halfHeight(kind, row, at);
+    private static double bottom(Leaf leaf) {
+        return leaf.kind == LeafKind.SPHERE ? leaf.get(1) : Upright.middle(leaf) - Upright.halfHeight(leaf);
     }
 
-    private static double top(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.SPHERE ? row[at + 1] : Upright.top(kind, row, at) + Upright.halfHeight(kind, row, at);
+    private static double top(Leaf leaf) {
+        return leaf.kind == LeafKind.SPHERE ? leaf.get(1) : Upright.top(leaf) + Upright.halfHeight(leaf);
     }
 
     /** Combines the directions in the plane with the vertical one. */
@@ -98,12 +97,12 @@ public final class ClosingDirections {
         gap = Math.max(gap, vertical);
     }
 
-    private void solve(boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        slack = load(planar, kindA, a, i, kindB, b, j);
+    private void solve(boolean planar, Leaf a, Leaf b) {
+        slack = load(planar, a, b);
         directions.clear();
         search.flat = flat;
-        sides(kindA, a, i, facetsA);
-        sides(kindB, b, j, facetsB);
+        sides(a, facetsA);
+        sides(b, facetsB);
         if (!flat) {
             for (int k = 0; k < facetsA.edges; k++) {
                 for (int m = 0; m < facetsB.edges; m++) {
@@ -116,7 +115,7 @@ public final class ClosingDirections {
                             facetsB.edgeZ[m]);
                 }
             }
-            if (isThin(kindA, facetsA) && isThin(kindB, facetsB)) {
+            if (isThin(a.kind, facetsA) && isThin(b.kind, facetsB)) {
                 inPlane(facetsA);
                 inPlane(facetsB);
             }
@@ -124,18 +123,18 @@ public final class ClosingDirections {
         boolean isCurved = !first.isPolytope() || !second.isPolytope();
         boolean isRound = isCurved || first.margin > 0 || second.margin > 0;
         if (isRound || directions.count() == 0 || -directions.least() > slack) {
-            nearest(isCurved, kindA, a, i, kindB, b, j);
+            nearest(isCurved, a, b);
         }
         gap = directions.count() == 0 ? 0 : -directions.least();
         directions.keepTies(slack - gap);
     }
 
     /** Adds the direction between the nearest points, if it is not that of a side, which is known more accurately. */
-    private void nearest(boolean isCurved, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private void nearest(boolean isCurved, Leaf a, Leaf b) {
         if (flat) {
-            gjk.planar(kindA, a, i, kindB, b, j);
+            gjk.planar(a, b);
         } else {
-            gjk.spatial(kindA, a, i, kindB, b, j);
+            gjk.spatial(a, b);
         }
         slack = TIE * gjk.error();
         double sides = directions.count() == 0 ? Double.POSITIVE_INFINITY : directions.least();
@@ -154,31 +153,31 @@ public final class ClosingDirections {
     }
 
     /** Loads two leaves for {@link #gap(double, double, double)} alone; returns the error of that, times some. */
-    public double load(boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    public double load(boolean planar, Leaf a, Leaf b) {
         flat = planar;
-        double ox = Support.originX(kindA, a, i);
-        double oz = Support.originZ(kindA, a, i);
+        double ox = Support.originX(a.kind, a.row, a.at);
+        double oz = Support.originZ(a.kind, a.row, a.at);
         if (flat) {
-            first.planar(kindA, a, i, ox, oz, 1);
-            second.planar(kindB, b, j, ox, oz, 1);
+            first.planar(a.kind, a.row, a.at, ox, oz, 1);
+            second.planar(b.kind, b.row, b.at, ox, oz, 1);
         } else {
-            double oy = Support.originY(kindA, a, i);
-            first.spatial(kindA, a, i, ox, oy, oz, 1);
-            second.spatial(kindB, b, j, ox, oy, oz, 1);
+            double oy = Support.originY(a.kind, a.row, a.at);
+            first.spatial(a.kind, a.row, a.at, ox, oy, oz, 1);
+            second.spatial(b.kind, b.row, b.at, ox, oy, oz, 1);
         }
         return TIE * Gjk.ROUNDOFF * (first.extent + second.extent);
     }
 
-    private void sides(LeafKind kind, double[] row, int at, FeatureDirections facets) {
+    private void sides(Leaf leaf, FeatureDirections facets) {
         if (flat) {
-            facets.planar(kind, row, at);
+            facets.planar(leaf);
         } else {
-            facets.spatial(kind, row, at);
+            facets.spatial(leaf);
         }
         for (int k = 0; k < facets.faces; k++) {
             both(facets.faceX[k], facets.faceY[k], facets.faceZ[k]);
         }
-        if (flat && kind == LeafKind.TRIANGLE && areParallel(facets)) {
+        if (flat && leaf.kind == LeafKind.TRIANGLE && areParallel(facets)) {
             both(-facets.faceZ[0], 0, facets.faceX[0]); // a segment also ends
         }
     }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.PairOrder;
 
 /**
@@ -92,22 +92,22 @@ public final class Gjk {
     private boolean reversed;
 
     /** Runs a query in space; returns the lower end of the bracket, at least 0. */
-    public double spatial(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        return ask(kindA, a, i, kindB, b, j, false);
+    public double spatial(Leaf a, Leaf b) {
+        return ask(a, b, false);
     }
 
     /** Runs a query for the projections on XZ; returns the lower end of the bracket, at least 0. All y are 0. */
-    public double planar(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        return ask(kindA, a, i, kindB, b, j, true);
+    public double planar(Leaf a, Leaf b) {
+        return ask(a, b, true);
     }
 
-    private double ask(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, boolean flat) {
-        reversed = PairOrder.isReversed(kindA, a, i, kindB, b, j);
+    private double ask(Leaf a, Leaf b, boolean flat) {
+        reversed = PairOrder.isReversed(a, b);
         if (reversed) {
-            solve(kindB, b, j, kindA, a, i, flat);
+            solve(b, a, flat);
             reverse();
         } else {
-            solve(kindA, a, i, kindB, b, j, flat);
+            solve(a, b, flat);
         }
         return Math.max(0, lower);
     }
@@ -223,16 +223,16 @@ public final class Gjk {
         return steps;
     }
 
-    private void solve(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, boolean flat) {
-        ox = Support.originX(kindA, a, i);
-        oy = flat ? 0 : Support.originY(kindA, a, i);
-        oz = Support.originZ(kindA, a, i);
-        load(kindA, a, i, kindB, b, j, 1, flat);
+    private void solve(Leaf a, Leaf b, boolean flat) {
+        ox = Support.originX(a.kind, a.row, a.at);
+        oy = flat ? 0 : Support.originY(a.kind, a.row, a.at);
+        oz = Support.originZ(a.kind, a.row, a.at);
+        load(a, b, 1, flat);
         double scale = 1;
         double size = first.extent + second.extent;
         if (size > 0 && size < SMALL) {
             scale = Math.scalb(1.0, Math.min(1000, -Math.getExponent(size)));
-            load(kindA, a, i, kindB, b, j, scale, flat);
+            load(a, b, scale, flat);
         }
         error = ROUNDOFF * (first.extent + second.extent);
         unscale = 1 / scale;
@@ -241,14 +241,13 @@ public final class Gjk {
         finish();
     }
 
-    private void load(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double scale, boolean flat) {
+    private void load(Leaf a, Leaf b, double scale, boolean flat) {
         if (flat) {
-            first.planar(kindA, a, i, ox, oz, scale);
-            second.planar(kindB, b, j, ox, oz, scale);
+            first.planar(a.kind, a.row, a.at, ox, oz, scale);
+            second.planar(b.kind, b.row, b.at, ox, oz, scale);
         } else {
-            first.spatial(kindA, a, i, ox, oy, oz, scale);
-            second.spatial(kindB, b, j, ox, oy, oz, scale);
+            first.spatial(a.kind, a.row, a.at, ox, oy, oz, scale);
+            second.spatial(b.kind, b.row, b.at, ox, oy, oz, scale);
         }
     }
 

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.gjk;
 
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * Whether the hull of some leaves certainly overlaps that of others by more than rounding, so that no plane separates
@@ -42,29 +42,29 @@ public final class HullOverlap {
     }
 
     /** Adds one of up to four leaves on one side; there must be one before any is added on the other side. */
-    public void above(LeafKind kind, double[] row, int at) {
+    public void above(Leaf leaf) {
         if (above == 0) {
-            ox = Support.originX(kind, row, at);
-            oy = Support.originY(kind, row, at);
-            oz = Support.originZ(kind, row, at);
+            ox = Support.originX(leaf.kind, leaf.row, leaf.at);
+            oy = Support.originY(leaf.kind, leaf.row, leaf.at);
+            oz = Support.originZ(leaf.kind, leaf.row, leaf.at);
         }
         Support support = upper[above++];
-        load(support, kind, row, at);
+        load(support, leaf);
         extentAbove = Math.max(extentAbove, support.extent);
     }
 
     /** Adds one of up to two leaves on the other side. */
-    public void below(LeafKind kind, double[] row, int at) {
+    public void below(Leaf leaf) {
         Support support = lower[below++];
-        load(support, kind, row, at);
+        load(support, leaf);
         extentBelow = Math.max(extentBelow, support.extent);
     }
 
-    private void load(Support support, LeafKind kind, double[] row, int at) {
+    private void load(Support support, Leaf leaf) {
         if (isFlat) {
-            support.planar(kind, row, at, ox, oz, 1);
+            support.planar(leaf.kind, leaf.row, leaf.at, ox, oz, 1);
         } else {
-            support.spatial(kind, row, at, ox, oy, oz, 1);
+            support.spatial(leaf.kind, leaf.row, leaf.at, ox, oy, oz, 1);
         }
     }
 

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.narrow.leaf.FeatureDirections;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.PairOrder;
 
 /**
@@ -47,15 +47,15 @@ public final class Penetration {
     private double proven;
 
     /** The depth in space; if the two are apart, minus their distance. */
-    public double spatial(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    public double spatial(Leaf a, Leaf b) {
         flat = false;
-        return ordered(kindA, a, i, kindB, b, j);
+        return ordered(a, b);
     }
 
     /** The depth of the projections on XZ; if the two are apart, minus their distance. All directions have y = 0. */
-    public double planar(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    public double planar(Leaf a, Leaf b) {
         flat = true;
-        return ordered(kindA, a, i, kindB, b, j);
+        return ordered(a, b);
     }
 
     /** The distance query with which the last one began; its a and b may be exchanged. */
@@ -86,20 +86,20 @@ public final class Penetration {
         return directions.z(k);
     }
 
-    private double ordered(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (!PairOrder.isReversed(kindA, a, i, kindB, b, j)) {
-            return solve(kindA, a, i, kindB, b, j);
+    private double ordered(Leaf a, Leaf b) {
+        if (!PairOrder.isReversed(a, b)) {
+            return solve(a, b);
         }
-        double depth = solve(kindB, b, j, kindA, a, i);
+        double depth = solve(b, a);
         directions.reverse();
         return depth;
     }
 
-    private double solve(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private double solve(Leaf a, Leaf b) {
         if (flat) {
-            gjk.planar(kindA, a, i, kindB, b, j);
+            gjk.planar(a, b);
         } else {
-            gjk.spatial(kindA, a, i, kindB, b, j);
+            gjk.spatial(a, b);
         }
         directions.clear();
         if (gjk.coreReach() > gjk.error()) {
@@ -107,15 +107,15 @@ public final class Penetration {
             proven = -gjk.reach() - (gjk.coreUpper() - gjk.coreReach()) - gjk.error();
             return Math.min(-gjk.reach(), proven + gjk.error() * (PROVEN / Gjk.ROUNDOFF));
         }
-        load(kindA, a, i, kindB, b, j);
-        if (!flat && kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
-            level(kindA, a, i, kindB, b, j);
+        load(a, b);
+        if (!flat && a.kind.isVerticalPrism() && b.kind.isVerticalPrism()) {
+            level(a, b);
         } else {
             candidates();
             if (!first.isPolytope() || !second.isPolytope()) {
                 directions.beginSearch();
                 refine();
-                prove(flat ? 0 : ParallelDepth.atLeast(kindA, a, i, kindB, b, j));
+                prove(flat ? 0 : ParallelDepth.atLeast(a, b));
                 return kept(proven + PROVEN * (first.extent + second.extent));
             }
         }
@@ -181,20 +181,20 @@ public final class Penetration {
         return true;
     }
 
-    private void load(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double ox = Support.originX(kindA, a, i);
-        double oz = Support.originZ(kindA, a, i);
+    private void load(Leaf a, Leaf b) {
+        double ox = Support.originX(a.kind, a.row, a.at);
+        double oz = Support.originZ(a.kind, a.row, a.at);
         if (flat) {
-            first.planar(kindA, a, i, ox, oz, 1);
-            second.planar(kindB, b, j, ox, oz, 1);
-            facetsA.planar(kindA, a, i);
-            facetsB.planar(kindB, b, j);
+            first.planar(a.kind, a.row, a.at, ox, oz, 1);
+            second.planar(b.kind, b.row, b.at, ox, oz, 1);
+            facetsA.planar(a);
+            facetsB.planar(b);
         } else {
-            double oy = Support.originY(kindA, a, i);
-            first.spatial(kindA, a, i, ox, oy, oz, 1);
-            second.spatial(kindB, b, j, ox, oy, oz, 1);
-            facetsA.spatial(kindA, a, i);
-            facetsB.spatial(kindB, b, j);
+            double oy = Support.originY(a.kind, a.row, a.at);
+            first.spatial(a.kind, a.row, a.at, ox, oy, oz, 1);
+            second.spatial(b.kind, b.row, b.at, ox, oy, oz, 1);
+            facetsA.spatial(a);
+            facetsB.spatial(b);
         }
         margins = first.margin + second.margin;
         search.flat = flat;
@@ -204,13 +204,13 @@ public final class Penetration {
      * For upright leaves: up and down, the sides of both bases, and, if a disc's centre is outside, the direction to
      * the nearest point in the plane. These are all, as the difference set is upright too.
      */
-    private void level(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private void level(Leaf a, Leaf b) {
         both(0, 1, 0);
-        facetsA.planar(kindA, a, i);
-        facetsB.planar(kindB, b, j);
+        facetsA.planar(a);
+        facetsB.planar(b);
         sides(facetsA);
         sides(facetsB);
-        plane.planar(kindA, a, i, kindB, b, j);
+        plane.planar(a, b);
         if (plane.coreReach() > plane.error()) {
             take(plane.nx(), 0, plane.nz(), depth(plane.nx(), 0, plane.nz()));
         } else if (facetsA.faces + facetsB.faces == 0) {

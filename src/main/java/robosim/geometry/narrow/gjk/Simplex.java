@@ -157,7 +157,9 @@ final class Simplex {
     }
 
     private void corner(int p) {
-        offer(1, x[p], y[p], z[p], p, 1, p, 0, p, 0);
+        if (adopts(1, p, 1, p, 0, p, 0)) {
+            find(x[p], y[p], z[p]);
+        }
     }
 
     private void edge(int p, int q) {
@@ -173,7 +175,9 @@ final class Simplex {
         double dy = y[p] + t * ey;
         double dz = z[p] + t * ez;
         double slip = (dx * ex + dy * ey + dz * ez) / square;
-        offer(TIE, dx - slip * ex, dy - slip * ey, dz - slip * ez, p, 1 - t, q, t, q, 0);
+        if (adopts(TIE, p, 1 - t, q, t, q, 0)) {
+            find(dx - slip * ex, dy - slip * ey, dz - slip * ez);
+        }
     }
 
     private void side(int p, int q, int r) {
@@ -226,9 +230,10 @@ final class Simplex {
         weightP /= sum;
         weightQ /= sum;
         weightR /= sum;
-        if (weightP > 0 && weightQ > 0 && weightR > 0) {
+        boolean isInside = weightP > 0 && weightQ > 0 && weightR > 0;
+        if (isInside && adopts(TIE, p, weightP, q, weightQ, r, weightR)) {
             double sign = height < 0 ? -1 : 1;
-            offer(TIE, sign * nx, sign * ny, sign * nz, p, weightP, q, weightQ, r, weightR);
+            find(sign * nx, sign * ny, sign * nz);
         }
     }
 
@@ -253,26 +258,30 @@ final class Simplex {
         return nx * (py * qz - pz * qy) + ny * (pz * qx - px * qz) + nz * (px * qy - py * qx);
     }
 
-    /** Adopts a part of the simplex if its nearest point, as given by the weights, is the nearest so far. */
-    private void offer(
-            double tie, double dx, double dy, double dz, int p, double wp, int q, double wq, int r, double wr) {
+    /** Adopts a part of the simplex, and returns true, if its nearest point, as given by the weights, is the nearest so far. */
+    private boolean adopts(double tie, int p, double wp, int q, double wq, int r, double wr) {
         double sx = wp * x[p] + wq * x[q] + wr * x[r];
         double sy = wp * y[p] + wq * y[q] + wr * y[r];
         double sz = wp * z[p] + wq * z[q] + wr * z[r];
         double square = sx * sx + sy * sy + sz * sz;
         if (!(square < foundNorm * tie)) {
-            return;
+            return false;
         }
         foundNorm = square;
-        foundX = dx;
-        foundY = dy;
-        foundZ = dz;
         for (int k = 0; k < 4; k++) {
             found[k] = 0;
         }
         found[p] += wp;
         found[q] += wq;
         found[r] += wr;
+        return true;
+    }
+
+    /** Sets the direction of the part adopted. */
+    private void find(double dx, double dy, double dz) {
+        foundX = dx;
+        foundY = dy;
+        foundZ = dz;
     }
 
     /** Removes the points that have no weight. */

@@ -19,14 +19,14 @@ public final class FeatureDirections {
     public final double[] edgeY = new double[MOST];
     public final double[] edgeZ = new double[MOST];
 
-    public void spatial(LeafKind kind, double[] row, int at) {
+    public void spatial(Leaf leaf) {
         faces = 0;
         edges = 0;
-        switch (kind) {
-            case UPRIGHT_BOX, BOX -> box(row, at + Leaf.ROTATION);
+        switch (leaf.kind) {
+            case UPRIGHT_BOX, BOX -> box(leaf.row, leaf.at + Leaf.ROTATION);
             case UPRIGHT_CYLINDER -> axis(0, 1, 0);
-            case CYLINDER -> axis(row[at + 7], row[at + 10], row[at + 13]);
-            case TRIANGLE -> triangle(row, at);
+            case CYLINDER -> axis(leaf.get(7), leaf.get(10), leaf.get(13));
+            case TRIANGLE -> triangle(leaf.row, leaf.at);
             case PRISM -> {
                 axis(0, 1, 0);
                 for (int k = 0; k < 4; k++) {
@@ -37,28 +37,28 @@ public final class FeatureDirections {
                 }
             }
             case UPRIGHT_CAPSULE -> edge(0, 1, 0);
-            case CAPSULE -> edge(row[at + 7], row[at + 10], row[at + 13]);
+            case CAPSULE -> edge(leaf.get(7), leaf.get(10), leaf.get(13));
             case SPHERE -> {} // has no flat sides or edges
-            case MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
     }
 
     /** Loads the normals of a projection's straight sides; no edges. */
-    public void planar(LeafKind kind, double[] row, int at) {
+    public void planar(Leaf leaf) {
         faces = 0;
         edges = 0;
-        switch (kind) {
+        switch (leaf.kind) {
             case UPRIGHT_BOX, BOX -> {
-                for (int k = at + Leaf.ROTATION; k < at + Leaf.ROTATION + 3; k++) {
-                    face(row[k + 6], 0, -row[k]);
+                for (int k = leaf.at + Leaf.ROTATION; k < leaf.at + Leaf.ROTATION + 3; k++) {
+                    face(leaf.row[k + 6], 0, -leaf.row[k]);
                 }
             }
-            case CYLINDER, CAPSULE -> face(row[at + 13], 0, -row[at + 7]);
+            case CYLINDER, CAPSULE -> face(leaf.get(13), 0, -leaf.get(7));
             case TRIANGLE -> {
                 for (int k = 0; k < 3; k++) {
-                    int p = at + 3 * k;
-                    int q = at + 3 * ((k + 1) % 3);
-                    face(row[q + 2] - row[p + 2], 0, row[p] - row[q]);
+                    int p = leaf.at + 3 * k;
+                    int q = leaf.at + 3 * ((k + 1) % 3);
+                    face(leaf.row[q + 2] - leaf.row[p + 2], 0, leaf.row[p] - leaf.row[q]);
                 }
             }
             case PRISM -> {
@@ -68,7 +68,7 @@ public final class FeatureDirections {
                 face(1, 0, -1);
             }
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE -> {} // a disc
-            case MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
     }
 

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.leaf;
 
 /**
- * The layout of one leaf in a flat column of doubles: {@link #STRIDE} numbers from an offset on, and a
- * {@link LeafKind}.
+ * One placed leaf: a {@link LeafKind} and {@link #STRIDE} numbers of an array, from an offset on. An instance belongs to the
+ * query that sets it, once for each pair, and reads the array when it is asked.
  *
  * <table>
  * <caption>What the numbers of each kind mean</caption>
@@ -33,5 +33,50 @@ public final class Leaf {
     /** Where the nine numbers of the rotation begin. */
     public static final int ROTATION = 6;
 
-    private Leaf() {}
+    public LeafKind kind;
+
+    public double[] row;
+
+    /** Where its numbers begin. */
+    public int at;
+
+    public Leaf(LeafKind kind, double[] row, int at) {
+        this.kind = kind;
+        this.row = row;
+        this.at = at;
+    }
+
+    /** A leaf of a kind with numbers of its own. */
+    public Leaf(LeafKind kind) {
+        this(kind, new double[STRIDE], 0);
+    }
+
+    /** One that is set before it is read. */
+    public Leaf() {
+        this(LeafKind.SPHERE);
+    }
+
+    /** Becomes another leaf. */
+    public Leaf set(LeafKind toKind, double[] toRow, int toAt) {
+        kind = toKind;
+        row = toRow;
+        at = toAt;
+        return this;
+    }
+
+    /** Becomes a leaf of a column, valid until another leaf of the column is read. */
+    public Leaf set(LeafColumn column, int leaf) {
+        return set(column.kind(leaf), column.rows(leaf), column.at(leaf));
+    }
+
+    /** Copies another leaf's numbers to its own. */
+    public void copy(LeafKind toKind, double[] from, int fromAt) {
+        kind = toKind;
+        System.arraycopy(from, fromAt, row, at, STRIDE);
+    }
+
+    /** One of its numbers. */
+    public double get(int k) {
+        return row[at + k];
+    }
 }

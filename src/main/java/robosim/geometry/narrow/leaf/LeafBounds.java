@@ -36,18 +36,9 @@ public final class LeafBounds {
      * @param p six numbers, for the bounds of a
      * @param q six numbers, for those of b
      */
-    public static boolean areApart(
-            Dimension dimension,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double[] p,
-            double[] q) {
-        of(kindA, a, i, p);
-        of(kindB, b, j, q);
+    public static boolean areApart(Dimension dimension, Leaf a, Leaf b, double[] p, double[] q) {
+        of(a.kind, a.row, a.at, p);
+        of(b.kind, b.row, b.at, q);
         for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {
             if (p[k] > q[3 + k] || q[k] > p[3 + k]) {
                 return true;

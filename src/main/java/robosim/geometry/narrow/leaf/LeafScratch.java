@@ -34,10 +34,20 @@ public final class LeafScratch {
         return made;
     }
 
-    /** A placed triangle of the first and of the second mesh, as leaf rows. */
-    public final double[] triangleA = new double[Leaf.STRIDE];
+    /** The two leaves of a query. */
+    public final Leaf placedA = new Leaf();
 
-    public final double[] triangleB = new double[Leaf.STRIDE];
+    public final Leaf placedB = new Leaf();
+
+    /** A placed triangle of the first and of the second mesh. */
+    public final Leaf faceA = new Leaf(LeafKind.TRIANGLE);
+
+    public final Leaf faceB = new Leaf(LeafKind.TRIANGLE);
+
+    /** Their numbers. */
+    public final double[] triangleA = faceA.row;
+
+    public final double[] triangleB = faceB.row;
 
     /** A leaf laid flat. */
     public final double[] flat = new double[Leaf.STRIDE];

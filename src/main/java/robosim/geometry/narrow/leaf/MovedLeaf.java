@@ -1,13 +1,14 @@
 package robosim.geometry.narrow.leaf;
 
-/** The row of a leaf at a later place of its motion, to within rounding: for choosing an axis, not for proofs. */
+/** A leaf at a later place of its motion, to within rounding: for choosing an axis, not for proofs. */
 public final class MovedLeaf {
     private MovedLeaf() {}
 
-    /** The row after a translation; the kind stays. */
-    public static void moved(LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out) {
-        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        switch (kind.layout()) {
+    /** Writes it after a translation; the kind stays. */
+    public static void moved(Leaf leaf, double dx, double dy, double dz, Leaf to) {
+        to.copy(leaf.kind, leaf.row, leaf.at);
+        double[] out = to.row;
+        switch (leaf.kind.layout()) {
             case CENTRE -> shift(out, 3, dx, dy, dz);
             case CORNERS -> shift(out, 9, dx, dy, dz);
             case RANGES -> {
@@ -40,69 +41,51 @@ public final class MovedLeaf {
         };
     }
 
-    /** The row after a turn about the axis (wx, wy, wz) through (px, py, pz), for any convex kind but a prism. */
-    public static void turned(
-            LeafKind kind,
-            double[] row,
-            int at,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double cos,
-            double sin,
-            double[] out) {
-        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        switch (kind) {
+    /** Writes it after a turn by the angle of a cosine and sine, for any convex kind but a prism. */
+    public static void turned(Leaf leaf, Turn turn, double cos, double sin, Leaf to) {
+        to.copy(turnedKind(leaf.kind), leaf.row, leaf.at);
+        double[] out = to.row;
+        switch (leaf.kind) {
             case UPRIGHT_BOX, BOX, CYLINDER, CAPSULE -> {
-                turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
-                turnAxes(out, wx, wy, wz, cos, sin);
+                turnPoints(out, 3, turn, cos, sin);
+                turnAxes(out, turn, cos, sin);
             }
             case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> {
                 out[7] = 0;
                 out[10] = 1;
                 out[13] = 0;
-                turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
-                turnAxes(out, wx, wy, wz, cos, sin);
+                turnPoints(out, 3, turn, cos, sin);
+                turnAxes(out, turn, cos, sin);
             }
-            case SPHERE -> turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
-            case TRIANGLE -> turnPoints(out, 9, px, py, pz, wx, wy, wz, cos, sin);
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case SPHERE -> turnPoints(out, 3, turn, cos, sin);
+            case TRIANGLE -> turnPoints(out, 9, turn, cos, sin);
+            case PRISM, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
     }
 
-    private static void turnPoints(
-            double[] out,
-            int numbers,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double cos,
-            double sin) {
+    private static void turnPoints(double[] out, int numbers, Turn turn, double cos, double sin) {
         for (int k = 0; k < numbers; k += 3) {
-            out[k] -= px;
-            out[k + 1] -= py;
-            out[k + 2] -= pz;
-            turn(out, k, 1, wx, wy, wz, cos, sin);
-            out[k] += px;
-            out[k + 1] += py;
-            out[k + 2] += pz;
+            out[k] -= turn.px;
+            out[k + 1] -= turn.py;
+            out[k + 2] -= turn.pz;
+            turn(out, k, 1, turn, cos, sin);
+            out[k] += turn.px;
+            out[k + 1] += turn.py;
+            out[k + 2] += turn.pz;
         }
     }
 
-    private static void turnAxes(double[] out, double wx, double wy, double wz, double cos, double sin) {
+    private static void turnAxes(double[] out, Turn turn, double cos, double sin) {
         for (int k = 0; k < 3; k++) {
-            turn(out, Leaf.ROTATION + k, 3, wx, wy, wz, cos, sin);
+            turn(out, Leaf.ROTATION + k, 3, turn, cos, sin);
         }
     }
 
     // Rodrigues: v cos + (w x v) sin + w (w.v)(1 - cos)
-    private static void turn(double[] v, int at, int step, double wx, double wy, double wz, double cos, double sin) {
+    private static void turn(double[] v, int at, int step, Turn turn, double cos, double sin) {
+        double wx = turn.wx;
+        double wy = turn.wy;
+        double wz = turn.wz;
         double x = v[at];
         double y = v[at + step];
         double z = v[at + 2 * step];

@@ -7,14 +7,14 @@ public final class PairOrder {
     private PairOrder() {}
 
     /** Whether a pair has to be swapped. */
-    public static boolean isReversed(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (kindA != kindB) {
-            return kindA.compareTo(kindB) > 0;
+    public static boolean isReversed(Leaf a, Leaf b) {
+        if (a.kind != b.kind) {
+            return a.kind.compareTo(b.kind) > 0;
         }
-        int length = kindA.numbers();
+        int length = a.kind.numbers();
         for (int k = 0; k < length; k++) {
-            double p = a[i + k];
-            double q = b[j + k];
+            double p = a.get(k);
+            double q = b.get(k);
             if (p != q) {
                 return p > q;
             }

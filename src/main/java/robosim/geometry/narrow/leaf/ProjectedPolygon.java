@@ -38,16 +38,16 @@ public final class ProjectedPolygon {
     private final int[] column = new int[3];
     private final int[] turned = new int[3];
 
-    public void load(LeafKind kind, double[] row, int at, double ox, double oz) {
-        switch (kind.polytope()) {
+    public void load(Leaf leaf, double ox, double oz) {
+        switch (leaf.kind.polytope()) {
             case BOX -> {
-                if (kind == LeafKind.UPRIGHT_BOX) {
-                    rectangle(row, at, ox, oz);
+                if (leaf.kind == LeafKind.UPRIGHT_BOX) {
+                    rectangle(leaf.row, leaf.at, ox, oz);
                 } else {
-                    zonogon(row, at, ox, oz);
+                    zonogon(leaf.row, leaf.at, ox, oz);
                 }
             }
-            case TRIANGLE -> triangle(row, at, ox, oz);
+            case TRIANGLE -> triangle(leaf.row, leaf.at, ox, oz);
         }
         normals = corners;
     }

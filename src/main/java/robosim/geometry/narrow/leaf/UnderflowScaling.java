@@ -15,8 +15,15 @@ public final class UnderflowScaling {
     /** A query is scaled if all its coordinates and sizes are below this. */
     public static final double SMALL = 0x1p-128;
 
-    public final double[] a = new double[Leaf.STRIDE];
-    public final double[] b = new double[Leaf.STRIDE];
+    /** The leaves scaled up. */
+    public final Leaf first = new Leaf();
+
+    public final Leaf second = new Leaf();
+
+    /** The numbers of the first one. */
+    public final double[] a = first.row;
+
+    private final Turn scaled = new Turn();
 
     /** The binary logarithm of the scale factor. */
     private int power;
@@ -35,29 +42,18 @@ public final class UnderflowScaling {
         if (!take(extent(more, kind, row, at, heights))) {
             return false;
         }
-        copy(kind, row, at, heights, a);
+        copy(kind, row, at, heights, first);
         return true;
     }
 
     /** Scales two leaves up if both are small. */
-    public boolean take(
-            Dimension dimension, LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
-        return take(dimension, 0, kindA, rowA, i, kindB, rowB, j);
+    public boolean take(Dimension dimension, Leaf one, Leaf two) {
+        return take(dimension, 0, one, two);
     }
 
     /** Scales two leaves up if both and the other input, {@code more}, are small. */
-    public boolean take(
-            Dimension dimension,
-            double more,
-            LeafKind kindA,
-            double[] rowA,
-            int i,
-            LeafKind kindB,
-            double[] rowB,
-            int j) {
-        return isSmall(more, rowA, i)
-                && isSmall(more, rowB, j)
-                && takeAll(dimension, more, kindA, rowA, i, kindB, rowB, j);
+    public boolean take(Dimension dimension, double more, Leaf one, Leaf two) {
+        return isSmall(more, one.row, one.at) && isSmall(more, two.row, two.at) && takeAll(dimension, more, one, two);
     }
 
     /** Whether the first length of a row, an x in all kinds, is small; mostly it is not, and no other is looked at. */
@@ -65,22 +61,15 @@ public final class UnderflowScaling {
         return more < SMALL && Math.abs(row[at]) < SMALL;
     }
 
-    private boolean takeAll(
-            Dimension dimension,
-            double more,
-            LeafKind kindA,
-            double[] rowA,
-            int i,
-            LeafKind kindB,
-            double[] rowB,
-            int j) {
-        int heightsA = heights(dimension, kindA);
-        int heightsB = heights(dimension, kindB);
-        if (!take(extent(extent(more, kindA, rowA, i, heightsA), kindB, rowB, j, heightsB))) {
+    private boolean takeAll(Dimension dimension, double more, Leaf one, Leaf two) {
+        int heightsOne = heights(dimension, one.kind);
+        int heightsTwo = heights(dimension, two.kind);
+        double extent = extent(more, one.kind, one.row, one.at, heightsOne);
+        if (!take(extent(extent, two.kind, two.row, two.at, heightsTwo))) {
             return false;
         }
-        copy(kindA, rowA, i, heightsA, a);
-        copy(kindB, rowB, j, heightsB, b);
+        copy(one.kind, one.row, one.at, heightsOne, first);
+        copy(two.kind, two.row, two.at, heightsTwo, second);
         return true;
     }
 
@@ -106,15 +95,20 @@ public final class UnderflowScaling {
         return true;
     }
 
-    private void copy(LeafKind kind, double[] row, int at, int heights, double[] out) {
-        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
+    private void copy(LeafKind kind, double[] row, int at, int heights, Leaf out) {
+        out.copy(kind, row, at);
         for (int k = 0; k < kind.lengths(); k++) {
-            out[k] = (heights >> k & 1) == 0 ? up(out[k]) : 0;
+            out.row[k] = (heights >> k & 1) == 0 ? up(out.row[k]) : 0;
         }
     }
 
     public double up(double length) {
         return scale(length, power);
+    }
+
+    /** A turn with its pivot scaled up, valid until the next one. */
+    public Turn up(Turn turn) {
+        return scaled.about(up(turn.px), up(turn.py), up(turn.pz)).by(turn.wx, turn.wy, turn.wz, turn.degrees);
     }
 
     public double down(double length) {

@@ -13,16 +13,16 @@ public final class Upright {
     private Upright() {}
 
     /** Whether the intervals of height of two upright leaves touch or overlap; exact. */
-    public static boolean heightsTouch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        return isNotAbove(kindA, a, i, kindB, b, j) && isNotAbove(kindB, b, j, kindA, a, i);
+    public static boolean heightsTouch(Leaf a, Leaf b) {
+        return isNotAbove(a, b) && isNotAbove(b, a);
     }
 
     // Whether the minimum height of a is at most the maximum of b.
-    private static boolean isNotAbove(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double base = middle(kindA, a, i);
-        double down = halfHeight(kindA, a, i);
-        double top = top(kindB, b, j);
-        double up = halfHeight(kindB, b, j);
+    private static boolean isNotAbove(Leaf a, Leaf b) {
+        double base = middle(a);
+        double down = halfHeight(a);
+        double top = top(b);
+        double up = halfHeight(b);
         double apart = base - top;
         double halves = down + up;
         if (apart != halves && !IS_DOUBTING) {
@@ -33,18 +33,18 @@ public final class Upright {
     }
 
     /** The height of the centre of a box or cylinder; for an octagon, which has no half height, the minimum height. */
-    public static double middle(LeafKind kind, double[] row, int at) {
-        return isRange(kind) ? row[at + 8] : row[at + 1];
+    public static double middle(Leaf leaf) {
+        return isRange(leaf.kind) ? leaf.get(8) : leaf.get(1);
     }
 
     /** The height of the centre of a box or cylinder; for an octagon the maximum height. */
-    public static double top(LeafKind kind, double[] row, int at) {
-        return isRange(kind) ? row[at + 9] : row[at + 1];
+    public static double top(Leaf leaf) {
+        return isRange(leaf.kind) ? leaf.get(9) : leaf.get(1);
     }
 
     /** The half height of a box or cylinder; 0 for an octagon. */
-    public static double halfHeight(LeafKind kind, double[] row, int at) {
-        return isRange(kind) ? 0 : row[at + 4];
+    public static double halfHeight(Leaf leaf) {
+        return isRange(leaf.kind) ? 0 : leaf.get(4);
     }
 
     private static boolean isRange(LeafKind kind) {

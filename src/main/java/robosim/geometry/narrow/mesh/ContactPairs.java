@@ -6,6 +6,7 @@ import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.distance.ContactPoint;
 import robosim.geometry.narrow.distance.DistanceScratch;
 import robosim.geometry.narrow.leaf.BoxGap;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
@@ -21,8 +22,8 @@ public final class ContactPairs {
     private static final int SECOND_HOLDS = 2;
 
     private final DistanceScratch s;
-    private final PartTree first = new PartTree();
-    private final PartTree second = new PartTree();
+    private final ObjectTree first = new ObjectTree();
+    private final ObjectTree second = new ObjectTree();
     private final double[] boxA = new double[6];
     private final double[] boxB = new double[6];
     private final double[] childBox = new double[6];
@@ -66,7 +67,7 @@ public final class ContactPairs {
     public void find(Dimension dimension, LeafColumn a, LeafColumn b, int limit) {
         this.dimension = dimension;
         this.limit = limit;
-        isReversed = PartTree.isReversed(a, b);
+        isReversed = ObjectTree.isReversed(a, b);
         first.open(isReversed ? b : a, dimension);
         second.open(isReversed ? a : b, dimension);
         count = 0;
@@ -79,7 +80,7 @@ public final class ContactPairs {
             depth--;
             long p = stackA[depth];
             long q = stackB[depth];
-            if (PartTree.isPart(p) && PartTree.isPart(q)) {
+            if (ObjectTree.isPart(p) && ObjectTree.isPart(q)) {
                 findInParts(p, q);
             } else {
                 open(p, q);
@@ -136,11 +137,11 @@ public final class ContactPairs {
         return certain[k];
     }
 
-    private static int face(PartTree of, int part, int triangle) {
+    private static int face(ObjectTree of, int part, int triangle) {
         return triangle < 0 ? -1 : of.column().mesh(part).face(triangle);
     }
 
-    private static int half(PartTree of, int part, int triangle) {
+    private static int half(ObjectTree of, int part, int triangle) {
         if (triangle < 0) {
             return -1;
         }
@@ -162,17 +163,17 @@ public final class ContactPairs {
             out[4] = (side == FIRST_HOLDS) == isReversed ? 1 : -1;
             return;
         }
-        PartTree a = isReversed ? second : first;
-        PartTree b = isReversed ? first : second;
-        a.loadTriangle(partA(k), found[at + (isReversed ? 3 : 1)]);
-        b.loadTriangle(partB(k), found[at + (isReversed ? 1 : 3)]);
-        ContactPoint.of(dimension, a.kind, a.row, a.at, b.kind, b.row, b.at, out, s);
+        ObjectTree a = isReversed ? second : first;
+        ObjectTree b = isReversed ? first : second;
+        Leaf leafA = a.leaf(partA(k), found[at + (isReversed ? 3 : 1)]);
+        Leaf leafB = b.leaf(partB(k), found[at + (isReversed ? 1 : 3)]);
+        ContactPoint.of(dimension, leafA, leafB, out, s);
     }
 
     /** Writes a point of a piece inside a solid, which is a point of both. */
-    private void inside(PartTree held, int at, double[] out) {
-        held.loadTriangle(found[at], found[at + 1]);
-        System.arraycopy(held.row, held.at, out, 0, 3);
+    private void inside(ObjectTree held, int at, double[] out) {
+        Leaf leaf = held.leaf(found[at], found[at + 1]);
+        System.arraycopy(leaf.row, leaf.at, out, 0, 3);
         Arrays.fill(out, 3, 7, 0);
     }
 
@@ -192,20 +193,17 @@ public final class ContactPairs {
             }
         }
         if (count == before && dimension == Dimension.SPATIAL) {
-            findInside(PartTree.part(a), PartTree.part(b));
+            findInside(ObjectTree.part(a), ObjectTree.part(b));
         }
     }
 
     private void test(long a, long b) {
-        first.load(a);
-        second.load(b);
         s.overlap.uncertain = false;
-        if (ConvexOverlap.test(
-                dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s.overlap)) {
+        if (ConvexOverlap.test(dimension, first.leaf(a), second.leaf(b), s.overlap)) {
             add(
-                    PartTree.part(a),
+                    ObjectTree.part(a),
                     first.triangle(a),
-                    PartTree.part(b),
+                    ObjectTree.part(b),
                     second.triangle(b),
                     NO_SIDE,
                     !s.overlap.uncertain);
@@ -247,7 +245,7 @@ public final class ContactPairs {
         first.box(a, boxA);
         second.box(b, boxB);
         boolean opensFirst = NearestPairs.opensFirst(first, a, boxA, second, b, boxB);
-        PartTree opened = opensFirst ? first : second;
+        ObjectTree opened = opensFirst ? first : second;
         long parent = opensFirst ? a : b;
         double[] other = opensFirst ? boxB : boxA;
         for (int k = opened.children(parent) - 1; k >= 0; k--) {

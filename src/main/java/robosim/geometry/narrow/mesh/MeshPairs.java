@@ -7,7 +7,6 @@ import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -338,7 +337,7 @@ public final class MeshPairs {
     private boolean meet(int p, int q) {
         s.leaf.outer.corners(p, s.leaf.triangleA, 0);
         s.leaf.inner.corners(q, s.leaf.triangleB, 0);
-        return SpatialOverlap.test(LeafKind.TRIANGLE, s.leaf.triangleA, 0, LeafKind.TRIANGLE, s.leaf.triangleB, 0, s);
+        return SpatialOverlap.test(s.leaf.faceA, s.leaf.faceB, s);
     }
 
     /** Whether the current triangle of a is certainly on one side of the plane of one of b's. */

@@ -4,11 +4,9 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.distance.DistanceScratch;
 import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.overlap.OverlapScratch;
-import robosim.geometry.narrow.turn.TurnScratch;
 
 /** The working memory of meshes. */
 public final class MeshScratch {
-    public final TurnScratch turn;
     public final DistanceScratch distance;
     public final OverlapScratch overlap;
     public final LeafScratch leaf;
@@ -19,8 +17,7 @@ public final class MeshScratch {
     private @Nullable MeshPairs meshPairs;
     private @Nullable ContactPairs pairs;
 
-    public MeshScratch(TurnScratch turn, DistanceScratch distance, OverlapScratch overlap, LeafScratch leaf) {
-        this.turn = turn;
+    public MeshScratch(DistanceScratch distance, OverlapScratch overlap, LeafScratch leaf) {
         this.distance = distance;
         this.overlap = overlap;
         this.leaf = leaf;

@@ -4,6 +4,7 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.BoxGap;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
@@ -21,8 +22,8 @@ public final class NearestPairs {
     private static final int COMPARE = 0;
 
     private final OverlapScratch s;
-    private final PartTree first = new PartTree();
-    private final PartTree second = new PartTree();
+    private final ObjectTree first = new ObjectTree();
+    private final ObjectTree second = new ObjectTree();
     private final PairQueue queue = new PairQueue();
     private final double[] boxA = new double[6];
     private final double[] boxB = new double[6];
@@ -46,7 +47,7 @@ public final class NearestPairs {
     public void start(Dimension dimension, LeafColumn a, LeafColumn b) {
         this.dimension = dimension;
         flat = dimension == Dimension.PLANAR;
-        boolean reversed = PartTree.isReversed(a, b);
+        boolean reversed = ObjectTree.isReversed(a, b);
         first.open(reversed ? b : a, dimension);
         second.open(reversed ? a : b, dimension);
         queue.clear();
@@ -112,11 +113,11 @@ public final class NearestPairs {
         long a = queue.first;
         long b = queue.second;
         if (queue.task != COMPARE) {
-            contain(PartTree.part(a), PartTree.part(b), queue.task);
+            contain(ObjectTree.part(a), ObjectTree.part(b), queue.task);
         } else if (first.isLeaf(a) && second.isLeaf(b)) {
             measure(a, b);
         } else {
-            if (PartTree.isPart(a) && PartTree.isPart(b)) {
+            if (ObjectTree.isPart(a) && ObjectTree.isPart(b)) {
                 plan(a, b);
             }
             sample(a, b);
@@ -141,19 +142,17 @@ public final class NearestPairs {
     }
 
     private void measure(long a, long b) {
-        first.load(a);
-        second.load(b);
+        Leaf leafA = first.leaf(a);
+        Leaf leafB = second.leaf(b);
         Gjk gjk = s.gjk.pair;
-        double lower = flat
-                ? gjk.planar(first.kind, first.row, first.at, second.kind, second.row, second.at)
-                : gjk.spatial(first.kind, first.row, first.at, second.kind, second.row, second.at);
+        double lower = flat ? gjk.planar(leafA, leafB) : gjk.spatial(leafA, leafB);
         if (!gjk.isClosed()) {
             lower = gjk.close();
         }
         high = Math.min(high, BoxGap.up(gjk.upper() + gjk.error()));
         if (lower == 0 || Filter.isDoubting()) {
             s.uncertain = false;
-            if (ConvexOverlap.test(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
+            if (ConvexOverlap.test(dimension, leafA, leafB, s)) {
                 certain |= !s.uncertain;
                 uncertain |= s.uncertain;
             }
@@ -165,7 +164,7 @@ public final class NearestPairs {
         first.box(a, boxA);
         second.box(b, boxB);
         boolean opensFirst = opensFirst(first, a, boxA, second, b, boxB);
-        PartTree opened = opensFirst ? first : second;
+        ObjectTree opened = opensFirst ? first : second;
         long parent = opensFirst ? a : b;
         double[] other = opensFirst ? boxB : boxA;
         for (int k = opened.children(parent) - 1; k >= 0; k--) {
@@ -182,9 +181,9 @@ public final class NearestPairs {
      * Whether to open the first place: both sides are descended to parts before any part is opened; then the larger box
      * is opened.
      */
-    static boolean opensFirst(PartTree p, long a, double[] boxA, PartTree q, long b, double[] boxB) {
-        if (PartTree.isAboveParts(a) != PartTree.isAboveParts(b)) {
-            return PartTree.isAboveParts(a);
+    static boolean opensFirst(ObjectTree p, long a, double[] boxA, ObjectTree q, long b, double[] boxB) {
+        if (ObjectTree.isAboveParts(a) != ObjectTree.isAboveParts(b)) {
+            return ObjectTree.isAboveParts(a);
         }
         if (p.isLeaf(a) || q.isLeaf(b)) {
             return q.isLeaf(b);
@@ -198,12 +197,12 @@ public final class NearestPairs {
         plan(second, b, first, a, -1);
     }
 
-    private void plan(PartTree solid, long a, PartTree other, long b, int sign) {
-        if (flat || solid.kindOf(PartTree.part(a)) != LeafKind.SOLID_MESH) {
+    private void plan(ObjectTree solid, long a, ObjectTree other, long b, int sign) {
+        if (flat || solid.kindOf(ObjectTree.part(a)) != LeafKind.SOLID_MESH) {
             return;
         }
         solid.box(a, boxA);
-        int part = PartTree.part(b);
+        int part = ObjectTree.part(b);
         if (!other.kindOf(part).isMesh()) {
             other.point(b, pointB);
             plan(a, b, 0, sign);

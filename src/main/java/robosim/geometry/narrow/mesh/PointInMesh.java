@@ -29,10 +29,10 @@ public final class PointInMesh {
     }
 
     /** Whether a leaf that does not meet the surface lies inside the mesh. */
-    public static boolean holdsLeaf(LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, LeafScratch s) {
-        double x = Support.originX(kind, row, at);
-        double y = Support.originY(kind, row, at);
-        double z = Support.originZ(kind, row, at);
+    public static boolean holdsLeaf(LeafColumn mesh, int leaf, Leaf piece, LeafScratch s) {
+        double x = Support.originX(piece.kind, piece.row, piece.at);
+        double y = Support.originY(piece.kind, piece.row, piece.at);
+        double z = Support.originZ(piece.kind, piece.row, piece.at);
         return holds(mesh, leaf, x, y, z, s);
     }
 
@@ -84,13 +84,12 @@ public final class PointInMesh {
             return false;
         }
         // The crossing is ahead if the point is on the -X side of the plane.
-        int side = Orientation.volume(t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], t[8], px, py, pz);
+        int side = Orientation.volume(t, px, py, pz);
         int facing = Orientation.side(t[1], t[2], t[4], t[5], t[7], t[8]);
         if (facing == 0) {
             return false; // edge-on: the perturbed ray misses it
         }
-        int behind = Orientation.volume(
-                t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], t[8], least(t) - 1 - Math.abs(least(t)), py, pz);
+        int behind = Orientation.volume(t, least(t) - 1 - Math.abs(least(t)), py, pz);
         return side != 0 && side == behind;
     }
 

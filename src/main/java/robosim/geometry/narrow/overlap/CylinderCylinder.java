@@ -4,8 +4,8 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
-import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactCylinders;
 
 /** Overlap of two cylinders in space, of which at least one is turned. */
@@ -42,25 +42,24 @@ public final class CylinderCylinder {
      * rounding matters, or exactly). If neither is found the answer is touching, with {@link OverlapScratch#uncertain}
      * set; this happens only if the gap or the depth is below 2^-40 of the sizes.
      */
-    public static boolean touch(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        double ax = kindA.isTurned() ? a[i + 7] : 0;
-        double ay = kindA.isTurned() ? a[i + 10] : 1;
-        double az = kindA.isTurned() ? a[i + 13] : 0;
-        double bx = kindB.isTurned() ? b[j + 7] : 0;
-        double by = kindB.isTurned() ? b[j + 10] : 1;
-        double bz = kindB.isTurned() ? b[j + 13] : 0;
+    public static boolean touch(Leaf a, Leaf b, OverlapScratch s) {
+        double ax = a.kind.isTurned() ? a.get(7) : 0;
+        double ay = a.kind.isTurned() ? a.get(10) : 1;
+        double az = a.kind.isTurned() ? a.get(13) : 0;
+        double bx = b.kind.isTurned() ? b.get(7) : 0;
+        double by = b.kind.isTurned() ? b.get(10) : 1;
+        double bz = b.kind.isTurned() ? b.get(13) : 0;
         boolean same = (ax == bx && ay == by && az == bz) || (ax == -bx && ay == -by && az == -bz);
-        if (same || (maybeParallel(ax, ay, az, bx, by, bz) && areParallel(kindA, a, i, kindB, b, j))) {
-            int sure = parallel(a, i, ax, ay, az, b, j, Math.abs(ax * bx + ay * by + az * bz));
+        if (same || (maybeParallel(ax, ay, az, bx, by, bz) && areParallel(a, b))) {
+            int sure = parallel(a, ax, ay, az, b, Math.abs(ax * bx + ay * by + az * bz));
             if (sure != 0) {
                 return sure > 0;
             }
             EXACT.count();
-            return new ExactCylinders(kindA, a, i, kindB, b, j).parallelTouch();
+            return new ExactCylinders(a, b).parallelTouch();
         }
         Gjk gjk = s.gjk.pair;
-        gjk.spatial(kindA, a, i, kindB, b, j);
+        gjk.spatial(a, b);
         if (gjk.lower() > 0) {
             return false;
         }
@@ -75,7 +74,7 @@ public final class CylinderCylinder {
             return false; // the slab that GJK did not find
         }
         EXACT.count();
-        ExactCylinders exact = new ExactCylinders(kindA, a, i, kindB, b, j);
+        ExactCylinders exact = new ExactCylinders(a, b);
         if (exact.isApart(gjk.nx(), gjk.ny(), gjk.nz(), s.gjk.hull.x(), s.gjk.hull.y(), s.gjk.hull.z())) {
             return false;
         }
@@ -84,15 +83,15 @@ public final class CylinderCylinder {
             return true;
         }
         // If bounds prove them apart, they are: otherwise an answer would depend on which tree was used.
-        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.leaf.boundsA, s.leaf.boundsB)) {
+        if (LeafBounds.areApart(Dimension.SPATIAL, a, b, s.leaf.boundsA, s.leaf.boundsB)) {
             return false;
         }
         s.uncertain = true;
         return true;
     }
 
-    private static boolean areParallel(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        return new ExactCylinders(kindA, a, i, kindB, b, j).areParallel();
+    private static boolean areParallel(Leaf a, Leaf b) {
+        return new ExactCylinders(a, b).areParallel();
     }
 
     // If the difference is 0, both products round to the same double, and otherwise to neighbouring ones at worst.
@@ -104,12 +103,12 @@ public final class CylinderCylinder {
     }
 
     /** Returns +1 for touching, -1 for apart, 0 if doubles cannot decide; {@code cosine} is |a.b|. */
-    private static int parallel(double[] a, int i, double ax, double ay, double az, double[] b, int j, double cosine) {
-        double wx = b[j] - a[i];
-        double wy = b[j + 1] - a[i + 1];
-        double wz = b[j + 2] - a[i + 2];
+    private static int parallel(Leaf a, double ax, double ay, double az, Leaf b, double cosine) {
+        double wx = b.get(0) - a.get(0);
+        double wy = b.get(1) - a.get(1);
+        double wz = b.get(2) - a.get(2);
         double square = ax * ax + ay * ay + az * az;
-        double heights = a[i + 4] * square + b[j + 4] * cosine;
+        double heights = a.get(4) * square + b.get(4) * cosine;
         double along = Math.abs(wx * ax + wy * ay + wz * az);
         double size = Math.abs(wx * ax) + Math.abs(wy * ay) + Math.abs(wz * az);
         double alongError = ALONG_ERROR * size + HEIGHTS_ERROR * heights + UNDERFLOW;
@@ -123,7 +122,7 @@ public final class CylinderCylinder {
         double permanent = square(Math.abs(yz) + Math.abs(zy))
                 + square(Math.abs(zx) + Math.abs(xz))
                 + square(Math.abs(xy) + Math.abs(yx));
-        double reach = square(a[i + 3] + b[j + 3]) * square;
+        double reach = square(a.get(3) + b.get(3)) * square;
         double acrossError = ACROSS_ERROR * permanent + REACH_ERROR * reach + UNDERFLOW;
         if (along - heights > alongError || across - reach > acrossError) {
             return -1;

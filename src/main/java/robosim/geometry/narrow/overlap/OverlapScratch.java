@@ -27,9 +27,9 @@ public final class OverlapScratch {
     final UnderflowScaling ovals = new UnderflowScaling();
 
     /** The part of a leaf in a horizontal contact plane. */
-    public final double[] triangleC = new double[Leaf.STRIDE];
+    public final Leaf levelA = new Leaf();
 
-    public final double[] triangleD = new double[Leaf.STRIDE];
+    public final Leaf levelB = new Leaf();
 
     public OverlapScratch(SatScratch sat, GjkScratch gjk, PlanarScratch planar, LeafScratch leaf) {
         this.sat = sat;

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
@@ -26,82 +27,74 @@ public final class PlanarOverlap {
      * OverlapScratch#uncertain} is set if the answer is touching and the overlap is not so deep that rounding cannot
      * matter; octagons only must not miss anything.
      */
-    public static boolean test(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (PairOrder.isReversed(kindA, a, i, kindB, b, j)) {
-            return ordered(kindB, b, j, kindA, a, i, s);
+    public static boolean test(Leaf a, Leaf b, OverlapScratch s) {
+        if (PairOrder.isReversed(a, b)) {
+            return ordered(b, a, s);
         }
-        return ordered(kindA, a, i, kindB, b, j, s);
+        return ordered(a, b, s);
     }
 
-    private static boolean ordered(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindA.fromAbove()) {
-            case DISC -> disc(kindA, a, i, kindB, b, j, s);
-            case POLYGON -> polygon(kindA, a, i, kindB, b, j, s);
-            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES, CELLS -> throw kindA.refused();
+    private static boolean ordered(Leaf a, Leaf b, OverlapScratch s) {
+        return switch (a.kind.fromAbove()) {
+            case DISC -> disc(a, b, s);
+            case POLYGON -> polygon(a, b, s);
+            case OVAL -> oval(a, b, s);
+            case TRIANGLES, CELLS -> throw a.kind.refused();
         };
     }
 
-    private static boolean disc(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindB.fromAbove()) {
-            case DISC -> DiscDisc.touch(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3]);
-            case POLYGON -> discPolygon(a, i, kindB, b, j, s);
-            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES, CELLS -> throw kindB.refused();
+    private static boolean disc(Leaf a, Leaf b, OverlapScratch s) {
+        return switch (b.kind.fromAbove()) {
+            case DISC -> DiscDisc.touch(a.get(0), a.get(2), a.get(3), b.get(0), b.get(2), b.get(3));
+            case POLYGON -> discPolygon(a, b, s);
+            case OVAL -> oval(a, b, s);
+            case TRIANGLES, CELLS -> throw b.kind.refused();
         };
     }
 
-    private static boolean polygon(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindB.fromAbove()) {
-            case DISC -> discPolygon(b, j, kindA, a, i, s);
-            case POLYGON -> polygons(kindA, a, i, kindB, b, j, s);
-            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
-            case TRIANGLES, CELLS -> throw kindB.refused();
+    private static boolean polygon(Leaf a, Leaf b, OverlapScratch s) {
+        return switch (b.kind.fromAbove()) {
+            case DISC -> discPolygon(b, a, s);
+            case POLYGON -> polygons(a, b, s);
+            case OVAL -> oval(a, b, s);
+            case TRIANGLES, CELLS -> throw b.kind.refused();
         };
     }
 
-    private static boolean polygons(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (!kindA.isBox() || !kindB.isBox()) {
-            return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s.planar);
+    private static boolean polygons(Leaf a, Leaf b, OverlapScratch s) {
+        if (!a.kind.isBox() || !b.kind.isBox()) {
+            return PolygonPolygon.touch(a, b, s.planar);
         }
-        return kindB == LeafKind.UPRIGHT_BOX
-                ? RectangleRectangle.touch(a, i, b, j, s.planar.fine)
-                : ZonogonZonogon.touch(kindA, a, i, kindB, b, j, s.planar.fine);
+        return b.kind == LeafKind.UPRIGHT_BOX
+                ? RectangleRectangle.touch(a.row, a.at, b.row, b.at, s.planar.fine)
+                : ZonogonZonogon.touch(a, b, s.planar.fine);
     }
 
-    private static boolean discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, OverlapScratch s) {
-        return kind == LeafKind.UPRIGHT_BOX
-                ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j, s.planar.fine)
-                : DiscPolygon.touch(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s.planar);
+    private static boolean discPolygon(Leaf disc, Leaf b, OverlapScratch s) {
+        return b.kind == LeafKind.UPRIGHT_BOX
+                ? DiscRectangle.touch(disc.get(0), disc.get(2), disc.get(3), b.row, b.at, s.planar.fine)
+                : DiscPolygon.touch(disc.get(0), disc.get(2), disc.get(3), b, s.planar);
     }
 
-    private static boolean oval(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean oval(Leaf a, Leaf b, OverlapScratch s) {
         UnderflowScaling m = s.ovals;
-        return m.take(Dimension.PLANAR, kindA, a, i, kindB, b, j)
-                ? storedOval(kindA, m.a, 0, kindB, m.b, 0, s)
-                : storedOval(kindA, a, i, kindB, b, j, s);
+        return m.take(Dimension.PLANAR, a, b) ? storedOval(m.first, m.second, s) : storedOval(a, b, s);
     }
 
-    private static boolean storedOval(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        double ox = PlanarShape.originX(kindA, a, i);
-        double oz = PlanarShape.originZ(kindA, a, i);
-        s.planar.planarA.set(kindA, a, i, ox, oz);
-        s.planar.planarB.set(kindB, b, j, ox, oz);
+    private static boolean storedOval(Leaf a, Leaf b, OverlapScratch s) {
+        double ox = PlanarShape.originX(a.kind, a.row, a.at);
+        double oz = PlanarShape.originZ(a.kind, a.row, a.at);
+        s.planar.planarA.set(a.kind, a.row, a.at, ox, oz);
+        s.planar.planarB.set(b.kind, b.row, b.at, ox, oz);
         s.planar.planarBracket.find(s.planar.planarA, s.planar.planarB, true);
         if (s.planar.planarBracket.isApart()) {
             return false;
         }
-        if (isDeep(kindA, a, i, kindB, b, j, s)) {
+        if (isDeep(a, b, s)) {
             return true;
         }
         // If bounds prove them apart, they are: otherwise an answer would depend on which tree was used.
-        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s.leaf.boundsA, s.leaf.boundsB)) {
+        if (LeafBounds.areApart(Dimension.PLANAR, a, b, s.leaf.boundsA, s.leaf.boundsB)) {
             return false;
         }
         s.uncertain = true;
@@ -109,9 +102,8 @@ public final class PlanarOverlap {
     }
 
     /** Whether the two certainly have a point in common, despite rounding. */
-    private static boolean isDeep(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        s.gjk.pair.planar(kindA, a, i, kindB, b, j);
+    private static boolean isDeep(Leaf a, Leaf b, OverlapScratch s) {
+        s.gjk.pair.planar(a, b);
         if (s.gjk.pair.isDeep()) {
             return true;
         }

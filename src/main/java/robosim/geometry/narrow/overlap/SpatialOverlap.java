@@ -35,87 +35,78 @@ public final class SpatialOverlap {
      * and prisms, which are enclosures and only have to miss nothing, are apart from another kind only where a slab
      * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
-    public static boolean test(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
-            return Upright.heightsTouch(kindA, a, i, kindB, b, j) && PlanarOverlap.test(kindA, a, i, kindB, b, j, s);
+    public static boolean test(Leaf a, Leaf b, OverlapScratch s) {
+        if (a.kind.isVerticalPrism() && b.kind.isVerticalPrism()) {
+            return Upright.heightsTouch(a, b) && PlanarOverlap.test(a, b, s);
         }
-        return PairOrder.isReversed(kindA, a, i, kindB, b, j)
-                ? ordered(kindB, b, j, kindA, a, i, s)
-                : ordered(kindA, a, i, kindB, b, j, s);
+        return PairOrder.isReversed(a, b) ? ordered(b, a, s) : ordered(a, b, s);
     }
 
-    private static boolean ordered(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (kindA.isPolytope() && kindB.isPolytope()) {
-            return s.sat.polytopes.touch(kindA, a, i, kindB, b, j);
+    private static boolean ordered(Leaf a, Leaf b, OverlapScratch s) {
+        if (a.kind.isPolytope() && b.kind.isPolytope()) {
+            return s.sat.polytopes.touch(a, b);
         }
-        if (kindA == LeafKind.SPHERE && kindB == LeafKind.SPHERE) {
-            return spheres(a, i, b, j);
+        if (a.kind == LeafKind.SPHERE && b.kind == LeafKind.SPHERE) {
+            return spheres(a, b);
         }
-        if (kindA.isCylinder() && kindB.isCylinder()) {
-            return CylinderCylinder.touch(kindA, a, i, kindB, b, j, s);
+        if (a.kind.isCylinder() && b.kind.isCylinder()) {
+            return CylinderCylinder.touch(a, b, s);
         }
-        if (Filter.isDoubting() && !kindA.isEnclosure() && !kindB.isEnclosure()) {
-            return exactly(kindA, a, i, kindB, b, j, s);
+        if (Filter.isDoubting() && !a.kind.isEnclosure() && !b.kind.isEnclosure()) {
+            return exactly(a, b, s);
         }
         Gjk gjk = s.gjk.pair;
-        gjk.spatial(kindA, a, i, kindB, b, j);
+        gjk.spatial(a, b);
         if (gjk.lower() > 0) {
             return false;
         }
-        return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j, s);
+        return gjk.isDeep() || exactly(a, b, s);
     }
 
     /** What neither a slab nor a common point could decide; certain but for a prism and something else. */
-    private static boolean exactly(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean exactly(Leaf a, Leaf b, OverlapScratch s) {
         EXACT.count();
-        if (kindA.isEnclosure() || kindB.isEnclosure()) {
+        if (a.kind.isEnclosure() || b.kind.isEnclosure()) {
             return uncertain(s);
         }
-        return kindA.isRound() ? round(kindA, a, i, kindB, b, j, s) : round(kindB, b, j, kindA, a, i, s);
+        return a.kind.isRound() ? round(a, b, s) : round(b, a, s);
     }
 
-    private static boolean round(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindA) {
-            case SPHERE -> sphere(a, i, kindB, b, j, s);
-            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kindA, a, i, kindB, b, j, s);
-            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindA, a, i, kindB, b, j, s);
-            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kindA.refused();
+    private static boolean round(Leaf a, Leaf b, OverlapScratch s) {
+        return switch (a.kind) {
+            case SPHERE -> sphere(a, b, s);
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(a, b, s);
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(a, b, s);
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw a.kind.refused();
         };
     }
 
-    private static boolean sphere(double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindB) {
-            case UPRIGHT_BOX, BOX, TRIANGLE -> new ExactSphere(a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
-            case SPHERE -> new ExactSphere(a, i).touchesSphere(b, j);
-            case UPRIGHT_CYLINDER, CYLINDER -> new ExactSphere(a, i).touchesCylinder(new ExactCylinder(kindB, b, j));
-            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, LeafKind.SPHERE, a, i, s);
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused();
+    private static boolean sphere(Leaf a, Leaf b, OverlapScratch s) {
+        return switch (b.kind) {
+            case UPRIGHT_BOX, BOX, TRIANGLE -> new ExactSphere(a.row, a.at).touchesPolytope(new ExactPolytope(b));
+            case SPHERE -> new ExactSphere(a.row, a.at).touchesSphere(b.row, b.at);
+            case UPRIGHT_CYLINDER, CYLINDER -> new ExactSphere(a.row, a.at).touchesCylinder(new ExactCylinder(b));
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(b, a, s);
+            case PRISM, MESH, SOLID_MESH, GRID -> throw b.kind.refused();
         };
     }
 
-    private static boolean cylinder(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindB) {
-            case UPRIGHT_BOX, BOX, TRIANGLE ->
-                new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
-            case SPHERE -> sphere(b, j, kindA, a, i, s);
-            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, kindA, a, i, s);
-            case UPRIGHT_CYLINDER, CYLINDER, PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused(); // CylinderCylinder
+    private static boolean cylinder(Leaf a, Leaf b, OverlapScratch s) {
+        return switch (b.kind) {
+            case UPRIGHT_BOX, BOX, TRIANGLE -> new ExactCylinder(a).touchesPolytope(new ExactPolytope(b));
+            case SPHERE -> sphere(b, a, s);
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(b, a, s);
+            case UPRIGHT_CYLINDER, CYLINDER, PRISM, MESH, SOLID_MESH, GRID ->
+                throw b.kind.refused(); // CylinderCylinder
         };
     }
 
-    private static boolean capsule(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindB) {
-            case UPRIGHT_BOX, BOX, TRIANGLE ->
-                new ExactCapsule(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
-            case SPHERE, UPRIGHT_CAPSULE, CAPSULE ->
-                new ExactCapsule(kindA, a, i).touches(new ExactCapsule(kindB, b, j));
-            case UPRIGHT_CYLINDER, CYLINDER -> CapsuleCylinder.touch(kindA, a, i, kindB, b, j, s);
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused();
+    private static boolean capsule(Leaf a, Leaf b, OverlapScratch s) {
+        return switch (b.kind) {
+            case UPRIGHT_BOX, BOX, TRIANGLE -> new ExactCapsule(a).touchesPolytope(new ExactPolytope(b));
+            case SPHERE, UPRIGHT_CAPSULE, CAPSULE -> new ExactCapsule(a).touches(new ExactCapsule(b));
+            case UPRIGHT_CYLINDER, CYLINDER -> CapsuleCylinder.touch(a, b, s);
+            case PRISM, MESH, SOLID_MESH, GRID -> throw b.kind.refused();
         };
     }
 
@@ -125,11 +116,11 @@ public final class SpatialOverlap {
         return true;
     }
 
-    private static boolean spheres(double[] a, int i, double[] b, int j) {
-        double dx = b[j] - a[i];
-        double dy = b[j + 1] - a[i + 1];
-        double dz = b[j + 2] - a[i + 2];
-        double r = a[i + Leaf.SIZE] + b[j + Leaf.SIZE];
+    private static boolean spheres(Leaf a, Leaf b) {
+        double dx = b.get(0) - a.get(0);
+        double dy = b.get(1) - a.get(1);
+        double dz = b.get(2) - a.get(2);
+        double r = a.get(Leaf.SIZE) + b.get(Leaf.SIZE);
         double apart = dx * dx + dy * dy + dz * dz;
         double reach = r * r;
         double bound = SPHERES_FILTER * (apart + reach) + UNDERFLOW;
@@ -140,6 +131,6 @@ public final class SpatialOverlap {
             return true;
         }
         EXACT_SPHERES.count();
-        return new ExactSphere(a, i).touchesSphere(b, j);
+        return new ExactSphere(a.row, a.at).touchesSphere(b.row, b.at);
     }
 }

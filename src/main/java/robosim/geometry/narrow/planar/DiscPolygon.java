@@ -2,7 +2,7 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** A disc and a convex polygon: the projection of a box, a triangle or an octagon. */
 public final class DiscPolygon {
@@ -21,13 +21,13 @@ public final class DiscPolygon {
     private DiscPolygon() {}
 
     /** Whether they touch or overlap. Exact, except that octagons count as touching in doubtful cases. */
-    public static boolean touch(double px, double pz, double r, LeafKind kind, double[] b, int j, PlanarScratch s) {
+    public static boolean touch(double px, double pz, double r, Leaf b, PlanarScratch s) {
         PlanarShape q = s.planarB;
-        q.set(kind, b, j, px, pz);
+        q.set(b.kind, b.row, b.at, px, pz);
         if (q.isTiny()) {
-            return doubtfulTouch(px, pz, r, kind, b, j);
+            return doubtfulTouch(px, pz, r, b);
         }
-        double error = (kind.isEnclosure() ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
+        double error = (b.kind.isEnclosure() ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
         double outline = Math.sqrt(PointPolygon.squareToOutline(0, 0, q));
         if (outline < r - error) {
             return true;
@@ -39,20 +39,20 @@ public final class DiscPolygon {
         if (side < 0 && outline > r + error) {
             return false;
         }
-        return doubtfulTouch(px, pz, r, kind, b, j);
+        return doubtfulTouch(px, pz, r, b);
     }
 
-    private static boolean doubtfulTouch(double px, double pz, double r, LeafKind kind, double[] b, int j) {
-        if (kind.isEnclosure()) {
+    private static boolean doubtfulTouch(double px, double pz, double r, Leaf b) {
+        if (b.kind.isEnclosure()) {
             return true;
         }
         EXACT.count();
-        return ExactPlanar.of(kind, b, j).touchesDisc(px, pz, r);
+        return ExactPlanar.of(b.kind, b.row, b.at).touchesDisc(px, pz, r);
     }
 
     /** The distance; 0 in contact. */
-    public static double distance(double px, double pz, double r, LeafKind kind, double[] b, int j, PlanarScratch s) {
-        if (touch(px, pz, r, kind, b, j, s)) {
+    public static double distance(double px, double pz, double r, Leaf b, PlanarScratch s) {
+        if (touch(px, pz, r, b, s)) {
             return 0;
         }
         PlanarShape q = s.planarB;

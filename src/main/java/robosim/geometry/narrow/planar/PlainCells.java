@@ -6,7 +6,6 @@ import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Whether an upright leaf that stands, or goes straight, meets a cell of a grid: in plain doubles, and only where these are
@@ -61,18 +60,9 @@ public final class PlainCells {
      *
      * @param dx the way, 0 for a leaf that stands
      */
-    public int compare(
-            Dimension dimension,
-            LeafKind kind,
-            double[] row,
-            int at,
-            double dx,
-            double dy,
-            double dz,
-            LeafColumn grid,
-            int leaf) {
-        int heights = dimension == Dimension.PLANAR ? MET : heights(kind, row, at, dy, grid, leaf);
-        if (heights == PAST || !take(kind, row, at, dx, dz, grid.cells(leaf))) {
+    public int compare(Dimension dimension, Leaf piece, double dx, double dy, double dz, LeafColumn grid, int leaf) {
+        int heights = dimension == Dimension.PLANAR ? MET : heights(piece, dy, grid, leaf);
+        if (heights == PAST || !take(piece, dx, dz, grid.cells(leaf))) {
             return heights == PAST ? PAST : UNSURE;
         }
         int found = PAST;
@@ -90,35 +80,35 @@ public final class PlainCells {
     }
 
     /** Whether the heights of a leaf stay apart from those of a grid, or overlap all the way by more than rounding. */
-    private static int heights(LeafKind kind, double[] row, int at, double dy, LeafColumn grid, int leaf) {
-        double half = switch (kind) {
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER -> row[at + 4];
-            case SPHERE -> row[at + 3];
-            case UPRIGHT_CAPSULE -> row[at + 3] + row[at + 4];
+    private static int heights(Leaf piece, double dy, LeafColumn grid, int leaf) {
+        double half = switch (piece.kind) {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER -> piece.get(4);
+            case SPHERE -> piece.get(3);
+            case UPRIGHT_CAPSULE -> piece.get(3) + piece.get(4);
             case BOX, CYLINDER, TRIANGLE, PRISM, CAPSULE, MESH, SOLID_MESH, GRID -> Double.NaN;
         };
         double[] cells = grid.rows();
         int own = leaf * Leaf.STRIDE;
         double middle = cells[own + 1];
         double sum = half + cells[own + 4];
-        double slack = HEIGHT * (Math.abs(row[at + 1]) + Math.abs(middle) + sum + Math.abs(dy));
-        double before = row[at + 1] - middle;
+        double slack = HEIGHT * (Math.abs(piece.get(1)) + Math.abs(middle) + sum + Math.abs(dy));
+        double before = piece.get(1) - middle;
         double after = before + dy;
         double nearest = before < 0 == after < 0 ? Math.min(Math.abs(before), Math.abs(after)) : 0;
         double farthest = Math.max(Math.abs(before), Math.abs(after));
         if (nearest > sum + slack) {
             return PAST;
         }
-        return kind.isVerticalPrism() && farthest < sum - slack ? MET : UNSURE;
+        return piece.kind.isVerticalPrism() && farthest < sum - slack ? MET : UNSURE;
     }
 
     /** Transforms a leaf and starts the scan; false for a kind without a plain comparison. */
-    private boolean take(LeafKind kind, double[] row, int at, double dx, double dz, PlacedCells cells) {
-        double x = row[at];
-        double z = row[at + 2];
-        double size = row[at + 3];
+    private boolean take(Leaf leaf, double dx, double dz, PlacedCells cells) {
+        double x = leaf.get(0);
+        double z = leaf.get(2);
+        double size = leaf.get(3);
         double skew = 0;
-        switch (kind) {
+        switch (leaf.kind) {
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE -> {
                 isDisc = true;
                 radius = size * cells.perCell();
@@ -127,17 +117,17 @@ public final class PlainCells {
             }
             case UPRIGHT_BOX -> {
                 isDisc = false;
-                double cos = row[at + Leaf.ROTATION];
-                double sin = row[at + Leaf.ROTATION + 2];
+                double cos = leaf.get(Leaf.ROTATION);
+                double sin = leaf.get(Leaf.ROTATION + 2);
                 skew = Math.abs(cos * cos + sin * sin - 1);
                 double side = 1 / cells.perCell();
                 axisU = cells.du(cos, 0.0 - sin) * side;
                 axisV = cells.dv(cos, 0.0 - sin) * side;
                 halfAlong = size * cells.perCell();
-                halfAcross = row[at + 5] * cells.perCell();
+                halfAcross = leaf.get(5) * cells.perCell();
                 reachU = Math.abs(axisU) * halfAlong + Math.abs(axisV) * halfAcross;
                 reachV = Math.abs(axisV) * halfAlong + Math.abs(axisU) * halfAcross;
-                size += row[at + 5];
+                size += leaf.get(5);
             }
             case BOX, CYLINDER, TRIANGLE, PRISM, CAPSULE, MESH, SOLID_MESH, GRID -> {
                 return false;

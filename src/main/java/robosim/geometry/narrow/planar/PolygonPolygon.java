@@ -2,6 +2,7 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Two convex polygons in the plane: the projections of boxes, triangles and octagons. */
@@ -22,32 +23,29 @@ public final class PolygonPolygon {
      * Whether they touch or overlap. Exact, except that an octagon and another kind count as touching in doubtful
      * cases. Two octagons have sides in the same four directions, one of which separates them if they are apart.
      */
-    public static boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
-        return (kindA == LeafKind.PRISM && kindB == LeafKind.PRISM)
-                ? octagonsTouch(a, i, b, j)
-                : polygonsTouch(kindA, a, i, kindB, b, j, s);
+    public static boolean touch(Leaf a, Leaf b, PlanarScratch s) {
+        return (a.kind == LeafKind.PRISM && b.kind == LeafKind.PRISM) ? octagonsTouch(a, b) : polygonsTouch(a, b, s);
     }
 
-    private static boolean octagonsTouch(double[] a, int i, double[] b, int j) {
+    private static boolean octagonsTouch(Leaf a, Leaf b) {
         for (int k = 0; k < 8; k += 2) {
-            if ((a[i + k] > b[j + k + 1]) || (b[j + k] > a[i + k + 1])) {
+            if ((a.get(k) > b.get(k + 1)) || (b.get(k) > a.get(k + 1))) {
                 return false;
             }
         }
         return true;
     }
 
-    private static boolean polygonsTouch(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
+    private static boolean polygonsTouch(Leaf a, Leaf b, PlanarScratch s) {
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
-        double ox = PlanarShape.originX(kindA, a, i);
-        double oz = PlanarShape.originZ(kindA, a, i);
-        p.set(kindA, a, i, ox, oz);
-        q.set(kindB, b, j, ox, oz);
+        double ox = PlanarShape.originX(a.kind, a.row, a.at);
+        double oz = PlanarShape.originZ(a.kind, a.row, a.at);
+        p.set(a.kind, a.row, a.at, ox, oz);
+        q.set(b.kind, b.row, b.at, ox, oz);
         // The normals of all sides give the penetration depth of two polygons, unless both are degenerate and parallel.
         // Those, and shapes small compared with the error, never overlap clearly and so take the exact path.
-        boolean isEnclosure = kindA.isEnclosure() || kindB.isEnclosure();
+        boolean isEnclosure = a.kind.isEnclosure() || b.kind.isEnclosure();
         double error = (isEnclosure ? ROUNDING : FILTER) * (p.error + q.error + PRODUCT * (p.size + q.size));
         int verdict = Math.max(apart(p, q, error), apart(q, p, error));
         if (verdict == 1) {
@@ -55,14 +53,14 @@ public final class PolygonPolygon {
         }
         return switch (verdict) {
             case 0 -> true;
-            case 1 -> isEnclosure || exactTouch(kindA, a, i, kindB, b, j);
+            case 1 -> isEnclosure || exactTouch(a, b);
             default -> false;
         };
     }
 
-    private static boolean exactTouch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private static boolean exactTouch(Leaf a, Leaf b) {
         EXACT.count();
-        return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+        return ExactPlanar.of(a.kind, a.row, a.at).touches(ExactPlanar.of(b.kind, b.row, b.at));
     }
 
     // 2 apart along the normal of a side of p, 1 in doubt, 0 overlapping along all normals
@@ -98,16 +96,25 @@ public final class PolygonPolygon {
     }
 
     /** The distance; 0 in contact. */
-    public static double distance(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
-        if (touch(kindA, a, i, kindB, b, j, s)) {
+    public static double distance(Leaf a, Leaf b, PlanarScratch s) {
+        if (touch(a, b, s)) {
             return 0;
         }
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
-        if (kindA == LeafKind.PRISM && kindB == LeafKind.PRISM) {
-            p.set(kindA, a, i, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
-            q.set(kindB, b, j, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
+        if (a.kind == LeafKind.PRISM && b.kind == LeafKind.PRISM) {
+            p.set(
+                    a.kind,
+                    a.row,
+                    a.at,
+                    PlanarShape.originX(a.kind, a.row, a.at),
+                    PlanarShape.originZ(a.kind, a.row, a.at));
+            q.set(
+                    b.kind,
+                    b.row,
+                    b.at,
+                    PlanarShape.originX(a.kind, a.row, a.at),
+                    PlanarShape.originZ(a.kind, a.row, a.at));
         }
         if (p.isTiny() && q.isTiny()) { // otherwise the squares would underflow
             double power = Math.min(p.enlargement(), q.enlargement());

@@ -3,7 +3,6 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Two boxes at any attitude, projected: each projection is the sum of the projections of the box's own axes. Unlike {@link
@@ -23,38 +22,35 @@ public final class ZonogonZonogon {
     private ZonogonZonogon() {}
 
     /** Whether they touch or overlap; exact. */
-    public static boolean touch(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DoubleDoubleOverlap fine) {
-        double dx = a[i] - b[j];
-        double dz = a[i + 2] - b[j + 2];
+    public static boolean touch(Leaf a, Leaf b, DoubleDoubleOverlap fine) {
+        double dx = a.get(0) - b.get(0);
+        double dz = a.get(2) - b.get(2);
         double error = OFFSET * (Math.abs(dx) + Math.abs(dz))
-                + HALVES * ((a[i + 3] + a[i + 4] + a[i + 5]) + (b[j + 3] + b[j + 4] + b[j + 5]));
-        int verdict = Math.max(apart(a, i, dx, dz, error, a, i, b, j), apart(b, j, dx, dz, error, a, i, b, j));
+                + HALVES * ((a.get(3) + a.get(4) + a.get(5)) + (b.get(3) + b.get(4) + b.get(5)));
+        int verdict = Math.max(apart(a, dx, dz, error, a, b), apart(b, dx, dz, error, a, b));
         if (verdict != 1) {
             return verdict == 0;
         }
         FINE.count();
-        int side =
-                Math.max(finely(a, i, dx, dz, error, a, i, b, j, fine), finely(b, j, dx, dz, error, a, i, b, j, fine));
-        return side == 0 ? exactTouch(kindA, a, i, kindB, b, j) : side < 0;
+        int side = Math.max(finely(a, dx, dz, error, a, b, fine), finely(b, dx, dz, error, a, b, fine));
+        return side == 0 ? exactTouch(a, b) : side < 0;
     }
 
-    private static boolean exactTouch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private static boolean exactTouch(Leaf a, Leaf b) {
         EXACT.count();
-        return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+        return ExactPlanar.of(a.kind, a.row, a.at).touches(ExactPlanar.of(b.kind, b.row, b.at));
     }
 
     // 2 apart along the normal of an own axis of either box, 1 in doubt, 0 overlapping along all normals
-    private static int apart(
-            double[] of, int at, double dx, double dz, double error, double[] a, int i, double[] b, int j) {
+    private static int apart(Leaf of, double dx, double dz, double error, Leaf a, Leaf b) {
         int verdict = 0;
         for (int axis = 0; axis < 3; axis++) {
-            double gx = of[at + Leaf.ROTATION + axis];
-            double gz = of[at + Leaf.ROTATION + 6 + axis];
+            double gx = of.get(Leaf.ROTATION + axis);
+            double gz = of.get(Leaf.ROTATION + 6 + axis);
             if (gx == 0 && gz == 0) {
                 continue; // upright: it projects to a point
             }
-            double gap = gap(dx, dz, gx, gz, a, i, b, j);
+            double gap = gap(dx, dz, gx, gz, a, b);
             double doubt = doubt(error, gx, gz);
             if (gap > doubt) {
                 return 2;
@@ -67,30 +63,20 @@ public final class ZonogonZonogon {
     }
 
     // The answer of DoubleDoubleOverlap for those axes of one box that are in doubt.
-    private static int finely(
-            double[] of,
-            int at,
-            double dx,
-            double dz,
-            double error,
-            double[] a,
-            int i,
-            double[] b,
-            int j,
-            DoubleDoubleOverlap fine) {
+    private static int finely(Leaf of, double dx, double dz, double error, Leaf a, Leaf b, DoubleDoubleOverlap fine) {
         int side = -1;
         for (int axis = 0; axis < 3; axis++) {
-            double gx = of[at + Leaf.ROTATION + axis];
-            double gz = of[at + Leaf.ROTATION + 6 + axis];
-            if ((gx != 0 || gz != 0) && !(gap(dx, dz, gx, gz, a, i, b, j) < -doubt(error, gx, gz))) {
-                side = Math.max(side, fine.along(gx, gz, a, i, b, j));
+            double gx = of.get(Leaf.ROTATION + axis);
+            double gz = of.get(Leaf.ROTATION + 6 + axis);
+            if ((gx != 0 || gz != 0) && !(gap(dx, dz, gx, gz, a, b) < -doubt(error, gx, gz))) {
+                side = Math.max(side, fine.along(gx, gz, a.row, a.at, b.row, b.at));
             }
         }
         return side;
     }
 
-    private static double gap(double dx, double dz, double gx, double gz, double[] a, int i, double[] b, int j) {
-        return Math.abs(dx * gz - dz * gx) - (reach(a, i, gx, gz) + reach(b, j, gx, gz));
+    private static double gap(double dx, double dz, double gx, double gz, Leaf a, Leaf b) {
+        return Math.abs(dx * gz - dz * gx) - (reach(a.row, a.at, gx, gz) + reach(b.row, b.at, gx, gz));
     }
 
     private static double doubt(double error, double gx, double gz) {

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * A box or a triangle for the method of separating axes: its extent along an axis, and the axes that it contributes.
@@ -80,18 +80,18 @@ public final class AxisBody {
     private final double[] half = new double[9];
     private int halves;
 
-    void spatial(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
+    void spatial(Leaf leaf, double ox, double oy, double oz) {
         clear();
-        switch (kind.polytope()) {
+        switch (leaf.kind.polytope()) {
             case TRIANGLE -> {
-                corners(row, at, ox, oy, oz, 1);
+                corners(leaf.row, leaf.at, ox, oy, oz, 1);
                 spatialTriangle();
             }
             case BOX -> {
-                centre(row, at, ox, oy, oz);
+                centre(leaf.row, leaf.at, ox, oy, oz);
                 for (int k = 0; k < 3; k++) {
-                    halfVector(row[at + 3 + k], row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
-                    addEdge(row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
+                    halfVector(leaf.get(3 + k), leaf.get(6 + k), leaf.get(9 + k), leaf.get(12 + k));
+                    addEdge(leaf.get(6 + k), leaf.get(9 + k), leaf.get(12 + k));
                 }
                 addCross(3, 6);
                 addCross(6, 0);
@@ -101,20 +101,20 @@ public final class AxisBody {
     }
 
     /** The projection on XZ, with all heights 0. */
-    void planar(LeafKind kind, double[] row, int at, double ox, double oz) {
+    void planar(Leaf leaf, double ox, double oz) {
         clear();
-        switch (kind.polytope()) {
+        switch (leaf.kind.polytope()) {
             case TRIANGLE -> {
-                corners(row, at, ox, 0, oz, 0);
+                corners(leaf.row, leaf.at, ox, 0, oz, 0);
                 planarTriangle();
             }
             case BOX -> {
-                centre(row, at, ox, row[at + 1], oz);
+                centre(leaf.row, leaf.at, ox, leaf.get(1), oz);
                 for (int k = 0; k < 3; k++) {
-                    double ux = row[at + 6 + k];
-                    double uz = row[at + 12 + k];
+                    double ux = leaf.get(6 + k);
+                    double uz = leaf.get(12 + k);
                     if (ux != 0 || uz != 0) {
-                        halfVector(row[at + 3 + k], ux, 0, uz);
+                        halfVector(leaf.get(3 + k), ux, 0, uz);
                         addNormal(-uz, 0, ux);
                     }
                 }
@@ -123,11 +123,11 @@ public final class AxisBody {
     }
 
     /** An upright box: the normals of its base and the vertical. */
-    void upright(double[] row, int at, double ox, double oy, double oz) {
-        planar(LeafKind.UPRIGHT_BOX, row, at, ox, oz);
-        cy = row[at + 1] - oy;
+    void upright(Leaf leaf, double ox, double oy, double oz) {
+        planar(leaf, ox, oz);
+        cy = leaf.get(1) - oy;
         my = Math.abs(cy);
-        halfVector(row[at + 4], 0, 1, 0);
+        halfVector(leaf.get(4), 0, 1, 0);
         addNormal(0, 1, 0);
     }
 

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The second stage of {@link MovingAxes}: when the gap along one axis closes, in pairs of doubles.
@@ -39,23 +39,14 @@ final class DoubleDoubleAxes {
     private double dz;
     private double lost;
 
-    void load(
-            AxisBody.Mode mode,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double moveX,
-            double moveY,
-            double moveZ,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double ox,
-            double oy,
-            double oz,
-            double size) {
-        mover.load(mode, kindA, a, i, ox, oy, oz);
-        rest.load(mode, kindB, b, j, ox, oy, oz);
+    /** Takes the leaves, relative to an origin. */
+    void load(AxisBody.Mode mode, Leaf a, Leaf b, double ox, double oy, double oz) {
+        mover.load(mode, a, ox, oy, oz);
+        rest.load(mode, b, ox, oy, oz);
+    }
+
+    /** Takes the displacement, and a bound of all coordinates. */
+    void move(double moveX, double moveY, double moveZ, double size) {
         dx = moveX;
         dy = moveY;
         dz = moveZ;

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** The counterpart of {@link AxisBody} in pairs of doubles: a polytope's extent along an axis. */
 final class DoubleDoubleBody {
@@ -30,14 +30,14 @@ final class DoubleDoubleBody {
     private final DoubleDoubleSum reach = new DoubleDoubleSum();
 
     /** Loads a leaf as {@link AxisBody} does for a mode of {@link MovingAxes}. */
-    void load(AxisBody.Mode mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
+    void load(AxisBody.Mode mode, Leaf leaf, double ox, double oy, double oz) {
         points = 0;
         halves = 0;
         edges = 0;
         boolean flat = mode == AxisBody.Mode.PLANAR;
-        switch (kind.polytope()) {
-            case TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
-            case BOX -> box(row, at, mode, ox, oy, oz);
+        switch (leaf.kind.polytope()) {
+            case TRIANGLE -> triangle(leaf.row, leaf.at, flat, ox, oy, oz);
+            case BOX -> box(leaf.row, leaf.at, mode, ox, oy, oz);
         }
     }
 

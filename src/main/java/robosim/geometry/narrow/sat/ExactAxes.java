@@ -7,6 +7,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.StageCounters;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The exact counterpart of {@link MovingAxes}: the same axes, any number of them, without rounding. */
@@ -29,21 +30,11 @@ public final class ExactAxes {
     }
 
     /** As {@code PlanarSweep.translation}, for polytopes. */
-    public static double time(
-            AxisBody.Mode mode,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j) {
+    public static double time(AxisBody.Mode mode, Leaf a, double dx, double dy, double dz, Leaf b) {
         EXACT.count();
         ExactVector move = ExactVector.of(dx, mode == AxisBody.Mode.PLANAR ? 0 : dy, dz);
-        ExactAxes axes = new ExactAxes(ExactBody.of(mode, kindA, a, i), ExactBody.of(mode, kindB, b, j), move);
-        axes.collect(mode == AxisBody.Mode.SPATIAL && kindA == LeafKind.TRIANGLE && kindB == LeafKind.TRIANGLE);
+        ExactAxes axes = new ExactAxes(ExactBody.of(mode, a), ExactBody.of(mode, b), move);
+        axes.collect(mode == AxisBody.Mode.SPATIAL && a.kind == LeafKind.TRIANGLE && b.kind == LeafKind.TRIANGLE);
         return axes.decide();
     }
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** The exact counterpart of {@link AxisBody}: a polytope of the stored numbers, without rounding. */
 final class ExactBody {
@@ -21,12 +21,12 @@ final class ExactBody {
 
     private ExactBody() {}
 
-    static ExactBody of(AxisBody.Mode mode, LeafKind kind, double[] row, int at) {
+    static ExactBody of(AxisBody.Mode mode, Leaf leaf) {
         ExactBody body = new ExactBody();
         boolean flat = mode == AxisBody.Mode.PLANAR;
-        switch (kind.polytope()) {
-            case TRIANGLE -> body.triangle(row, at, flat);
-            case BOX -> body.box(row, at, mode);
+        switch (leaf.kind.polytope()) {
+            case TRIANGLE -> body.triangle(leaf.row, leaf.at, flat);
+            case BOX -> body.box(leaf.row, leaf.at, mode);
         }
         return body;
     }

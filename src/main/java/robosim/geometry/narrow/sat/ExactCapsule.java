@@ -3,7 +3,6 @@ package robosim.geometry.narrow.sat;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A capsule, or a sphere as one of length 0, against capsules, boxes and triangles in exact arithmetic. The squared
@@ -17,15 +16,16 @@ public final class ExactCapsule {
 
     private final Dyadic radius;
 
-    public ExactCapsule(LeafKind kind, double[] row, int at) {
-        centre = ExactVector.at(row, at);
-        radius = Dyadic.of(row[at + Leaf.SIZE]);
-        half = switch (kind) {
+    public ExactCapsule(Leaf leaf) {
+        centre = ExactVector.at(leaf.row, leaf.at);
+        radius = Dyadic.of(leaf.get(Leaf.SIZE));
+        half = switch (leaf.kind) {
             case SPHERE -> ExactVector.of(0, 0, 0);
-            case UPRIGHT_CAPSULE -> ExactVector.of(0, row[at + Leaf.SIZE + 1], 0);
-            case CAPSULE -> ExactVector.column(row, at + Leaf.ROTATION + 1).times(Dyadic.of(row[at + Leaf.SIZE + 1]));
+            case UPRIGHT_CAPSULE -> ExactVector.of(0, leaf.get(Leaf.SIZE + 1), 0);
+            case CAPSULE ->
+                ExactVector.column(leaf.row, leaf.at + Leaf.ROTATION + 1).times(Dyadic.of(leaf.get(Leaf.SIZE + 1)));
             case UPRIGHT_BOX, BOX, UPRIGHT_CYLINDER, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID ->
-                throw new IllegalArgumentException("kind must be a capsule or a sphere (got: " + kind + ")");
+                throw new IllegalArgumentException("leaf.kind must be a capsule or a sphere (got: " + leaf.kind + ")");
         };
     }
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.PairOrder;
 
 /**
@@ -26,10 +26,10 @@ public final class ExactCommonPoint {
      * Writes a common point, each coordinate to two units in the last place; false where there is none. (a, b) and (b,
      * a) give the same bits.
      */
-    public static boolean point(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out) {
-        ExactPolytope p = new ExactPolytope(kindA, a, i);
-        ExactPolytope q = new ExactPolytope(kindB, b, j);
-        boolean reversed = PairOrder.isReversed(kindA, a, i, kindB, b, j);
+    public static boolean point(Leaf a, Leaf b, double[] out) {
+        ExactPolytope p = new ExactPolytope(a);
+        ExactPolytope q = new ExactPolytope(b);
+        boolean reversed = PairOrder.isReversed(a, b);
         ExactCommonPoint common = reversed ? new ExactCommonPoint(q, p) : new ExactCommonPoint(p, q);
         return common.find(out);
     }

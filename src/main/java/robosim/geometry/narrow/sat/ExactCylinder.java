@@ -3,7 +3,6 @@ package robosim.geometry.narrow.sat;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A cylinder {@code |(x - c).a| <= h a.a, |(x - c) x a| <= r |a|} against boxes and triangles in exact arithmetic.
@@ -25,11 +24,13 @@ public final class ExactCylinder {
     final Dyadic halfHeight;
     private final Dyadic reach;
 
-    public ExactCylinder(LeafKind kind, double[] row, int at) {
-        centre = ExactVector.at(row, at);
-        axis = kind.isTurned() ? ExactVector.column(row, at + Leaf.ROTATION + 1) : ExactVector.of(0, 1, 0);
-        radius = Dyadic.of(row[at + 3]);
-        halfHeight = Dyadic.of(row[at + 4]);
+    public ExactCylinder(Leaf leaf) {
+        centre = ExactVector.at(leaf.row, leaf.at);
+        axis = leaf.kind.isTurned()
+                ? ExactVector.column(leaf.row, leaf.at + Leaf.ROTATION + 1)
+                : ExactVector.of(0, 1, 0);
+        radius = Dyadic.of(leaf.get(3));
+        halfHeight = Dyadic.of(leaf.get(4));
         axisSquare = axis.square();
         half = halfHeight.multiply(axisSquare);
         reach = radius.square().multiply(axisSquare);

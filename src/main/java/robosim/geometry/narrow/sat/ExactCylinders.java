@@ -2,7 +2,7 @@ package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Two cylinders at any attitude in exact arithmetic: what can be decided without the roots of their rims. Slow. */
 public final class ExactCylinders {
@@ -10,9 +10,9 @@ public final class ExactCylinders {
     private final ExactCylinder second;
     private final ExactVector between;
 
-    public ExactCylinders(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        first = new ExactCylinder(kindA, a, i);
-        second = new ExactCylinder(kindB, b, j);
+    public ExactCylinders(Leaf a, Leaf b) {
+        first = new ExactCylinder(a);
+        second = new ExactCylinder(b);
         between = second.centre.minus(first.centre);
     }
 

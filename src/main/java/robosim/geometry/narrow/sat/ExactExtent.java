@@ -3,7 +3,6 @@ package robosim.geometry.narrow.sat;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The extent of a leaf along a direction, without rounding: from {@code low} minus a root to {@code high} plus that
@@ -11,40 +10,43 @@ import robosim.geometry.narrow.leaf.LeafKind;
  */
 public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
     /** The extent of a leaf of any convex kind, along a direction of any length. */
-    public static ExactExtent of(ExactVector n, LeafKind kind, double[] row, int at) {
-        return switch (kind) {
+    public static ExactExtent of(ExactVector n, Leaf leaf) {
+        return switch (leaf.kind) {
             case UPRIGHT_BOX, BOX -> {
                 Dyadic half = Dyadic.ZERO;
                 for (int k = 0; k < 3; k++) {
-                    Dyadic along = n.dot(ExactVector.of(row, at + Leaf.ROTATION + k, 3));
-                    half = half.add(along.abs().multiply(Dyadic.of(row[at + Leaf.SIZE + k])));
+                    Dyadic along = n.dot(ExactVector.of(leaf.row, leaf.at + Leaf.ROTATION + k, 3));
+                    half = half.add(along.abs().multiply(Dyadic.of(leaf.get(Leaf.SIZE + k))));
                 }
-                yield around(n, row, at, half, Dyadic.ZERO, Dyadic.ONE);
+                yield around(n, leaf.row, leaf.at, half, Dyadic.ZERO, Dyadic.ONE);
             }
-            case SPHERE -> around(n, row, at, Dyadic.ZERO, n.square().multiply(square(row, at)), Dyadic.ONE);
+            case SPHERE ->
+                around(n, leaf.row, leaf.at, Dyadic.ZERO, n.square().multiply(square(leaf.row, leaf.at)), Dyadic.ONE);
             case UPRIGHT_CAPSULE, CAPSULE -> {
-                Dyadic half = n.dot(axis(kind, row, at)).abs().multiply(Dyadic.of(row[at + 4]));
-                yield around(n, row, at, half, n.square().multiply(square(row, at)), Dyadic.ONE);
+                Dyadic half = n.dot(axis(leaf)).abs().multiply(Dyadic.of(leaf.get(4)));
+                yield around(n, leaf.row, leaf.at, half, n.square().multiply(square(leaf.row, leaf.at)), Dyadic.ONE);
             }
             case UPRIGHT_CYLINDER, CYLINDER -> {
-                ExactVector axis = axis(kind, row, at);
-                Dyadic half = n.dot(axis).abs().multiply(Dyadic.of(row[at + 4]));
+                ExactVector axis = axis(leaf);
+                Dyadic half = n.dot(axis).abs().multiply(Dyadic.of(leaf.get(4)));
                 Dyadic across = n.cross(axis).square();
-                yield around(n, row, at, half, across.multiply(square(row, at)), axis.square());
+                yield around(n, leaf.row, leaf.at, half, across.multiply(square(leaf.row, leaf.at)), axis.square());
             }
             case TRIANGLE -> {
-                Dyadic a = n.dot(ExactVector.of(row, at, 1));
-                Dyadic b = n.dot(ExactVector.of(row, at + 3, 1));
-                Dyadic c = n.dot(ExactVector.of(row, at + 6, 1));
+                Dyadic a = n.dot(ExactVector.of(leaf.row, leaf.at, 1));
+                Dyadic b = n.dot(ExactVector.of(leaf.row, leaf.at + 3, 1));
+                Dyadic c = n.dot(ExactVector.of(leaf.row, leaf.at + 6, 1));
                 yield new ExactExtent(a.min(b).min(c), a.max(b).max(c), Dyadic.ZERO, Dyadic.ONE);
             }
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         };
     }
 
     /** The axis of a cylinder or capsule, as stored. */
-    public static ExactVector axis(LeafKind kind, double[] row, int at) {
-        return kind.isTurned() ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
+    public static ExactVector axis(Leaf leaf) {
+        return leaf.kind.isTurned()
+                ? ExactVector.of(leaf.row, leaf.at + Leaf.ROTATION + 1, 3)
+                : ExactVector.of(0, 1, 0);
     }
 
     /** The extent after a displacement by so much along the direction. */

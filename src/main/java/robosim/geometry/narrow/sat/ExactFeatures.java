@@ -5,7 +5,6 @@ import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The corners, edge directions and face normals of a leaf as stored, without rounding. A sphere has its centre as
@@ -22,16 +21,16 @@ public final class ExactFeatures {
 
     private final boolean flat;
 
-    public ExactFeatures(boolean inPlane, LeafKind kind, double[] row, int at) {
+    public ExactFeatures(boolean inPlane, Leaf leaf) {
         flat = inPlane;
-        isRound = kind.isRound() && row[at + Leaf.SIZE] > 0;
-        switch (kind) {
-            case UPRIGHT_BOX, BOX -> box(row, at);
-            case SPHERE -> corners.add(level(ExactVector.of(row, at, 1)));
-            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kind, row, at);
-            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, at);
-            case TRIANGLE -> triangle(row, at);
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+        isRound = leaf.kind.isRound() && leaf.get(Leaf.SIZE) > 0;
+        switch (leaf.kind) {
+            case UPRIGHT_BOX, BOX -> box(leaf.row, leaf.at);
+            case SPHERE -> corners.add(level(ExactVector.of(leaf.row, leaf.at, 1)));
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(leaf);
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(leaf);
+            case TRIANGLE -> triangle(leaf.row, leaf.at);
+            case PRISM, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
         if (flat) {
             for (ExactVector edge : edges) {
@@ -65,10 +64,10 @@ public final class ExactFeatures {
         return flat ? new ExactVector(v.x(), Dyadic.ZERO, v.z()) : v;
     }
 
-    private void capsule(LeafKind kind, double[] row, int at) {
-        ExactVector axis = level(ExactExtent.axis(kind, row, at));
-        ExactVector centre = level(ExactVector.of(row, at, 1));
-        ExactVector arm = axis.times(Dyadic.of(row[at + 4]));
+    private void capsule(Leaf leaf) {
+        ExactVector axis = level(ExactExtent.axis(leaf));
+        ExactVector centre = level(ExactVector.of(leaf.row, leaf.at, 1));
+        ExactVector arm = axis.times(Dyadic.of(leaf.get(4)));
         if (!axis.isZero()) {
             edges.add(axis);
         }
@@ -113,14 +112,14 @@ public final class ExactFeatures {
         }
     }
 
-    private void cylinder(LeafKind kind, double[] row, int at) {
-        ExactVector axis = ExactExtent.axis(kind, row, at);
-        corners.add(level(ExactVector.of(row, at, 1)));
+    private void cylinder(Leaf leaf) {
+        ExactVector axis = ExactExtent.axis(leaf);
+        corners.add(level(ExactVector.of(leaf.row, leaf.at, 1)));
         ExactVector along = level(axis);
         if (along.isZero()) {
             return;
         }
-        both(along.times(Dyadic.of(row[at + 4])));
+        both(along.times(Dyadic.of(leaf.get(4))));
         edges.add(along);
         if (!flat) {
             faces.add(axis);
@@ -168,14 +167,13 @@ public final class ExactFeatures {
      * For two leaves that touch and do not overlap: the directions from b to a of separating planes, each once. Either
      * these are all such directions, or all others lie between them; none where a rim touches anything but a corner.
      */
-    public static List<ExactVector> parting(
-            boolean flat, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    public static List<ExactVector> parting(boolean flat, Leaf a, Leaf b) {
         List<ExactVector> parting = new ArrayList<>();
-        ExactFeatures mine = new ExactFeatures(flat, kindA, a, i);
-        for (ExactVector normal : mine.normalsWith(new ExactFeatures(flat, kindB, b, j))) {
+        ExactFeatures mine = new ExactFeatures(flat, a);
+        for (ExactVector normal : mine.normalsWith(new ExactFeatures(flat, b))) {
             for (int side = 1; side >= -1; side -= 2) {
                 ExactVector n = side > 0 ? normal : normal.times(Dyadic.ONE.negate());
-                if (ExactExtent.of(n, kindB, b, j).gapTo(ExactExtent.of(n, kindA, a, i)) >= 0
+                if (ExactExtent.of(n, b).gapTo(ExactExtent.of(n, a)) >= 0
                         && parting.stream().noneMatch(one -> isParallel(one, n))) {
                     parting.add(n);
                 }

@@ -5,7 +5,6 @@ import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A box or triangle in exact arithmetic, for separating axes and distances that doubles could not decide. Slow.
@@ -30,22 +29,22 @@ public final class ExactPolytope {
     private final List<ExactVector> faces = new ArrayList<>();
     private final List<ExactVector> edges = new ArrayList<>();
 
-    public ExactPolytope(LeafKind kind, double[] row, int at) {
-        isBox = switch (kind.polytope()) {
+    public ExactPolytope(Leaf leaf) {
+        isBox = switch (leaf.kind.polytope()) {
             case BOX -> true;
             case TRIANGLE -> false;
         };
-        centre = ExactVector.at(row, at);
+        centre = ExactVector.at(leaf.row, leaf.at);
         if (isBox) {
             for (int k = 0; k < 3; k++) {
-                ExactVector column = ExactVector.column(row, at + Leaf.ROTATION + k);
+                ExactVector column = ExactVector.column(leaf.row, leaf.at + Leaf.ROTATION + k);
                 edges.add(column);
-                spans.add(column.times(Dyadic.of(row[at + Leaf.SIZE + k])));
+                spans.add(column.times(Dyadic.of(leaf.get(Leaf.SIZE + k))));
             }
             thicken();
         } else {
             for (int k = 0; k < 9; k += 3) {
-                spans.add(ExactVector.at(row, at + k));
+                spans.add(ExactVector.at(leaf.row, leaf.at + k));
             }
             triangle();
         }
@@ -105,9 +104,9 @@ public final class ExactPolytope {
      *
      * @param doubts for two boxes, only these axes are tested, in the order of {@link PolytopePolytope}
      */
-    static boolean apart(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, int doubts) {
-        ExactPolytope p = new ExactPolytope(kindA, a, i);
-        ExactPolytope q = new ExactPolytope(kindB, b, j);
+    static boolean apart(Leaf a, Leaf b, int doubts) {
+        ExactPolytope p = new ExactPolytope(a);
+        ExactPolytope q = new ExactPolytope(b);
         List<ExactVector> axes = new ArrayList<>(p.faces);
         axes.addAll(q.faces);
         for (ExactVector e : p.edges) {

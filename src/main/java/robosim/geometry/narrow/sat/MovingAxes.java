@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.narrow.gjk.Support;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
@@ -47,25 +48,15 @@ public final class MovingAxes {
     private double mz;
 
     /** As {@code PlanarSweep.translation}; NaN where pairs of doubles cannot tell. */
-    public double time(
-            AxisBody.Mode mode,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double moveX,
-            double moveY,
-            double moveZ,
-            LeafKind kindB,
-            double[] b,
-            int j) {
-        double ox = Support.originX(kindA, a, i);
-        double oy = Support.originY(kindA, a, i);
-        double oz = Support.originZ(kindA, a, i);
+    public double time(AxisBody.Mode mode, Leaf a, double moveX, double moveY, double moveZ, Leaf b) {
+        double ox = Support.originX(a.kind, a.row, a.at);
+        double oy = Support.originY(a.kind, a.row, a.at);
+        double oz = Support.originZ(a.kind, a.row, a.at);
         dx = moveX;
         dy = mode == AxisBody.Mode.PLANAR ? 0 : moveY;
         dz = moveZ;
-        load(first, mode, kindA, a, i, ox, oy, oz);
-        load(second, mode, kindB, b, j, ox, oy, oz);
+        load(first, mode, a, ox, oy, oz);
+        load(second, mode, b, ox, oy, oz);
         mx = first.mx + second.mx;
         my = mode == AxisBody.Mode.PLANAR ? 0 : first.my + second.my;
         mz = first.mz + second.mz;
@@ -80,7 +71,7 @@ public final class MovingAxes {
             if (first.doubtful || second.doubtful) {
                 return Double.NaN;
             }
-            boolean triangles = kindA == LeafKind.TRIANGLE && kindB == LeafKind.TRIANGLE;
+            boolean triangles = a.kind == LeafKind.TRIANGLE && b.kind == LeafKind.TRIANGLE;
             if (separatesByEdges() || (triangles && separatesInPlane())) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -88,16 +79,16 @@ public final class MovingAxes {
         if (!decide()) {
             return verdict;
         }
-        fine.load(mode, kindA, a, i, dx, dy, dz, kindB, b, j, ox, oy, oz, mx + my + mz);
+        fine.load(mode, a, b, ox, oy, oz);
+        fine.move(dx, dy, dz, mx + my + mz);
         return enter();
     }
 
-    private static void load(
-            AxisBody body, AxisBody.Mode mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
+    private static void load(AxisBody body, AxisBody.Mode mode, Leaf leaf, double ox, double oy, double oz) {
         switch (mode) {
-            case PLANAR -> body.planar(kind, row, at, ox, oz);
-            case UPRIGHT -> body.upright(row, at, ox, oy, oz);
-            case SPATIAL -> body.spatial(kind, row, at, ox, oy, oz);
+            case PLANAR -> body.planar(leaf, ox, oz);
+            case UPRIGHT -> body.upright(leaf, ox, oy, oz);
+            case SPATIAL -> body.spatial(leaf, ox, oy, oz);
         }
     }
 

@@ -49,10 +49,10 @@ public final class PolytopePolytope {
     private double py;
     private double pz;
 
-    public boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        first.load(kindA, a, i, a[i], a[i + 1], a[i + 2]);
-        second.load(kindB, b, j, a[i], a[i + 1], a[i + 2]);
-        boolean isTriangle = kindA == LeafKind.TRIANGLE || kindB == LeafKind.TRIANGLE;
+    public boolean touch(Leaf a, Leaf b) {
+        first.load(a, a.get(0), a.get(1), a.get(2));
+        second.load(b, a.get(0), a.get(1), a.get(2));
+        boolean isTriangle = a.kind == LeafKind.TRIANGLE || b.kind == LeafKind.TRIANGLE;
         projected = isTriangle ? TRIANGLE_PROJECTED : PROJECTED;
         withAxis = isTriangle ? TRIANGLE_WITH_AXIS : WITH_AXIS;
         int doubts = 0;
@@ -81,7 +81,7 @@ public final class PolytopePolytope {
             return true;
         }
         EXACT.count();
-        return !ExactPolytope.apart(kindA, a, i, kindB, b, j, doubts);
+        return !ExactPolytope.apart(a, b, doubts);
     }
 
     private double bound(double factor, double x, double y, double z) {
@@ -163,10 +163,10 @@ public final class PolytopePolytope {
         private final double[] centre = new double[3];
         private final double[] points = new double[9];
 
-        void load(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
-            switch (kind.polytope()) {
-                case BOX -> box(row, at, ox, oy, oz);
-                case TRIANGLE -> triangle(row, at, ox, oy, oz);
+        void load(Leaf leaf, double ox, double oy, double oz) {
+            switch (leaf.kind.polytope()) {
+                case BOX -> box(leaf.row, leaf.at, ox, oy, oz);
+                case TRIANGLE -> triangle(leaf.row, leaf.at, ox, oy, oz);
             }
         }
 

@@ -30,19 +30,19 @@ final class ExactBall {
     }
 
     /** As {@link SpatialSweep#translation}, for a sphere against a sphere, box or triangle. */
-    static double time(double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j) {
+    static double time(Leaf a, double dx, double dy, double dz, Leaf b) {
         EXACT.count();
         ExactVector move = ExactVector.of(dx, dy, dz);
-        Dyadic radius = Dyadic.of(a[i + Leaf.SIZE]);
-        if (kindB == LeafKind.SPHERE) {
-            ExactBall ball = new ExactBall(ExactVector.at(a, i), radius.add(Dyadic.of(b[j + Leaf.SIZE])), move);
-            ExactVector way = ExactVector.at(b, j).minus(ball.centre);
+        Dyadic radius = Dyadic.of(a.get(Leaf.SIZE));
+        if (b.kind == LeafKind.SPHERE) {
+            ExactBall ball = new ExactBall(ExactVector.at(a.row, a.at), radius.add(Dyadic.of(b.get(Leaf.SIZE))), move);
+            ExactVector way = ExactVector.at(b.row, b.at).minus(ball.centre);
             boolean contact = way.square().compareTo(ball.radiusSquare) <= 0;
-            return contact ? way.dot(move).signum() > 0 ? 0 : NEVER : ball.cornerTime(ExactVector.at(b, j));
+            return contact ? way.dot(move).signum() > 0 ? 0 : NEVER : ball.cornerTime(ExactVector.at(b.row, b.at));
         }
-        ExactBall ball = new ExactBall(ExactVector.at(a, i), radius, move);
-        ExactPolytope polytope = new ExactPolytope(kindB, b, j);
-        if (new ExactSphere(a, i).touchesPolytope(polytope)) {
+        ExactBall ball = new ExactBall(ExactVector.at(a.row, a.at), radius, move);
+        ExactPolytope polytope = new ExactPolytope(b);
+        if (new ExactSphere(a.row, a.at).touchesPolytope(polytope)) {
             boolean blocked = polytope.contains(ball.centre) ? ball.deeperInside(polytope) : ball.deeper(polytope);
             return blocked ? 0 : NEVER;
         }

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * A disc, or an upright cylinder, translated against an upright disc or polygon at rest: decided without rounding, as a
@@ -41,15 +41,14 @@ public final class ExactDisc {
      *
      * @param heights null where they do not count
      */
-    public static ExactDisc of(
-            double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, @Nullable Heights heights) {
+    public static ExactDisc of(Leaf a, double dx, double dz, Leaf b, @Nullable Heights heights) {
         EXACT.count();
-        Dyadic radius = Dyadic.of(a[i + 3]);
-        if (kindB.isDisc()) {
-            radius = radius.add(Dyadic.of(b[j + 3]));
+        Dyadic radius = Dyadic.of(a.get(3));
+        if (b.kind.isDisc()) {
+            radius = radius.add(Dyadic.of(b.get(3)));
         }
-        Dyadic[] centre = ExactProjectedPolygon.pair(Dyadic.of(a[i]), Dyadic.of(a[i + 2]));
-        ExactProjectedPolygon outline = ExactProjectedPolygon.of(kindB, b, j).relative(centre, Dyadic.ONE);
+        Dyadic[] centre = ExactProjectedPolygon.pair(Dyadic.of(a.get(0)), Dyadic.of(a.get(2)));
+        ExactProjectedPolygon outline = ExactProjectedPolygon.of(b).relative(centre, Dyadic.ONE);
         Dyadic[] move = ExactProjectedPolygon.pair(Dyadic.of(dx), Dyadic.of(dz));
         return new ExactDisc(outline, radius, move, heights);
     }

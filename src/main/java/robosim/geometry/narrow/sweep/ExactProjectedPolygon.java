@@ -3,19 +3,19 @@ package robosim.geometry.narrow.sweep;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
 
 /** The exact twin of {@link ProjectedPolygon}; a disc is its centre, one corner without normals. */
 record ExactProjectedPolygon(List<Dyadic[]> corners, List<Dyadic[]> normals) {
-    static ExactProjectedPolygon of(LeafKind kind, double[] row, int at) {
-        return switch (kind) {
+    static ExactProjectedPolygon of(Leaf leaf) {
+        return switch (leaf.kind) {
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE ->
                 new ExactProjectedPolygon(
-                        List.<Dyadic[]>of(pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]))), List.of());
-            case UPRIGHT_BOX, BOX -> zonogon(row, at);
-            case TRIANGLE -> triangle(row, at);
-            case CYLINDER, PRISM, CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
+                        List.<Dyadic[]>of(pair(Dyadic.of(leaf.get(0)), Dyadic.of(leaf.get(2)))), List.of());
+            case UPRIGHT_BOX, BOX -> zonogon(leaf.row, leaf.at);
+            case TRIANGLE -> triangle(leaf.row, leaf.at);
+            case CYLINDER, PRISM, CAPSULE, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         };
     }
 

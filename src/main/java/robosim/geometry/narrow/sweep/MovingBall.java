@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sweep;
 import robosim.geometry.exact.DoubleDoubleSum;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.DoubleDoubleCorner;
 
@@ -25,9 +25,7 @@ final class MovingBall {
     private final DoubleDoubleBall ball = new DoubleDoubleBall();
     private final DoubleDoubleCorner corner = new DoubleDoubleCorner();
 
-    private LeafKind kind = LeafKind.SPHERE;
-    private double[] row = new double[0];
-    private int at;
+    private Leaf rest = new Leaf();
     private double ox;
     private double oy;
     private double oz;
@@ -60,115 +58,104 @@ final class MovingBall {
      *
      * @param near a time shortly before contact; at the start the two are apart
      */
-    double time(
-            double[] a,
-            int i,
-            double moveX,
-            double moveY,
-            double moveZ,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double near) {
-        kind = kindB;
-        row = b;
-        at = j;
-        ox = a[i];
-        oy = a[i + 1];
-        oz = a[i + 2];
+    double time(Leaf a, double moveX, double moveY, double moveZ, Leaf b, double near) {
+        rest = b;
+        ox = a.get(0);
+        oy = a.get(1);
+        oz = a.get(2);
         dx = moveX;
         dy = moveY;
         dz = moveZ;
-        ball.move(a[i + 3], kindB.isDisc() ? b[j + 3] : 0, dx, dy, dz);
-        double time = switch (kindB) {
+        ball.move(a.get(3), b.kind.isDisc() ? b.get(3) : 0, dx, dy, dz);
+        double time = switch (b.kind) {
             case SPHERE -> sphere();
-            case UPRIGHT_CYLINDER -> cylinder(near, a, i);
+            case UPRIGHT_CYLINDER -> cylinder(near, a);
             case TRIANGLE -> triangle(near);
             case UPRIGHT_BOX, BOX -> box(near);
-            case CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw kindB.refused();
+            case CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> throw b.kind.refused();
         };
         return time > 1 ? Double.POSITIVE_INFINITY : time == 1 ? Double.NaN : time;
     }
 
     /** Whether a sphere is above the top of an upright box for certain and does not move down: free, in contact or not. */
-    static boolean isAbove(double[] a, int i, double dy, double[] b, int j) {
-        if (dy < 0 || Dyadic.signOfSum(a[i + 1], -b[j + 1], -b[j + 4]) < 0) {
+    static boolean isAbove(Leaf a, double dy, Leaf b) {
+        if (dy < 0 || Dyadic.signOfSum(a.get(1), -b.get(1), -b.get(4)) < 0) {
             return false;
         }
-        double x = a[i] - b[j];
-        double z = a[i + 2] - b[j + 2];
+        double x = a.get(0) - b.get(0);
+        double z = a.get(2) - b.get(2);
         double e = ROUNDOFF * (Math.abs(x) + Math.abs(z)) + AxisBody.TINY;
-        double alongX = Math.abs(x * b[j + 6] + z * b[j + 12]);
-        double alongZ = Math.abs(x * b[j + 8] + z * b[j + 14]);
-        return alongX + e < b[j + 3] / UNIT && alongZ + e < b[j + 5] / UNIT;
+        double alongX = Math.abs(x * b.get(6) + z * b.get(12));
+        double alongZ = Math.abs(x * b.get(8) + z * b.get(14));
+        return alongX + e < b.get(3) / UNIT && alongZ + e < b.get(5) / UNIT;
     }
 
     private double sphere() {
-        corner.find(false, kind, row, at, 0, ox, oy, oz, ball.point);
-        ball.size = Math.abs(row[at] - ox) + Math.abs(row[at + 1] - oy) + Math.abs(row[at + 2] - oz);
+        corner.find(false, rest, 0, ox, oy, oz, ball.point);
+        ball.size = Math.abs(rest.get(0) - ox) + Math.abs(rest.get(1) - oy) + Math.abs(rest.get(2) - oz);
         return ball.corner();
     }
 
     /** Against the side or a cap; on the rim, or near it, as early as the certified time. */
-    private double cylinder(double near, double[] a, int i) {
-        double radius = a[i + 3];
-        double height = oy + near * dy - row[at + 1];
-        double e = 2 * ROUNDOFF * (Math.abs(oy) + Math.abs(row[at + 1]) + row[at + 4] + Math.abs(dy));
-        if (Math.abs(height) < row[at + 4]) {
-            corner.find(true, LeafKind.SPHERE, row, at, 0, ox, 0, oz, ball.point);
-            ball.move(radius, row[at + 3], dx, 0, dz);
-            ball.size = Math.abs(row[at] - ox) + Math.abs(row[at + 2] - oz);
+    private double cylinder(double near, Leaf a) {
+        double radius = a.get(3);
+        double height = oy + near * dy - rest.get(1);
+        double e = 2 * ROUNDOFF * (Math.abs(oy) + Math.abs(rest.get(1)) + rest.get(4) + Math.abs(dy));
+        if (Math.abs(height) < rest.get(4)) {
+            corner.find(true, rest, 0, ox, 0, oz, ball.point);
+            ball.move(radius, rest.get(3), dx, 0, dz);
+            ball.size = Math.abs(rest.get(0) - ox) + Math.abs(rest.get(2) - oz);
             double time = ball.corner();
             if (Double.isNaN(time)) {
-                time = ExactDisc.of(a, i, dx, dz, kind, row, at, null).time();
+                time = ExactDisc.of(a, dx, dz, rest, null).time();
             }
             if (time > 1) {
                 return time; // not even a cylinder without ends is met
             }
-            return Math.abs(oy + time * dy - row[at + 1]) + e < row[at + 4] ? time : near;
+            return Math.abs(oy + time * dy - rest.get(1)) + e < rest.get(4) ? time : near;
         }
         ball.move(radius, 0, dx, dy, dz);
         DoubleDoubleSum[] top = ball.point;
         top[0].clear();
         top[2].clear();
-        DoubleDoubleCorner.difference(row[at + 1], oy, top[1]);
-        top[1].add(height > 0 ? row[at + 4] : -row[at + 4], 0);
+        DoubleDoubleCorner.difference(rest.get(1), oy, top[1]);
+        top[1].add(height > 0 ? rest.get(4) : -rest.get(4), 0);
         DoubleDoubleBall.set(ball.along[0], 0);
         DoubleDoubleBall.set(ball.along[1], height > 0 ? 1 : -1);
         DoubleDoubleBall.set(ball.along[2], 0);
-        ball.size = Math.abs(oy) + Math.abs(row[at + 1]) + row[at + 4];
+        ball.size = Math.abs(oy) + Math.abs(rest.get(1)) + rest.get(4);
         ball.alongSize = 1;
         double time = ball.face();
         if (Double.isNaN(time)) {
             time = exactCapTime(radius);
         }
-        double px = ox - row[at] + time * dx;
-        double pz = oz - row[at + 2] + time * dz;
-        double span = Math.abs(ox) + Math.abs(row[at]) + Math.abs(oz) + Math.abs(row[at + 2]);
+        double px = ox - rest.get(0) + time * dx;
+        double pz = oz - rest.get(2) + time * dz;
+        double span = Math.abs(ox) + Math.abs(rest.get(0)) + Math.abs(oz) + Math.abs(rest.get(2));
         double reach = Math.sqrt(px * px + pz * pz) + 2 * ROUNDOFF * (span + time * (Math.abs(dx) + Math.abs(dz)));
-        return reach < row[at + 3] ? time : near;
+        return reach < rest.get(3) ? time : near;
     }
 
     private double exactCapTime(double radius) {
-        Dyadic height = Dyadic.difference(oy, row[at + 1]).abs();
-        Dyadic gap = height.subtract(Dyadic.of(row[at + 4])).subtract(Dyadic.of(radius));
+        Dyadic height = Dyadic.difference(oy, rest.get(1)).abs();
+        Dyadic gap = height.subtract(Dyadic.of(rest.get(4))).subtract(Dyadic.of(radius));
         boolean meets =
                 gap.signum() >= 0 && dy != 0 && gap.compareTo(Dyadic.of(dy).abs()) <= 0;
         return meets ? ExactMath.floorQuotient(gap, Dyadic.of(dy).abs()) : Double.NaN;
     }
 
     private double box(double near) {
-        double px = ox - row[at] + near * dx;
-        double py = oy - row[at + 1] + near * dy;
-        double pz = oz - row[at + 2] + near * dz;
+        double px = ox - rest.get(0) + near * dx;
+        double py = oy - rest.get(1) + near * dy;
+        double pz = oz - rest.get(2) + near * dz;
         int beyond = 0;
         int bits = 0;
         int axes = 0;
-        double halves = row[at + 3] + row[at + 4] + row[at + 5];
+        double halves = rest.get(3) + rest.get(4) + rest.get(5);
         size = Math.abs(px - near * dx) + Math.abs(py - near * dy) + Math.abs(pz - near * dz) + 2 * UNIT * halves;
         for (int k = 0; k < 3; k++) {
-            double along = px * row[at + 6 + k] + py * row[at + 9 + k] + pz * row[at + 12 + k];
-            if (Math.abs(along) > row[at + 3 + k]) {
+            double along = px * rest.get(6 + k) + py * rest.get(9 + k) + pz * rest.get(12 + k);
+            if (Math.abs(along) > rest.get(3 + k)) {
                 beyond |= 1 << k;
                 axes++;
                 bits |= along > 0 ? 1 << k : 0;
@@ -177,12 +164,12 @@ final class MovingBall {
         corners = 8;
         for (int c = 0; c < 8; c++) {
             source[c] = c;
-            double sx = (c & 1) == 0 ? -row[at + 3] : row[at + 3];
-            double sy = (c & 2) == 0 ? -row[at + 4] : row[at + 4];
-            double sz = (c & 4) == 0 ? -row[at + 5] : row[at + 5];
-            x[c] = row[at] - ox + sx * row[at + 6] + sy * row[at + 7] + sz * row[at + 8];
-            y[c] = row[at + 1] - oy + sx * row[at + 9] + sy * row[at + 10] + sz * row[at + 11];
-            z[c] = row[at + 2] - oz + sx * row[at + 12] + sy * row[at + 13] + sz * row[at + 14];
+            double sx = (c & 1) == 0 ? -rest.get(3) : rest.get(3);
+            double sy = (c & 2) == 0 ? -rest.get(4) : rest.get(4);
+            double sz = (c & 4) == 0 ? -rest.get(5) : rest.get(5);
+            x[c] = rest.get(0) - ox + sx * rest.get(6) + sy * rest.get(7) + sz * rest.get(8);
+            y[c] = rest.get(1) - oy + sx * rest.get(9) + sy * rest.get(10) + sz * rest.get(11);
+            z[c] = rest.get(2) - oz + sx * rest.get(12) + sy * rest.get(13) + sz * rest.get(14);
         }
         return switch (axes) {
             case 1 -> {
@@ -199,10 +186,10 @@ final class MovingBall {
         corners = 3;
         size = 0;
         for (int c = 0; c < 3; c++) {
-            source[c] = at + 3 * c;
-            x[c] = row[at + 3 * c] - ox;
-            y[c] = row[at + 3 * c + 1] - oy;
-            z[c] = row[at + 3 * c + 2] - oz;
+            source[c] = rest.at + 3 * c;
+            x[c] = rest.get(3 * c) - ox;
+            y[c] = rest.get(3 * c + 1) - oy;
+            z[c] = rest.get(3 * c + 2) - oz;
             size = Math.max(size, Math.abs(x[c]) + Math.abs(y[c]) + Math.abs(z[c]));
         }
         size *= 2;
@@ -342,7 +329,7 @@ final class MovingBall {
     }
 
     private void find(int c, DoubleDoubleSum[] out) {
-        corner.find(false, kind, row, at, source[c], ox, oy, oz, out);
+        corner.find(false, rest, source[c], ox, oy, oz, out);
     }
 
     /** Whether, seen from the foot, all corners but two lie strictly on the far side from the sphere's centre. */

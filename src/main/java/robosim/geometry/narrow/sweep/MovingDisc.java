@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.DoubleDoubleSum;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.sat.AxisBody;
@@ -41,9 +42,7 @@ final class MovingDisc {
     private final DoubleDoubleCorner corner = new DoubleDoubleCorner();
 
     // What the disc is moved against, for the second stage.
-    private LeafKind kind = LeafKind.SPHERE;
-    private double[] row = new double[0];
-    private int at;
+    private Leaf rest = new Leaf();
     private double ox;
     private double oz;
 
@@ -51,25 +50,23 @@ final class MovingDisc {
     private final double[] height = new double[ProjectedPolygon.MOST_CORNERS];
 
     /** Time of contact of two discs; NaN if double-doubles cannot decide. */
-    double discs(double[] a, int i, double dx, double dz, double[] b, int j, ProjectedPolygon o) {
-        set(LeafKind.SPHERE, b, j, a[i], a[i + 2]);
-        ball.move(a[i + 3], b[j + 3], dx, 0, dz);
-        o.point(b[j] - ox, b[j + 2] - oz);
-        return corner(o, 0, a[i + 3] + b[j + 3], dx, dz);
+    double discs(Leaf a, double dx, double dz, Leaf b, ProjectedPolygon o) {
+        set(b, a.get(0), a.get(2));
+        ball.move(a.get(3), b.get(3), dx, 0, dz);
+        o.point(b.get(0) - ox, b.get(2) - oz);
+        return corner(o, 0, a.get(3) + b.get(3), dx, dz);
     }
 
     /** Time of contact of a disc with a polygon, whose outline is filled in; NaN if double-doubles cannot decide. */
-    double polygon(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, ProjectedPolygon o) {
-        set(kindB, b, j, a[i], a[i + 2]);
-        ball.move(a[i + 3], 0, dx, 0, dz);
-        o.load(kindB, b, j, ox, oz);
-        return time(o, a[i + 3], dx, dz);
+    double polygon(Leaf a, double dx, double dz, Leaf b, ProjectedPolygon o) {
+        set(b, a.get(0), a.get(2));
+        ball.move(a.get(3), 0, dx, 0, dz);
+        o.load(b, ox, oz);
+        return time(o, a.get(3), dx, dz);
     }
 
-    private void set(LeafKind ofKind, double[] inRow, int atPlace, double originX, double originZ) {
-        kind = ofKind;
-        row = inRow;
-        at = atPlace;
+    private void set(Leaf leaf, double originX, double originZ) {
+        rest = leaf;
         ox = originX;
         oz = originZ;
     }
@@ -181,9 +178,9 @@ final class MovingDisc {
     private double beside(ProjectedPolygon o, int k, int next) {
         DoubleDoubleSum[] normal = ball.along;
         find(o.source[k], ball.point);
-        if (kind == LeafKind.TRIANGLE) {
-            DoubleDoubleCorner.difference(row[o.source[next] + 2], row[o.source[k] + 2], normal[0]);
-            DoubleDoubleCorner.difference(row[o.source[k]], row[o.source[next]], normal[2]);
+        if (rest.kind == LeafKind.TRIANGLE) {
+            DoubleDoubleCorner.difference(rest.row[o.source[next] + 2], rest.row[o.source[k] + 2], normal[0]);
+            DoubleDoubleCorner.difference(rest.row[o.source[k]], rest.row[o.source[next]], normal[2]);
         } else {
             DoubleDoubleBall.set(normal[0], o.nx[k]);
             DoubleDoubleBall.set(normal[2], o.nz[k]);
@@ -195,7 +192,7 @@ final class MovingDisc {
     }
 
     private void find(int source, DoubleDoubleSum[] out) {
-        corner.find(true, kind, row, at, source, ox, 0, oz, out);
+        corner.find(true, rest, source, ox, 0, oz, out);
     }
 
     /**

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * A prism translated against one at rest. Both are enclosures, with sides in the same directions, so the gap along each
@@ -18,13 +19,13 @@ final class MovingPrism {
     private MovingPrism() {}
 
     /** As {@link SpatialSweep#translation}, and in the plane as {@link PlanarSweep#translation}; never late. */
-    static double time(boolean planar, double[] a, int i, double dx, double dy, double dz, double[] b, int j) {
+    static double time(boolean planar, Leaf a, double dx, double dy, double dz, Leaf b) {
         double enter = Double.NEGATIVE_INFINITY;
         double leave = Double.POSITIVE_INFINITY;
         for (int k = 0; k < (planar ? HEIGHTS : HEIGHTS + 2); k += 2) {
             double speed = speed(k, dx, dy, dz);
-            double ahead = a[i + k] - b[j + k + 1];
-            double behind = b[j + k] - a[i + k + 1];
+            double ahead = a.get(k) - b.get(k + 1);
+            double behind = b.get(k) - a.get(k + 1);
             if ((ahead > 0 && speed >= 0) || (behind > 0 && speed <= 0)) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -39,7 +40,7 @@ final class MovingPrism {
             }
         }
         if (enter == Double.NEGATIVE_INFINITY) {
-            return isBlocked(planar, a, i, dx, dy, dz, b, j) ? 0 : Double.POSITIVE_INFINITY;
+            return isBlocked(planar, a, dx, dy, dz, b) ? 0 : Double.POSITIVE_INFINITY;
         }
         double earliest = Math.max(0, enter * (1 - ROUNDING) - Double.MIN_VALUE);
         double latest = leave * (1 + ROUNDING) + Double.MIN_VALUE;
@@ -47,15 +48,14 @@ final class MovingPrism {
     }
 
     /** From contact: whether the motion goes against every shortest way out. */
-    private static boolean isBlocked(
-            boolean planar, double[] a, int i, double dx, double dy, double dz, double[] b, int j) {
+    private static boolean isBlocked(boolean planar, Leaf a, double dx, double dy, double dz, Leaf b) {
         double least = Double.POSITIVE_INFINITY;
         boolean isBlocked = true;
         for (int k = 0; k < (planar ? HEIGHTS : HEIGHTS + 2); k += 2) {
             double scale = k == 4 || k == 6 ? VectorMath.HALF_ROOT : 1;
             double speed = speed(k, dx, dy, dz);
             for (int side = 1; side >= -1; side -= 2) {
-                double depth = scale * (side > 0 ? b[j + k + 1] - a[i + k] : a[i + k + 1] - b[j + k]);
+                double depth = scale * (side > 0 ? b.get(k + 1) - a.get(k) : a.get(k + 1) - b.get(k));
                 boolean isInto = side * speed < 0;
                 isBlocked = depth < least ? isInto : isBlocked && (isInto || depth > least);
                 least = Math.min(least, depth);

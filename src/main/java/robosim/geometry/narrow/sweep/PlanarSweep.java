@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
 
@@ -19,50 +20,62 @@ public final class PlanarSweep {
      * @return the time of impact, from 0 to 1, rounded down; 0 if a motion from contact goes deeper; {@code +Infinity}
      *     if there is no contact up to time 1 (touching at time 1 counts), or a motion from contact goes along or away
      */
-    public static double translation(
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
-        if (kindA.isEnclosure() && kindB.isEnclosure()) {
-            return MovingPrism.time(true, a, i, dx, 0, dz, b, j);
+    public static double translation(Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s) {
+        if (a.kind.isEnclosure() && b.kind.isEnclosure()) {
+            return MovingPrism.time(true, a, dx, 0, dz, b);
         }
-        if (kindA.isPolytope()) {
-            if (kindB.isPolytope()) {
-                double time = s.sweep().axes.time(AxisBody.Mode.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
-                return Double.isNaN(time)
-                        ? ExactAxes.time(AxisBody.Mode.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j)
-                        : time;
+        if (a.kind.isPolytope()) {
+            if (b.kind.isPolytope()) {
+                double time = s.sweep().axes.time(AxisBody.Mode.PLANAR, a, dx, 0, dz, b);
+                return Double.isNaN(time) ? ExactAxes.time(AxisBody.Mode.PLANAR, a, dx, 0, dz, b) : time;
             }
-            if (kindB.isDisc()) {
-                return disc(b, j, -dx, -dz, kindA, a, i, s);
+            if (b.kind.isDisc()) {
+                return disc(b, -dx, -dz, a, s);
             }
-        } else if (kindA.isDisc() && (kindB.isDisc() || kindB.isPolytope())) {
-            return disc(a, i, dx, dz, kindB, b, j, s);
+        } else if (a.kind.isDisc() && (b.kind.isDisc() || b.kind.isPolytope())) {
+            return disc(a, dx, dz, b, s);
         }
-        return s.sweep().move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
+        return s.sweep().move.time(true, a, dx, 0, dz, b, s.overlap);
     }
 
-    private static double disc(
-            double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
-        double time = roughly(a, i, dx, dz, kindB, b, j, s);
+    private static double disc(Leaf a, double dx, double dz, Leaf b, SweepScratch s) {
+        double time = roughly(a, dx, dz, b, s);
         if (!Double.isNaN(time)) {
             return time;
         }
-        return ExactDisc.of(a, i, dx, dz, kindB, b, j, null).time();
+        return ExactDisc.of(a, dx, dz, b, null).time();
     }
 
     /** Time of contact of a disc in the plane; NaN if double-doubles cannot decide. */
-    static double roughly(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
+    static double roughly(Leaf a, double dx, double dz, Leaf b, SweepScratch s) {
         MovingDisc disc = s.sweep().disc;
-        return kindB.isDisc()
-                ? disc.discs(a, i, dx, dz, b, j, s.sweep().outline)
-                : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep().outline);
+        return b.kind.isDisc()
+                ? disc.discs(a, dx, dz, b, s.sweep().outline)
+                : disc.polygon(a, dx, dz, b, s.sweep().outline);
+    }
+
+    /**
+     * The free fraction of a turn of leaf a.
+     *
+     * <p>If the two touch or overlap at the start, the turn is blocked if the depth anywhere on the arc is above that
+     * at the start. A gap below 2^-44 of the sizes may count as touching, and touching leaves may get deeper by as
+     * much.
+     *
+     * @return the free fraction, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and at
+     *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
+     *     remain; {@code +Infinity} if the whole turn is free
+     */
+    public static double turn(Leaf a, Turn turn, Leaf b, SweepScratch s) {
+        if (turn.degrees == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (turn.isLevel() && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
+            VerticalTurn vertical = s.sweep().vertical;
+            double free = vertical.free(a, turn, b, Double.POSITIVE_INFINITY);
+            if (vertical.arc > 0 || !vertical.isApart) {
+                return free;
+            }
+        }
+        return s.sweep().turning.free(true, a, turn, b, s.overlap);
     }
 }

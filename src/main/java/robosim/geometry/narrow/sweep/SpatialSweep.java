@@ -1,7 +1,9 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.overlap.HeightIntervals;
 import robosim.geometry.narrow.sat.AxisBody;
@@ -21,95 +23,81 @@ public final class SpatialSweep {
      * @return the time of impact, from 0 to 1, rounded down; 0 if a motion from contact goes deeper; {@code +Infinity}
      *     if there is no contact up to time 1 (touching at time 1 counts), or a motion from contact goes along or away
      */
-    public static double translation(
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
-        if (HeightIntervals.parts(kindA, a, i, dy, kindB, b, j, s.overlap)) {
+    public static double translation(Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s) {
+        if (HeightIntervals.parts(a, dy, b, s.overlap)) {
             return Double.POSITIVE_INFINITY;
         }
-        if (kindA.isEnclosure() || kindB.isEnclosure()) {
-            return kindA == kindB
-                    ? MovingPrism.time(false, a, i, dx, dy, dz, b, j)
-                    : s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+        if (a.kind.isEnclosure() || b.kind.isEnclosure()) {
+            return a.kind == b.kind
+                    ? MovingPrism.time(false, a, dx, dy, dz, b)
+                    : s.sweep().move.time(false, a, dx, dy, dz, b, s.overlap);
         }
-        if (kindA.isPolytope() && kindB.isPolytope()) {
-            boolean upright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
+        if (a.kind.isPolytope() && b.kind.isPolytope()) {
+            boolean upright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
             AxisBody.Mode mode = upright ? AxisBody.Mode.UPRIGHT : AxisBody.Mode.SPATIAL;
-            double time = s.sweep().axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
-            return Double.isNaN(time) ? ExactAxes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j) : time;
+            double time = s.sweep().axes.time(mode, a, dx, dy, dz, b);
+            return Double.isNaN(time) ? ExactAxes.time(mode, a, dx, dy, dz, b) : time;
         }
-        if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
-            return kindA.isRound()
-                    ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
-                    : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
+        if (a.kind.isVerticalPrism() && b.kind.isVerticalPrism()) {
+            return a.kind.isRound() ? cylinder(a, dx, dy, dz, b, s) : cylinder(b, -dx, -dy, -dz, a, s);
         }
-        if (kindA == LeafKind.SPHERE) {
-            return sphere(a, i, dx, dy, dz, kindB, b, j, s);
+        if (a.kind == LeafKind.SPHERE) {
+            return sphere(a, dx, dy, dz, b, s);
         }
-        if (kindB == LeafKind.SPHERE) {
-            return sphere(b, j, -dx, -dy, -dz, kindA, a, i, s);
+        if (b.kind == LeafKind.SPHERE) {
+            return sphere(b, -dx, -dy, -dz, a, s);
         }
-        return s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+        return s.sweep().move.time(false, a, dx, dy, dz, b, s.overlap);
     }
 
     /**
      * A sphere against anything: unless fixed axes prove it free, the time is found in closed form, except on a rim.
      */
-    private static double sphere(
-            double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
-        boolean exact = switch (kindB) {
+    private static double sphere(Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s) {
+        boolean exact = switch (b.kind) {
             case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE -> true;
             case UPRIGHT_CYLINDER, CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kindB.refused();
+            case PRISM, MESH, SOLID_MESH, GRID -> throw b.kind.refused();
         };
-        if (kindB == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
+        if (b.kind == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, dy, b)) {
             return Double.POSITIVE_INFINITY;
         }
         TranslationAdvancement held = s.sweep().move;
         double time = exact
-                ? held.roughly(false, LeafKind.SPHERE, a, i, dx, dy, dz, kindB, b, j, s)
-                : held.time(false, LeafKind.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
+                ? held.roughly(false, a, dx, dy, dz, b, s.overlap)
+                : held.time(false, a, dx, dy, dz, b, s.overlap);
         if (held.contact) {
-            return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
+            return exact ? ExactBall.time(a, dx, dy, dz, b) : time;
         }
-        if (time > 1 || !(exact || kindB == LeafKind.UPRIGHT_CYLINDER)) {
+        if (time > 1 || !(exact || b.kind == LeafKind.UPRIGHT_CYLINDER)) {
             return time;
         }
-        double found = s.sweep().ball.time(a, i, dx, dy, dz, kindB, b, j, time);
+        double found = s.sweep().ball.time(a, dx, dy, dz, b, time);
         if (!Double.isNaN(found)) {
             return found;
         }
-        return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
+        return exact ? ExactBall.time(a, dx, dy, dz, b) : time;
     }
 
     /** An upright cylinder against anything upright: a disc in the plane, while the heights touch. */
-    private static double cylinder(
-            double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
-        double middle = Upright.middle(kindB, b, j);
-        double top = Upright.top(kindB, b, j);
-        double high = Upright.halfHeight(kindB, b, j);
-        int above = Dyadic.signOfSum(a[i + 1], -a[i + 4], -top, -high);
-        int below = Dyadic.signOfSum(middle, -high, -a[i + 1], -a[i + 4]);
+    private static double cylinder(Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s) {
+        double middle = Upright.middle(b);
+        double top = Upright.top(b);
+        double high = Upright.halfHeight(b);
+        int above = Dyadic.signOfSum(a.get(1), -a.get(4), -top, -high);
+        int below = Dyadic.signOfSum(middle, -high, -a.get(1), -a.get(4));
         if ((above > 0 && dy >= 0) || (below > 0 && dy <= 0)) {
             return Double.POSITIVE_INFINITY;
         }
-        double time = PlanarSweep.roughly(a, i, dx, dz, kindB, b, j, s);
+        double time = PlanarSweep.roughly(a, dx, dz, b, s);
         MovingDisc disc = s.sweep().disc;
         if (time == Double.POSITIVE_INFINITY && !disc.contact) {
             return time;
         }
-        double up = a[i + 1] - a[i + 4] - top - high;
-        double down = middle - high - a[i + 1] - a[i + 4];
+        double up = a.get(1) - a.get(4) - top - high;
+        double down = middle - high - a.get(1) - a.get(4);
         double error = AxisBody.ROUNDOFF
-                * (Math.abs(a[i + 1]) + a[i + 4] + Math.abs(top) + Math.abs(middle) + high + Math.abs(dy));
+                * (Math.abs(a.get(1)) + a.get(4) + Math.abs(top) + Math.abs(middle) + high + Math.abs(dy));
         boolean level = above <= 0
                 && below <= 0
                 && (dy == 0 || (up + Math.max(0, dy) < -error && down - Math.min(0, dy) < -error));
@@ -123,12 +111,48 @@ public final class SpatialSweep {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        Dyadic mine = Dyadic.of(a[i + 1]);
-        Dyadic half = Dyadic.of(a[i + 4]);
+        Dyadic mine = Dyadic.of(a.get(1));
+        Dyadic half = Dyadic.of(a.get(4));
         ExactDisc.Heights heights = new ExactDisc.Heights(
                 mine.subtract(half).subtract(Dyadic.of(top)).subtract(Dyadic.of(high)),
                 Dyadic.of(middle).subtract(Dyadic.of(high)).subtract(mine).subtract(half),
                 Dyadic.of(dy));
-        return ExactDisc.of(a, i, dx, dz, kindB, b, j, heights).time();
+        return ExactDisc.of(a, dx, dz, b, heights).time();
+    }
+
+    /**
+     * The free fraction of a turn of leaf a.
+     *
+     * <p>If the two touch or overlap at the start, the turn is blocked if the depth anywhere on the arc is above that
+     * at the start.
+     *
+     * @return the free fraction, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and at
+     *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
+     *     remain; {@code +Infinity} if the whole turn is free
+     */
+    public static double turn(Leaf a, Turn turn, Leaf b, SweepScratch s) {
+        if (turn.degrees == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        boolean isUpright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
+        if (turn.isLevel() && isUpright && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
+            double mid = Upright.middle(a);
+            double half = Upright.halfHeight(a);
+            double top = Upright.top(a);
+            double otherMid = Upright.middle(b);
+            double otherHalf = Upright.halfHeight(b);
+            double otherTop = Upright.top(b);
+            if (Dyadic.signOfSum(mid, -half, -otherTop, -otherHalf) > 0
+                    || Dyadic.signOfSum(otherMid, -otherHalf, -top, -half) > 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
+            VerticalTurn vertical = s.sweep().vertical;
+            double free = vertical.free(a, turn, b, depth);
+            if (vertical.arc > 0 || !vertical.isApart) {
+                return free;
+            }
+        }
+        return s.sweep().turning.free(false, a, turn, b, s.overlap);
     }
 }

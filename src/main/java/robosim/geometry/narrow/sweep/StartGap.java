@@ -7,7 +7,7 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.Support;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sat.ExactFeatures;
@@ -62,12 +62,8 @@ public final class StartGap {
     private final Motion straight = this::isKept;
 
     private boolean planar;
-    private LeafKind kindA = LeafKind.SPHERE;
-    private double[] a = new double[0];
-    private int i;
-    private LeafKind kindB = LeafKind.SPHERE;
-    private double[] b = new double[0];
-    private int j;
+    private Leaf a = new Leaf();
+    private Leaf b = new Leaf();
 
     private Motion motion = straight;
     /** The displacement, or a turn's axis. */
@@ -86,24 +82,19 @@ public final class StartGap {
     private double nz;
 
     /** Sets the leaves of the next question. */
-    public void between(
-            boolean inPlane, LeafKind ofMover, double[] moverRow, int at, LeafKind other, double[] row, int to) {
+    public void between(boolean inPlane, Leaf moving, Leaf resting) {
         planar = inPlane;
-        kindA = ofMover;
-        a = moverRow;
-        i = at;
-        kindB = other;
-        b = row;
-        j = to;
-        double ox = Support.originX(kindA, a, i);
-        double oz = Support.originZ(kindA, a, i);
+        a = moving;
+        b = resting;
+        double ox = Support.originX(a.kind, a.row, a.at);
+        double oz = Support.originZ(a.kind, a.row, a.at);
         if (planar) {
-            mover.planar(kindA, a, i, ox, oz, 1);
-            rest.planar(kindB, b, j, ox, oz, 1);
+            mover.planar(a.kind, a.row, a.at, ox, oz, 1);
+            rest.planar(b.kind, b.row, b.at, ox, oz, 1);
         } else {
-            double oy = Support.originY(kindA, a, i);
-            mover.spatial(kindA, a, i, ox, oy, oz, 1);
-            rest.spatial(kindB, b, j, ox, oy, oz, 1);
+            double oy = Support.originY(a.kind, a.row, a.at);
+            mover.spatial(a.kind, a.row, a.at, ox, oy, oz, 1);
+            rest.spatial(b.kind, b.row, b.at, ox, oy, oz, 1);
         }
         doubt = 4 * (Gjk.ROUNDOFF * (mover.extent + rest.extent) + AxisBody.TINY);
     }
@@ -137,8 +128,8 @@ public final class StartGap {
         if (isWorth(ExactVector.of(towards[0], towards[1], towards[2]))) {
             return true;
         }
-        ExactFeatures mine = new ExactFeatures(planar, kindA, a, i);
-        ExactFeatures other = new ExactFeatures(planar, kindB, b, j);
+        ExactFeatures mine = new ExactFeatures(planar, a);
+        ExactFeatures other = new ExactFeatures(planar, b);
         List<ExactVector> edges = new ArrayList<>(mine.edges());
         edges.addAll(other.edges());
         edges.add(way);
@@ -150,7 +141,7 @@ public final class StartGap {
                 || around(edges, towards)
                 || betweenCorners(mine, other)
                 || betweenCorners(other, mine)
-                || (!planar && (kindA.isCylinder() || kindB.isCylinder()) && betweenCurves(towards));
+                || (!planar && (a.kind.isCylinder() || b.kind.isCylinder()) && betweenCurves(towards));
     }
 
     private boolean bySides(ExactFeatures mine, ExactFeatures other, List<ExactVector> edges) {
@@ -307,7 +298,7 @@ public final class StartGap {
 
     /** Whether the two are strictly apart along a direction at the start. */
     public boolean isApart(ExactVector n) {
-        return ExactExtent.of(n, kindB, b, j).gapTo(ExactExtent.of(n, kindA, a, i)) > 0;
+        return ExactExtent.of(n, b).gapTo(ExactExtent.of(n, a)) > 0;
     }
 
     /** Whether the two are strictly apart along a direction at the start, and at the end too, or the gap does not close. */
@@ -318,8 +309,8 @@ public final class StartGap {
             return false;
         }
         Dyadic rise = n.dot(way);
-        ExactExtent ends = ExactExtent.of(n, kindA, a, i).movedBy(rise);
-        return rise.signum() >= 0 || ExactExtent.of(n, kindB, b, j).gapTo(ends) > 0;
+        ExactExtent ends = ExactExtent.of(n, a).movedBy(rise);
+        return rise.signum() >= 0 || ExactExtent.of(n, b).gapTo(ends) > 0;
     }
 
     /** A direction at length 1, to rounding; empty for none. */

@@ -1,28 +1,18 @@
 package robosim.geometry.narrow.sweep;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.narrow.distance.DistanceScratch;
-import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.overlap.OverlapScratch;
-import robosim.geometry.narrow.sat.SatScratch;
 
-/** The working memory of straight sweeps. */
+/** The working memory of sweeps. */
 public final class SweepScratch {
-    public final DistanceScratch distance;
     public final OverlapScratch overlap;
-    public final SatScratch sat;
-    public final GjkScratch gjk;
     public final LeafScratch leaf;
 
     private @Nullable SweepWorkspace sweep;
 
-    public SweepScratch(
-            DistanceScratch distance, OverlapScratch overlap, SatScratch sat, GjkScratch gjk, LeafScratch leaf) {
-        this.distance = distance;
+    public SweepScratch(OverlapScratch overlap, LeafScratch leaf) {
         this.overlap = overlap;
-        this.sat = sat;
-        this.gjk = gjk;
         this.leaf = leaf;
     }
 

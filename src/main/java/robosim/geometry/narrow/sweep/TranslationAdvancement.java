@@ -11,6 +11,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
+import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
@@ -58,8 +59,16 @@ final class TranslationAdvancement {
 
     private final FeatureDirections facetsA = new FeatureDirections();
     private final FeatureDirections facetsB = new FeatureDirections();
-    private final double[] pose = new double[Leaf.STRIDE];
+    private final Leaf pose = new Leaf();
     private double error;
+
+    // The query: the mover and the leaf at rest, and the displacement.
+    private boolean planar;
+    private Leaf a = pose;
+    private Leaf b = pose;
+    private double dx;
+    private double dy;
+    private double dz;
 
     private final StartGap startGap = new StartGap();
     private final double[] towards = new double[3];
@@ -71,59 +80,32 @@ final class TranslationAdvancement {
     private boolean isAlong;
 
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
-    double time(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
-        double time = roughly(planar, kindA, a, i, dx, dy, dz, kindB, b, j, s);
-        return time > 1 ? time : fromNear(planar, kindA, a, i, dx, dy, dz, kindB, b, j, s, time);
+    double time(boolean inPlane, Leaf moving, double x, double y, double z, Leaf resting, OverlapScratch s) {
+        double time = roughly(inPlane, moving, x, y, z, resting, s);
+        return time > 1 ? time : fromNear(time, s);
     }
 
     /**
-     * The time of a motion that {@link #roughly} could not prove free: infinite where it starts nearer than can be resolved, or
+     * The time of the motion that {@link #roughly} could not prove free: infinite where it starts nearer than can be resolved, or
      * comes so near on its way along something, and is proven free without rounding. Where not even the verdict is exact, such a start counts as a contact.
      */
-    double fromNear(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s,
-            double time) {
-        if (!(isNear || isAlong) || (contact && isTouching(planar, kindA, a, i, kindB, b, j, s))) {
+    private double fromNear(double time, OverlapScratch s) {
+        if (!(isNear || isAlong) || (contact && isTouching(s))) {
             return time;
         }
-        if (!kindA.isEnclosure() && !kindB.isEnclosure()) {
-            startGap.between(planar, kindA, a, i, kindB, b, j);
-            if (startGap.isFree(dx, planar ? 0 : dy, dz, towards)) {
+        if (!a.kind.isEnclosure() && !b.kind.isEnclosure()) {
+            startGap.between(planar, a, b);
+            if (startGap.isFree(dx, dy, dz, towards)) {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        return time == 0 && !contact && !isExact(planar, kindA, kindB)
-                ? fromContact(planar, kindA, a, i, dx, planar ? 0 : dy, dz, kindB, b, j, s)
-                : time;
+        return time == 0 && !contact && !isExact(planar, a.kind, b.kind) ? fromContact(s) : time;
     }
 
     /** Whether the two certainly touch. */
-    private static boolean isTouching(
-            boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, SweepScratch s) {
-        return isExact(planar, kindA, kindB)
-                && ConvexOverlap.test(
-                        planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.overlap);
+    private boolean isTouching(OverlapScratch s) {
+        return isExact(planar, a.kind, b.kind)
+                && ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s);
     }
 
     /** Whether it is decided without rounding if two leaves touch. */
@@ -140,27 +122,21 @@ final class TranslationAdvancement {
     }
 
     /** The same, but for what {@link #fromNear} decides. */
-    double roughly(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
+    double roughly(boolean inPlane, Leaf moving, double x, double y, double z, Leaf resting, OverlapScratch s) {
         Gjk gjk = s.gjk.pair;
-        double vy = planar ? 0 : dy;
+        planar = inPlane;
+        a = moving;
+        b = resting;
+        dx = x;
+        dy = planar ? 0 : y;
+        dz = z;
         contact = false;
         isNear = false;
         isAlong = false;
-        if (dx == 0 && vy == 0 && dz == 0) {
+        if (dx == 0 && dy == 0 && dz == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        load(planar, kindA, a, i, kindB, b, j);
+        load();
         error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + AxisBody.TINY;
         double t = 0;
         for (int step = 0; step < MOST_STEPS; step++) {
@@ -168,39 +144,40 @@ final class TranslationAdvancement {
             if (t > 1) {
                 return Double.POSITIVE_INFINITY;
             }
-            MovedLeaf.moved(kindA, a, i, t * dx, t * vy, t * dz, pose);
+            MovedLeaf.moved(a, t * dx, t * dy, t * dz, pose);
             if (planar) {
-                gjk.planar(kindA, pose, 0, kindB, b, j);
+                gjk.planar(pose, b);
             } else {
-                gjk.spatial(kindA, pose, 0, kindB, b, j);
+                gjk.spatial(pose, b);
             }
             if (step == 0) {
-                begin(gjk, Math.abs(dx) + Math.abs(vy) + Math.abs(dz));
+                begin(gjk);
             }
             double next = 0;
             if (gjk.lower() > 0) {
-                next = until(gjk.nx(), gjk.ny(), gjk.nz(), dx, vy, dz, t);
+                next = until(gjk.nx(), gjk.ny(), gjk.nz(), t);
             }
             if (!(next > t) && isInDoubt(gjk)) {
-                next = near(planar, kindA, a, i, dx, vy, dz, kindB, b, j, t, gjk);
+                next = near(t, gjk);
             }
             if (!(next > t)) {
                 if (step > 0 && !isNear) {
-                    goesAlong(gjk, dx, vy, dz);
+                    goesAlong(gjk);
                 }
-                return step > 0 || gjk.lower() > 0 ? t : fromContact(planar, kindA, a, i, dx, vy, dz, kindB, b, j, s);
+                return step > 0 || gjk.lower() > 0 ? t : fromContact(s);
             }
             t = next;
         }
         return t;
     }
 
-    private void begin(Gjk gjk, double span) {
+    private void begin(Gjk gjk) {
+        double span = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
         isNear = !gjk.isDeep() && gjk.lower() <= EARLY * (mover.extent + rest.extent + span) && isDirection(gjk);
     }
 
     /** Finds out if the motion runs along what stops it, and notes the direction. */
-    private void goesAlong(Gjk gjk, double dx, double dy, double dz) {
+    private void goesAlong(Gjk gjk) {
         double closing = gjk.nx() * dx + gjk.ny() * dy + gjk.nz() * dz;
         isAlong = Math.abs(closing) <= LEVEL * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz)) && isDirection(gjk);
     }
@@ -218,27 +195,15 @@ final class TranslationAdvancement {
         return !gjk.isDeep() && (gjk.upper() > WORTH * error || gjk.reach() < -error);
     }
 
-    private double fromContact(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double vy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            SweepScratch s) {
+    private double fromContact(OverlapScratch s) {
         contact = true;
         Penetration ways = s.gjk.penetration();
-        double depth = planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
-        boolean isTouch = depth <= WORTH * error;
-        return isAgainst(ways, isTouch, planar, kindA, a, i, dx, vy, dz, kindB, b, j) ? 0 : Double.POSITIVE_INFINITY;
+        double depth = planar ? ways.planar(a, b) : ways.spatial(a, b);
+        return isAgainst(ways, depth <= WORTH * error) ? 0 : Double.POSITIVE_INFINITY;
     }
 
     /** The time until which a direction from the other to the mover proves the two apart; 0 where it proves nothing at t. */
-    private double until(double nx, double ny, double nz, double dx, double dy, double dz, double t) {
+    private double until(double nx, double ny, double nz, double t) {
         mover.find(-nx, -ny, -nz);
         rest.find(nx, ny, nz);
         double gap = nx * (mover.x - rest.x)
@@ -259,28 +224,16 @@ final class TranslationAdvancement {
      * The same of the directions that sides and edges have: close to contact that of {@link Gjk} is off by as much as a
      * rounding is large beside the gap, which counts where a flat side, a cylinder's side or an edge meets something.
      */
-    private double near(
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double t,
-            Gjk gjk) {
+    private double near(double t, Gjk gjk) {
         if (planar) {
-            facetsA.planar(kindA, a, i);
-            facetsB.planar(kindB, b, j);
+            facetsA.planar(a);
+            facetsB.planar(b);
         } else {
-            facetsA.spatial(kindA, a, i);
-            facetsB.spatial(kindB, b, j);
+            facetsA.spatial(a);
+            facetsB.spatial(b);
         }
-        double end = Math.max(sides(facetsA, dx, dy, dz, t), sides(facetsB, dx, dy, dz, t));
-        end = Math.max(end, Math.max(edges(facetsA, gjk, dx, dy, dz, t), edges(facetsB, gjk, dx, dy, dz, t)));
+        double end = Math.max(sides(facetsA, t), sides(facetsB, t));
+        end = Math.max(end, Math.max(edges(facetsA, gjk, t), edges(facetsB, gjk, t)));
         for (int k = 0; k < facetsA.edges; k++) {
             double px = facetsA.edgeX[k];
             double py = facetsA.edgeY[k];
@@ -289,23 +242,22 @@ final class TranslationAdvancement {
                 double qx = facetsB.edgeX[m];
                 double qy = facetsB.edgeY[m];
                 double qz = facetsB.edgeZ[m];
-                end = Math.max(
-                        end, both(py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx, PARALLEL, dx, dy, dz, t));
+                end = Math.max(end, both(py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx, PARALLEL, t));
             }
         }
         return end;
     }
 
-    private double sides(FeatureDirections facets, double dx, double dy, double dz, double t) {
+    private double sides(FeatureDirections facets, double t) {
         double end = 0;
         for (int k = 0; k < facets.faces; k++) {
-            end = Math.max(end, both(facets.faceX[k], facets.faceY[k], facets.faceZ[k], 0, dx, dy, dz, t));
+            end = Math.max(end, both(facets.faceX[k], facets.faceY[k], facets.faceZ[k], 0, t));
         }
         return end;
     }
 
     /** What of the direction found is square to each edge. */
-    private double edges(FeatureDirections facets, Gjk gjk, double dx, double dy, double dz, double t) {
+    private double edges(FeatureDirections facets, Gjk gjk, double t) {
         double end = 0;
         for (int k = 0; k < facets.edges; k++) {
             double ex = facets.edgeX[k];
@@ -317,34 +269,24 @@ final class TranslationAdvancement {
             double z = gjk.nz() - along * ez;
             double length = Math.sqrt(x * x + y * y + z * z);
             if (length > SQUARE) {
-                end = Math.max(end, around(ex, ey, ez, x / length, y / length, z / length, dx, dy, dz, t));
+                end = Math.max(end, around(ex, ey, ez, x / length, y / length, z / length, t));
             }
         }
         return end;
     }
 
     /** The widest slab at t across an edge, looked for from a direction on. */
-    private double around(
-            double ex,
-            double ey,
-            double ez,
-            double nx,
-            double ny,
-            double nz,
-            double dx,
-            double dy,
-            double dz,
-            double t) {
+    private double around(double ex, double ey, double ez, double nx, double ny, double nz, double t) {
         double x = nx;
         double y = ny;
         double z = nz;
-        double widest = width(x, y, z, dx, dy, dz, t);
+        double widest = width(x, y, z, t);
         for (double step = WIDE; step > NARROW; ) {
             double sx = step * (ey * z - ez * y);
             double sy = step * (ez * x - ex * z);
             double sz = step * (ex * y - ey * x);
-            double less = width(x - sx, y - sy, z - sz, dx, dy, dz, t);
-            double more = width(x + sx, y + sy, z + sz, dx, dy, dz, t);
+            double less = width(x - sx, y - sy, z - sz, t);
+            double more = width(x + sx, y + sy, z + sz, t);
             if (Math.max(less, more) > widest) {
                 double way = less > more ? -1 : 1;
                 widest = Math.max(less, more);
@@ -356,10 +298,10 @@ final class TranslationAdvancement {
                 step *= 0.25;
             }
         }
-        return until(x, y, z, dx, dy, dz, t);
+        return until(x, y, z, t);
     }
 
-    private double width(double x, double y, double z, double dx, double dy, double dz, double t) {
+    private double width(double x, double y, double z, double t) {
         double length = Math.sqrt(x * x + y * y + z * z);
         mover.find(-x, -y, -z);
         rest.find(x, y, z);
@@ -370,7 +312,7 @@ final class TranslationAdvancement {
     }
 
     /** A direction of any length above a least one, and the one against it. */
-    private double both(double x, double y, double z, double least, double dx, double dy, double dz, double t) {
+    private double both(double x, double y, double z, double least, double t) {
         double length = Math.sqrt(x * x + y * y + z * z);
         if (!(length > least)) {
             return 0;
@@ -378,20 +320,20 @@ final class TranslationAdvancement {
         double nx = x / length;
         double ny = y / length;
         double nz = z / length;
-        return Math.max(until(nx, ny, nz, dx, dy, dz, t), until(-nx, -ny, -nz, dx, dy, dz, t));
+        return Math.max(until(nx, ny, nz, t), until(-nx, -ny, -nz, t));
     }
 
     // Both from the same place, so that what is far away loses nothing.
-    private void load(boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double ox = Support.originX(kindA, a, i);
-        double oy = planar ? 0 : Support.originY(kindA, a, i);
-        double oz = Support.originZ(kindA, a, i);
+    private void load() {
+        double ox = Support.originX(a.kind, a.row, a.at);
+        double oy = planar ? 0 : Support.originY(a.kind, a.row, a.at);
+        double oz = Support.originZ(a.kind, a.row, a.at);
         if (planar) {
-            mover.planar(kindA, a, i, ox, oz, 1);
-            rest.planar(kindB, b, j, ox, oz, 1);
+            mover.planar(a.kind, a.row, a.at, ox, oz, 1);
+            rest.planar(b.kind, b.row, b.at, ox, oz, 1);
         } else {
-            mover.spatial(kindA, a, i, ox, oy, oz, 1);
-            rest.spatial(kindB, b, j, ox, oy, oz, 1);
+            mover.spatial(a.kind, a.row, a.at, ox, oy, oz, 1);
+            rest.spatial(b.kind, b.row, b.at, ox, oy, oz, 1);
         }
     }
 
@@ -402,35 +344,23 @@ final class TranslationAdvancement {
      *
      * @param isTouch whether they overlap by no more than may be rounding
      */
-    private static boolean isAgainst(
-            Penetration ways,
-            boolean isTouch,
-            boolean planar,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j) {
+    private boolean isAgainst(Penetration ways, boolean isTouch) {
         double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
-        boolean isAlong = false;
+        boolean isLevel = false;
         for (int k = 0; k < ways.count(); k++) {
             double out = ways.nx(k) * dx + ways.ny(k) * dy + ways.nz(k) * dz;
             if (out >= 0) {
                 return false;
             }
-            isAlong |= !(out < -slack);
+            isLevel |= !(out < -slack);
         }
-        if (!(isAlong || isTouch) || kindA.isEnclosure() || kindB.isEnclosure()) {
+        if (!(isLevel || isTouch) || a.kind.isEnclosure() || b.kind.isEnclosure()) {
             return true;
         }
-        List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);
+        List<ExactVector> parting = ExactFeatures.parting(planar, a, b);
         ExactVector way = ExactVector.of(dx, dy, dz);
         return parting.isEmpty()
-                ? !isAlong
+                ? !isLevel
                 : parting.stream().allMatch(n -> n.dot(way).signum() < 0);
     }
 }

@@ -1,4 +1,4 @@
-/** When a leaf that moves straight on meets another at rest. */
+/** How far a leaf that moves straight on or turns may go next to another at rest, and the bounds of moving leaves. */
 @NullMarked
 package robosim.geometry.narrow.sweep;
 

@@ -9,6 +9,7 @@ import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
 
@@ -17,7 +18,7 @@ class PlanarContactTest {
 
     private double[] between(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double[] out = new double[6];
-        PlanarContact.between(kindA, a, 0, kindB, b, 0, out, scratch.distance);
+        PlanarContact.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), out, scratch.distance);
         return out;
     }
 

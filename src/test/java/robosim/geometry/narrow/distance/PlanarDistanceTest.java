@@ -24,11 +24,11 @@ class PlanarDistanceTest {
     private final Scratch scratch = new Scratch();
 
     private double between(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
-        double distance = PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
-        assertThat(PlanarDistance.between(kindB, b, 0, kindA, a, 0, scratch.distance))
+        double distance = PlanarDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
+        assertThat(PlanarDistance.between(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0), scratch.distance))
                 .as(() -> PlanarOverlapTest.pair(kindA, a, kindB, b) + " swapped")
                 .isEqualTo(distance);
-        boolean touch = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
+        boolean touch = PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
         if (touch) {
             assertThat(distance).isZero();
         }
@@ -48,12 +48,15 @@ class PlanarDistanceTest {
             double[] small = {unit, 0, 0, 0, 0, 0, 0, 0, unit, 0, 0, 0, 0, 0, 0, 0};
             for (LeafKind kind : new LeafKind[] {LeafKind.SPHERE, LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
                 double[] row = kind == LeafKind.SPHERE ? point : box;
-                assertThat(PlanarDistance.between(LeafKind.TRIANGLE, corner, 0, kind, row, 0, scratch.distance))
+                assertThat(PlanarDistance.between(
+                                new Leaf(LeafKind.TRIANGLE, corner, 0), new Leaf(kind, row, 0), scratch.distance))
                         .as("%s at 2^%d", kind, power)
                         .isEqualTo(5 * unit);
             }
             assertThat(PlanarDistance.between(
-                            LeafKind.TRIANGLE, corner, 0, LeafKind.TRIANGLE, small, 0, scratch.distance))
+                            new Leaf(LeafKind.TRIANGLE, corner, 0),
+                            new Leaf(LeafKind.TRIANGLE, small, 0),
+                            scratch.distance))
                     .as("triangles at 2^%d", power)
                     .isCloseTo(Math.sqrt(18) * unit, within(unit / 2));
         }
@@ -186,8 +189,8 @@ class PlanarDistanceTest {
             disc[2] = box[2] - s * wx + c * wz;
             disc[3] = r;
             double truth = cornerDistance(disc, box);
-            double distance =
-                    PlanarDistance.between(LeafKind.SPHERE, disc, 0, LeafKind.UPRIGHT_BOX, box, 0, scratch.distance);
+            double distance = PlanarDistance.between(
+                    new Leaf(LeafKind.SPHERE, disc, 0), new Leaf(LeafKind.UPRIGHT_BOX, box, 0), scratch.distance);
             assertThat(distance)
                     .as("disc %s, box %s", Arrays.toString(disc), Arrays.toString(box))
                     .isCloseTo(Math.max(0, truth), within(3 * Math.ulp(truth) + 0x1p-98 * r));

@@ -10,6 +10,7 @@ import robosim.geometry.Allocated;
 import robosim.geometry.narrow.Projections;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -44,13 +45,13 @@ class SpatialDistanceTest {
 
     private boolean check(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-        boolean touch = SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
-        double distance = SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
+        boolean touch = SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
+        double distance = SpatialDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
         double twin = Projections.distance(kindA, a, kindB, b, 1000);
-        assertThat(SpatialOverlap.test(kindB, b, 0, kindA, a, 0, scratch.overlap))
+        assertThat(SpatialOverlap.test(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0), scratch.overlap))
                 .as(pair)
                 .isEqualTo(touch);
-        assertThat(SpatialDistance.between(kindB, b, 0, kindA, a, 0, scratch.distance))
+        assertThat(SpatialDistance.between(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0), scratch.distance))
                 .as(pair)
                 .isEqualTo(distance);
         assertThat(distance == 0).as(pair).isEqualTo(touch);
@@ -62,9 +63,9 @@ class SpatialDistanceTest {
     /** The normal separates: moved along it by the depth (and a little) the two are apart, by less still touching. */
     private void leaves(
             String pair, boolean touch, double distance, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
-        double depth = scratch.gjk.penetration().spatial(kindA, a, 0, kindB, b, 0);
+        double depth = scratch.gjk.penetration().spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
         double[] contact = new double[6];
-        SpatialContact.between(kindA, a, 0, kindB, b, 0, contact, scratch.distance);
+        SpatialContact.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), contact, scratch.distance);
         double length = Math.sqrt(contact[3] * contact[3] + contact[4] * contact[4] + contact[5] * contact[5]);
         assertThat(length).as(pair).isCloseTo(1, within(1e-14));
         double slack = 1e-9 + distance;
@@ -75,11 +76,12 @@ class SpatialDistanceTest {
             return;
         }
         double[] moved = shifted(kindA, a, contact, depth + 1e-9);
-        assertThat(SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
+        assertThat(SpatialOverlap.test(new Leaf(kindA, moved, 0), new Leaf(kindB, b, 0), scratch.overlap))
                 .as(pair)
                 .isFalse();
         moved = shifted(kindA, a, contact, depth - 1e-6);
-        assertThat(depth < 1e-6 || SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
+        assertThat(depth < 1e-6
+                        || SpatialOverlap.test(new Leaf(kindA, moved, 0), new Leaf(kindB, b, 0), scratch.overlap))
                 .as(pair)
                 .isTrue();
         SplittableRandom random = new SplittableRandom(Arrays.hashCode(a));
@@ -90,7 +92,8 @@ class SpatialDistanceTest {
             double z = random.nextDouble(-1, 1);
             double r = Math.sqrt(x * x + y * y + z * z);
             moved = shifted(kindA, a, new double[] {0, 0, 0, x / r, y / r, z / r}, depth * 0.999 - 1e-9);
-            assertThat(depth < 1e-6 || SpatialOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
+            assertThat(depth < 1e-6
+                            || SpatialOverlap.test(new Leaf(kindA, moved, 0), new Leaf(kindB, b, 0), scratch.overlap))
                     .as(pair + " depth " + depth)
                     .isTrue();
         }
@@ -116,10 +119,13 @@ class SpatialDistanceTest {
         double[] a = Rows.box(0, 0, 0, 0.5, 0.5, 0.5, Rows.identity());
         for (double away : new double[] {4, 100}) {
             double[] b = Rows.box(0, away, 0, 0.5, 0.5, 0.5, Rows.identity());
-            assertThat(SpatialDistance.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, scratch.distance))
+            assertThat(SpatialDistance.between(
+                            new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0), scratch.distance))
                     .isEqualTo(away - 1);
             assertThat(SpatialDistance.between(
-                            LeafKind.UPRIGHT_BOX, a, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch.distance))
+                            new Leaf(LeafKind.UPRIGHT_BOX, a, 0),
+                            new Leaf(LeafKind.UPRIGHT_BOX, b, 0),
+                            scratch.distance))
                     .isEqualTo(away - 1);
         }
     }
@@ -128,7 +134,8 @@ class SpatialDistanceTest {
     void boxIsApartFromCylinder() { // FCL #319 threw
         double[] box = Rows.box(0.8, -0.385, 0.735, 0.025, 0.195, 0.735, new double[] {0, -1, 0, 1, 0, 0, 0, 0, 1});
         double[] cylinder = Rows.cylinder(0.4, -0.4, 0.93, 0.18, 0.09, new double[] {1, 0, 0, 0, 0, -1, 0, 1, 0});
-        assertThat(SpatialDistance.between(LeafKind.BOX, box, 0, LeafKind.CYLINDER, cylinder, 0, scratch.distance))
+        assertThat(SpatialDistance.between(
+                        new Leaf(LeafKind.BOX, box, 0), new Leaf(LeafKind.CYLINDER, cylinder, 0), scratch.distance))
                 .isCloseTo(0.025, within(1e-12));
     }
 
@@ -136,7 +143,9 @@ class SpatialDistanceTest {
     void cylinderIsInBoxByItsRadius() { // ncollide #157 had no contact
         double[] cylinder = Rows.cylinder(10.97, 0.925, 61.02, 0.5, 0.925, Rows.identity());
         double[] box = Rows.box(11.5, 0.75, 60.5, 0.05, 0.75, 0.5, Rows.identity());
-        assertThat(scratch.gjk.penetration().spatial(LeafKind.CYLINDER, cylinder, 0, LeafKind.BOX, box, 0))
+        assertThat(scratch.gjk
+                        .penetration()
+                        .spatial(new Leaf(LeafKind.CYLINDER, cylinder, 0), new Leaf(LeafKind.BOX, box, 0)))
                 .isCloseTo(0.5 - Math.hypot(0.48, 0.02), within(1e-9));
     }
 
@@ -145,8 +154,8 @@ class SpatialDistanceTest {
         double[] a = Rows.box(0, 0, 0, 1, 1, 1, Rows.identity());
         double[] b = Rows.box(0, 0, 1.9, 1, 1, 1, Rows.identity());
         double[] contact = new double[6];
-        SpatialContact.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, contact, scratch.distance);
-        assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        SpatialContact.between(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0), contact, scratch.distance);
+        assertThat(scratch.gjk.penetration().spatial(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0)))
                 .isCloseTo(0.1, within(1e-15));
         assertThat(new double[] {contact[3], contact[4], contact[5]}).containsExactly(0, 0, -1);
         assertThat(contact[2]).isBetween(0.9, 1.0);
@@ -157,7 +166,7 @@ class SpatialDistanceTest {
         for (double z : new double[] {0.5, 1}) {
             double[] a = Rows.box(0.5, 0.5, z, 0.5, 0.5, z, Rows.identity());
             double[] b = Rows.box(0.5, 0.9, z, 0.5, 0.1, z, Rows.identity());
-            assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+            assertThat(scratch.gjk.penetration().spatial(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0)))
                     .isCloseTo(0.2, within(1e-15));
         }
     }
@@ -167,7 +176,8 @@ class SpatialDistanceTest {
         double[] big = Rows.box(0, 0, 0, 2.5, 2.5, 2.5, Rows.identity());
         double[] small = Rows.box(1, 2.59, 1, 0.1, 0.1, 0.1, Rows.identity());
         double[] contact = new double[6];
-        SpatialContact.between(LeafKind.BOX, small, 0, LeafKind.BOX, big, 0, contact, scratch.distance);
+        SpatialContact.between(
+                new Leaf(LeafKind.BOX, small, 0), new Leaf(LeafKind.BOX, big, 0), contact, scratch.distance);
         assertThat(contact[0]).isBetween(0.9, 1.1);
         assertThat(contact[1]).isBetween(2.49, 2.5);
         assertThat(contact[2]).isBetween(0.9, 1.1);
@@ -178,18 +188,18 @@ class SpatialDistanceTest {
     void allTiesAreTold() {
         double[] a = Rows.box(0, 0, 0, 1, 1, 1, Rows.identity());
         double[] b = Rows.box(2, 2, 0, 1, 1, 1, Rows.identity()); // along an edge
-        assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        assertThat(scratch.gjk.penetration().spatial(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0)))
                 .isZero();
         assertThat(scratch.gjk.penetration().count()).isEqualTo(2);
         b[2] = 2; // at a corner
-        assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        assertThat(scratch.gjk.penetration().spatial(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0)))
                 .isZero();
         assertThat(scratch.gjk.penetration().count()).isEqualTo(3);
-        assertThat(scratch.gjk.penetration().planar(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        assertThat(scratch.gjk.penetration().planar(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0)))
                 .isZero();
         assertThat(scratch.gjk.penetration().count()).isEqualTo(2);
         double[] ball = Rows.sphere(0, 0, 0, 0.5); // in the middle
-        assertThat(scratch.gjk.penetration().spatial(LeafKind.SPHERE, ball, 0, LeafKind.BOX, a, 0))
+        assertThat(scratch.gjk.penetration().spatial(new Leaf(LeafKind.SPHERE, ball, 0), new Leaf(LeafKind.BOX, a, 0)))
                 .isEqualTo(1.5);
         assertThat(scratch.gjk.penetration().count()).isEqualTo(6);
     }
@@ -198,7 +208,9 @@ class SpatialDistanceTest {
     void standingCylindersPushEachOtherAlongTheirCentres() {
         double[] a = Rows.cylinder(0, 0, 0, 3, 5, Rows.identity());
         double[] b = Rows.cylinder(3, 1, 4, 2, 5, Rows.identity());
-        assertThat(scratch.gjk.penetration().spatial(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.UPRIGHT_CYLINDER, b, 0))
+        assertThat(scratch.gjk
+                        .penetration()
+                        .spatial(new Leaf(LeafKind.UPRIGHT_CYLINDER, a, 0), new Leaf(LeafKind.UPRIGHT_CYLINDER, b, 0)))
                 .isCloseTo(0, within(1e-14));
         assertThat(scratch.gjk.penetration().count()).isEqualTo(1);
         assertThat(scratch.gjk.penetration().nx(0)).isEqualTo(-0.6);
@@ -216,7 +228,7 @@ class SpatialDistanceTest {
                 for (int n = 0; n < 60; n++) {
                     double[] a = Rows.random(kindA, random, 1);
                     double[] b = Rows.random(kindB, random, 1);
-                    double depth = scratch.gjk.penetration().planar(kindA, a, 0, kindB, b, 0);
+                    double depth = scratch.gjk.penetration().planar(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
                     if (depth < 1e-6) {
                         continue;
                     }
@@ -231,14 +243,15 @@ class SpatialDistanceTest {
                         scratch.gjk.penetration().nz(0)
                     };
                     double[] moved = shifted(kindA, a, way, depth + 1e-9);
-                    assertThat(PlanarOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
+                    assertThat(PlanarOverlap.test(new Leaf(kindA, moved, 0), new Leaf(kindB, b, 0), scratch.overlap))
                             .as(pair)
                             .isFalse();
                     for (int k = 0; k < 64; k++) {
                         double t = k * Math.PI / 32;
                         way = new double[] {0, 0, 0, Math.cos(t), 0, Math.sin(t)};
                         moved = shifted(kindA, a, way, depth * 0.9999);
-                        assertThat(PlanarOverlap.test(kindA, moved, 0, kindB, b, 0, scratch.overlap))
+                        assertThat(PlanarOverlap.test(
+                                        new Leaf(kindA, moved, 0), new Leaf(kindB, b, 0), scratch.overlap))
                                 .as(pair)
                                 .isTrue();
                     }
@@ -257,6 +270,8 @@ class SpatialDistanceTest {
         }
         double[] contact = new double[6];
         double[] sum = new double[1];
+        Leaf one = new Leaf();
+        Leaf two = new Leaf();
         int questions = 20 * rows.length * rows.length;
         long allocated = Allocated.everyTime(() -> {
             for (int n = 0; n < questions; n++) {
@@ -265,8 +280,10 @@ class SpatialDistanceTest {
                 if (k / 2 == m / 2) {
                     continue; // a leaf with itself may need exact numbers
                 }
-                sum[0] += SpatialDistance.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, scratch.distance);
-                SpatialContact.between(KINDS[k / 2], rows[k], 0, KINDS[m / 2], rows[m], 0, contact, scratch.distance);
+                one.set(KINDS[k / 2], rows[k], 0);
+                two.set(KINDS[m / 2], rows[m], 0);
+                sum[0] += SpatialDistance.between(one, two, scratch.distance);
+                SpatialContact.between(one, two, contact, scratch.distance);
                 sum[0] += contact[0];
             }
         });

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Distances of spheres against decimals of 60 digits. */
@@ -38,8 +39,10 @@ class SphereDistanceTest {
             }
             BigDecimal truth = core.subtract(new BigDecimal(ball[3]));
             String pair = Arrays.toString(ball) + " with " + kind + " " + Arrays.toString(row) + " truth " + truth;
-            double answer = SpatialDistance.between(kind, row, 0, LeafKind.SPHERE, ball, 0, scratch.distance);
-            assertThat(SpatialDistance.between(LeafKind.SPHERE, ball, 0, kind, row, 0, scratch.distance))
+            double answer = SpatialDistance.between(
+                    new Leaf(kind, row, 0), new Leaf(LeafKind.SPHERE, ball, 0), scratch.distance);
+            assertThat(SpatialDistance.between(
+                            new Leaf(LeafKind.SPHERE, ball, 0), new Leaf(kind, row, 0), scratch.distance))
                     .as(pair)
                     .isEqualTo(answer);
             if (truth.signum() <= 0) {

@@ -10,6 +10,7 @@ import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.SupportTwin;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 class GjkTest {
@@ -26,7 +27,7 @@ class GjkTest {
                 for (int n = 0; n < PAIRS; n++) {
                     double[] a = Rows.random(kindA, random, 1.5);
                     double[] b = Rows.random(kindB, random, 1.5);
-                    double lower = gjk.spatial(kindA, a, 0, kindB, b, 0);
+                    double lower = gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
                     String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b)
                             + " steps " + gjk.steps() + " lower " + gjk.lower() + " upper " + gjk.upper();
                     if (gjk.overlapping()) {
@@ -66,7 +67,9 @@ class GjkTest {
         for (LeafKind kindA : Leaves.KINDS) {
             for (LeafKind kindB : Leaves.KINDS) {
                 for (int n = 0; n < PAIRS; n++) {
-                    gjk.spatial(kindA, Rows.random(kindA, random, 2), 0, kindB, Rows.random(kindB, random, 2), 0);
+                    gjk.spatial(
+                            new Leaf(kindA, Rows.random(kindA, random, 2), 0),
+                            new Leaf(kindB, Rows.random(kindB, random, 2), 0));
                     most = Math.max(most, gjk.steps());
                 }
             }
@@ -83,7 +86,7 @@ class GjkTest {
                 for (int n = 0; n < PAIRS; n++) {
                     double[] a = Rows.random(kindA, random, 2.5);
                     double[] b = Rows.random(kindB, random, 2.5);
-                    gjk.planar(kindA, a, 0, kindB, b, 0);
+                    gjk.planar(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
                     String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
                     assertThat(gjk.ay()).isZero();
                     assertThat(gjk.by()).isZero();
@@ -94,7 +97,7 @@ class GjkTest {
                     double lower = gjk.lower();
                     assertThat(gjk.ny()).as(pair).isZero();
                     assertThat(gjk.upper() - lower).as(pair).isLessThan(0x1p-40 * (gjk.upper() + 3));
-                    gjk.spatial(kindA, a, 0, kindB, b, 0);
+                    gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
                     assertThat(gjk.upper()).as(pair).isGreaterThanOrEqualTo(lower);
                 }
                 assertThat(apart).as(kindA + " " + kindB).isBetween(PAIRS / 10, PAIRS * 98 / 100);
@@ -113,7 +116,7 @@ class GjkTest {
             double scaleB = Math.scalb(1.0, random.nextInt(-40, 20));
             double[] a = scaled(kindA, Rows.random(kindA, random, 1), scaleA);
             double[] b = scaled(kindB, Rows.random(kindB, random, 1), scaleB);
-            gjk.spatial(kindA, a, 0, kindB, b, 0);
+            gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
             String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
             if (!gjk.overlapping()) {
                 apart++;
@@ -145,11 +148,11 @@ class GjkTest {
             }
             if (random.nextInt(4) > 0) {
                 // Back along the slab, to within some last bits of contact.
-                gjk.spatial(kindA, a, 0, kindB, b, 0);
+                gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
                 double back = gjk.reach() + random.nextInt(-40, 41) * gjk.error() / 16;
                 shift(kindB, b, back * gjk.nx(), back * gjk.ny(), back * gjk.nz());
             }
-            gjk.spatial(kindA, a, 0, kindB, b, 0);
+            gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
             String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
             assertThat(roundoff(kindA, a, kindB, b)).as(pair).isLessThanOrEqualTo(1);
             if (gjk.lower() > 0) {
@@ -164,7 +167,7 @@ class GjkTest {
 
     // How much too wide rounding made the slab of a question, as a share of what is allowed for it.
     private double roundoff(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
-        gjk.spatial(kindA, a, 0, kindB, b, 0);
+        gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
         BigDecimal over = new BigDecimal(gjk.reach()).subtract(exactSlab(kindA, a, kindB, b));
         return over.doubleValue() / gjk.error();
     }
@@ -272,7 +275,8 @@ class GjkTest {
     void subnormalSizesAreScaledFirst() {
         double[] a = Rows.box(0, 0, 0, 1e-310, 1e-310, 1e-310, Rows.identity());
         double[] b = Rows.box(5e-310, 0, 0, 1e-310, 1e-310, 1e-310, Rows.identity());
-        assertThat(gjk.spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0)).isBetween(2.999999e-310, 3e-310);
+        assertThat(gjk.spatial(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0)))
+                .isBetween(2.999999e-310, 3e-310);
     }
 
     @Test
@@ -284,7 +288,8 @@ class GjkTest {
             LeafKind kindB = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
             double[] a = Rows.random(kindA, random, 2);
             double[] b = Rows.random(kindB, random, 2);
-            assertThat(gjk.spatial(kindA, a, 0, kindB, b, 0)).isEqualTo(other.spatial(kindB, b, 0, kindA, a, 0));
+            assertThat(gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0)))
+                    .isEqualTo(other.spatial(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0)));
             assertThat(gjk.nx()).isEqualTo(-other.nx());
             assertThat(gjk.ax()).isEqualTo(other.bx());
         }

@@ -10,6 +10,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 
@@ -36,11 +37,17 @@ class HullOverlapTest {
                         level(kindB, b);
                     }
                     String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-                    boolean isDeep = ConvexOverlap.isDeep(dimension, kindA, a, 0, kindB, b, 0, s.overlap);
-                    boolean overlap = ConvexOverlap.test(dimension, kindA, a, 0, kindB, b, 0, s.overlap);
+                    boolean isDeep =
+                            ConvexOverlap.isDeep(dimension, new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), s.overlap);
+                    boolean overlap =
+                            ConvexOverlap.test(dimension, new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), s.overlap);
                     assertThat(overlap || !isDeep).as(pair).isTrue();
                     if (isDeep) {
-                        assertThat(ConvexOverlap.test(dimension, kindA, apart(kindA, a, b), 0, kindB, b, 0, s.overlap))
+                        assertThat(ConvexOverlap.test(
+                                        dimension,
+                                        new Leaf(kindA, apart(kindA, a, b), 0),
+                                        new Leaf(kindB, b, 0),
+                                        s.overlap))
                                 .as(pair)
                                 .isTrue();
                     }
@@ -68,9 +75,9 @@ class HullOverlapTest {
             } else {
                 b[0] = a[3] + b[3];
             }
-            assertThat(ConvexOverlap.test(dimension, kind, a, 0, kind, b, 0, s.overlap))
+            assertThat(ConvexOverlap.test(dimension, new Leaf(kind, a, 0), new Leaf(kind, b, 0), s.overlap))
                     .isTrue();
-            assertThat(ConvexOverlap.isDeep(dimension, kind, a, 0, kind, b, 0, s.overlap))
+            assertThat(ConvexOverlap.isDeep(dimension, new Leaf(kind, a, 0), new Leaf(kind, b, 0), s.overlap))
                     .as(Arrays.toString(a) + Arrays.toString(b))
                     .isFalse();
         }

@@ -14,6 +14,7 @@ import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.SupportTwin;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
@@ -37,7 +38,7 @@ class PenetrationTest {
             double[] a = Rows.random(first, random, 0.7);
             double[] b = Rows.random(kind, random, 0.7);
             String pair = Arrays.toString(a) + " with " + kind + " " + Arrays.toString(b);
-            double depth = penetration.spatial(first, a, 0, kind, b, 0);
+            double depth = penetration.spatial(new Leaf(first, a, 0), new Leaf(kind, b, 0));
             double proven = penetration.proven();
             if (depth < 1e-3) {
                 continue;
@@ -50,7 +51,9 @@ class PenetrationTest {
             assertThat(new BigDecimal(proven)).as(pair).isLessThanOrEqualTo(least);
             assertThat(new BigDecimal(depth)).as(pair).isLessThanOrEqualTo(least.add(share));
             closed += told.subtract(new BigDecimal(proven)).compareTo(share) <= 0 ? 1 : 0;
-            assertThat(penetration.spatial(kind, b, 0, first, a, 0)).as(pair).isEqualTo(depth);
+            assertThat(penetration.spatial(new Leaf(kind, b, 0), new Leaf(first, a, 0)))
+                    .as(pair)
+                    .isEqualTo(depth);
         }
         assertThat(deep).isGreaterThan(Effort.cases(400));
         assertThat(closed).isGreaterThan(deep * 99 / 100);
@@ -66,7 +69,7 @@ class PenetrationTest {
             double[] a = Rows.random(first, random, 0.7);
             double[] b = Rows.random(kind, random, 0.7);
             String pair = Arrays.toString(a) + " with " + kind + " " + Arrays.toString(b);
-            double depth = penetration.planar(first, a, 0, kind, b, 0);
+            double depth = penetration.planar(new Leaf(first, a, 0), new Leaf(kind, b, 0));
             if (depth < 1e-3) {
                 continue;
             }
@@ -102,7 +105,7 @@ class PenetrationTest {
                 }
             }
             String pair = Arrays.toString(a) + " with " + Arrays.toString(b);
-            double depth = penetration.spatial(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0);
+            double depth = penetration.spatial(new Leaf(LeafKind.CYLINDER, a, 0), new Leaf(LeafKind.CYLINDER, b, 0));
             double proven = penetration.proven();
             Pair twin = new Pair(LeafKind.CYLINDER, a, LeafKind.CYLINDER, b);
             BigDecimal least = twin.exactly(twin.shallowest(random));
@@ -165,8 +168,12 @@ class PenetrationTest {
 
     private void known(double depth, LeafKind first, double[] a, LeafKind kind, double[] b) {
         String pair = first + " " + Arrays.toString(a) + " with " + kind + " " + Arrays.toString(b);
-        assertThat(penetration.spatial(first, a, 0, kind, b, 0)).as(pair).isCloseTo(depth, within(1e-9));
-        assertThat(penetration.spatial(kind, b, 0, first, a, 0)).as(pair).isCloseTo(depth, within(1e-9));
+        assertThat(penetration.spatial(new Leaf(first, a, 0), new Leaf(kind, b, 0)))
+                .as(pair)
+                .isCloseTo(depth, within(1e-9));
+        assertThat(penetration.spatial(new Leaf(kind, b, 0), new Leaf(first, a, 0)))
+                .as(pair)
+                .isCloseTo(depth, within(1e-9));
     }
 
     /** Two leaves, and how far the first has to go along a direction until it is out. */

@@ -25,8 +25,12 @@ class UprightTest {
             int high = bottom(kindB, b).compareTo(top(kindA, a));
             boolean truth = low <= 0 && high <= 0;
             String text = Arrays.toString(a) + " " + Arrays.toString(b);
-            assertThat(Upright.heightsTouch(kindA, a, 0, kindB, b, 0)).as(text).isEqualTo(truth);
-            assertThat(Upright.heightsTouch(kindB, b, 0, kindA, a, 0)).as(text).isEqualTo(truth);
+            assertThat(Upright.heightsTouch(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0)))
+                    .as(text)
+                    .isEqualTo(truth);
+            assertThat(Upright.heightsTouch(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0)))
+                    .as(text)
+                    .isEqualTo(truth);
             hits += truth ? 1 : 0;
             touches += low == 0 || high == 0 ? 1 : 0;
         }
@@ -39,10 +43,10 @@ class UprightTest {
         double[] a = {0, 0.1, 0, 1, 0.2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
         // 0.1 + 0.2 as stored is below the double 0.30000000000000004, and not below 0.3
         double[] b = {0, 1, 0, 0, 0, 0, 0, 0, 0.1 + 0.2, 9, 0, 0, 0, 0, 0, 0};
-        assertThat(Upright.heightsTouch(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.PRISM, b, 0))
+        assertThat(Upright.heightsTouch(new Leaf(LeafKind.UPRIGHT_CYLINDER, a, 0), new Leaf(LeafKind.PRISM, b, 0)))
                 .isFalse();
         b[8] = Math.nextDown(0.1 + 0.2);
-        assertThat(Upright.heightsTouch(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.PRISM, b, 0))
+        assertThat(Upright.heightsTouch(new Leaf(LeafKind.UPRIGHT_CYLINDER, a, 0), new Leaf(LeafKind.PRISM, b, 0)))
                 .isTrue();
     }
 

@@ -92,7 +92,8 @@ class NearestPairsTest {
                 scratch.leaf.outer.corners(t, p, 0);
                 scratch.leaf.inner.open(b, 0);
                 scratch.leaf.inner.corners(u, q, 0);
-                if (SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch.overlap)) {
+                if (SpatialOverlap.test(
+                        new Leaf(LeafKind.TRIANGLE, p, 0), new Leaf(LeafKind.TRIANGLE, q, 0), scratch.overlap)) {
                     truth.add(scratch.leaf.outer.triangle(t) + " " + scratch.leaf.inner.triangle(u));
                 }
             }

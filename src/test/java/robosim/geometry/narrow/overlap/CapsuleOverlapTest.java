@@ -18,6 +18,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.reference.Gaps;
@@ -153,13 +154,15 @@ class CapsuleOverlapTest {
         if (two.kind(0).isMesh() || one.kind(0).isMesh()) {
             return robosim.geometry.collision.CollisionDetection.intersects(a, b);
         }
-        return SpatialOverlap.test(one.kind(0), one.rows(), 0, two.kind(0), two.rows(), 0, scratch.overlap);
+        return SpatialOverlap.test(
+                new Leaf(one.kind(0), one.rows(), 0), new Leaf(two.kind(0), two.rows(), 0), scratch.overlap);
     }
 
     private double distance(GeometryObject a, GeometryObject b) {
         LeafColumn one = leaf(a);
         LeafColumn two = leaf(b);
-        return SpatialDistance.between(one.kind(0), one.rows(), 0, two.kind(0), two.rows(), 0, scratch.distance);
+        return SpatialDistance.between(
+                new Leaf(one.kind(0), one.rows(), 0), new Leaf(two.kind(0), two.rows(), 0), scratch.distance);
     }
 
     private static LeafColumn leaf(GeometryObject object) {

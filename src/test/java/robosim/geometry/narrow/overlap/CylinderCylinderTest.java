@@ -12,6 +12,7 @@ import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 class CylinderCylinderTest {
@@ -51,9 +52,10 @@ class CylinderCylinderTest {
                     + Arrays.toString(direction);
             double bound = 0x1p-40 * scale;
             scratch.overlap.uncertain = false;
-            boolean answer = SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch.overlap);
+            boolean answer =
+                    SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.overlap);
             boolean certain = !scratch.overlap.uncertain;
-            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch.overlap))
+            assertThat(SpatialOverlap.test(new Leaf(LeafKind.CYLINDER, b, 0), new Leaf(kindA, a, 0), scratch.overlap))
                     .as(pair + " swapped")
                     .isEqualTo(answer);
             if (isApart) {
@@ -111,8 +113,10 @@ class CylinderCylinderTest {
                     ? CylinderTwin.root(CylinderTwin.dot(way, way)).doubleValue()
                     : least * (1 + 0x1p-30);
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b) + " gap " + least;
-            double answer = SpatialDistance.between(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch.distance);
-            assertThat(SpatialDistance.between(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch.distance))
+            double answer =
+                    SpatialDistance.between(new Leaf(kindA, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.distance);
+            assertThat(SpatialDistance.between(
+                            new Leaf(LeafKind.CYLINDER, b, 0), new Leaf(kindA, a, 0), scratch.distance))
                     .as(pair)
                     .isEqualTo(answer);
             assertThat(answer).as(pair).isLessThanOrEqualTo(most * (1 + 0x1p-52));
@@ -238,10 +242,10 @@ class CylinderCylinderTest {
             apart += truth ? 0 : 1;
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b);
             scratch.overlap.uncertain = false;
-            assertThat(SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch.overlap))
+            assertThat(SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.overlap))
                     .as(pair)
                     .isEqualTo(truth);
-            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch.overlap))
+            assertThat(SpatialOverlap.test(new Leaf(LeafKind.CYLINDER, b, 0), new Leaf(kindA, a, 0), scratch.overlap))
                     .as(pair)
                     .isEqualTo(truth);
             assertThat(scratch.overlap.uncertain).as(pair).isFalse();
@@ -274,7 +278,8 @@ class CylinderCylinderTest {
             b[n % 3] += random.nextInt(-2, 3) * Math.ulp(b[n % 3]);
             boolean truth = exactlyParallel(LeafKind.CYLINDER, a, b);
             touching += truth ? 1 : 0;
-            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0, scratch.overlap))
+            assertThat(SpatialOverlap.test(
+                            new Leaf(LeafKind.CYLINDER, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.overlap))
                     .as(Arrays.toString(a) + " with " + Arrays.toString(b))
                     .isEqualTo(truth);
         }

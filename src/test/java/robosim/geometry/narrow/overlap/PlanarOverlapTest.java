@@ -18,8 +18,8 @@ public class PlanarOverlapTest {
     private final Scratch scratch = new Scratch();
 
     private boolean test(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
-        boolean verdict = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
-        assertThat(PlanarOverlap.test(kindB, b, 0, kindA, a, 0, scratch.overlap))
+        boolean verdict = PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
+        assertThat(PlanarOverlap.test(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0), scratch.overlap))
                 .as(() -> pair(kindA, a, kindB, b) + " swapped")
                 .isEqualTo(verdict);
         return verdict;
@@ -269,16 +269,21 @@ public class PlanarOverlapTest {
             0
         };
         Scratch s = new Scratch();
-        assertThat(PlanarOverlap.test(LeafKind.PRISM, still, 0, LeafKind.PRISM, other, 0, s.overlap))
+        assertThat(PlanarOverlap.test(
+                        new Leaf(LeafKind.PRISM, still, 0), new Leaf(LeafKind.PRISM, other, 0), s.overlap))
                 .isFalse();
-        assertThat(PlanarOverlap.test(LeafKind.PRISM, other, 0, LeafKind.PRISM, still, 0, s.overlap))
+        assertThat(PlanarOverlap.test(
+                        new Leaf(LeafKind.PRISM, other, 0), new Leaf(LeafKind.PRISM, still, 0), s.overlap))
                 .isFalse();
-        assertThat(PlanarDistance.between(LeafKind.PRISM, other, 0, LeafKind.PRISM, still, 0, s.distance))
+        assertThat(PlanarDistance.between(
+                        new Leaf(LeafKind.PRISM, other, 0), new Leaf(LeafKind.PRISM, still, 0), s.distance))
                 .isBetween(0.0, 1e-12);
         still[1] = other[0];
-        assertThat(PlanarOverlap.test(LeafKind.PRISM, still, 0, LeafKind.PRISM, other, 0, s.overlap))
+        assertThat(PlanarOverlap.test(
+                        new Leaf(LeafKind.PRISM, still, 0), new Leaf(LeafKind.PRISM, other, 0), s.overlap))
                 .isTrue();
-        assertThat(PlanarDistance.between(LeafKind.PRISM, other, 0, LeafKind.PRISM, still, 0, s.distance))
+        assertThat(PlanarDistance.between(
+                        new Leaf(LeafKind.PRISM, other, 0), new Leaf(LeafKind.PRISM, still, 0), s.distance))
                 .isZero();
     }
 }

@@ -95,7 +95,7 @@ class SpatialOverlapTest {
                 0.125,
                 new double[] {c, s, 0, -s, c, 0, 0, 0, 1});
         both(LeafKind.BOX, a, LeafKind.BOX, b, true);
-        assertThat(scratch.gjk.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+        assertThat(scratch.gjk.penetration().spatial(new Leaf(LeafKind.BOX, a, 0), new Leaf(LeafKind.BOX, b, 0)))
                 .isBetween(3.38e-5, 3.382e-5);
         double[] r = {
             0.96193976625564348026,
@@ -259,8 +259,8 @@ class SpatialOverlapTest {
                 double[] ball = Rows.random(LeafKind.SPHERE, random, 1);
                 String pair =
                         Arrays.toString(cylinder) + " with " + kind + " " + Arrays.toString(b) + Arrays.toString(ball);
-                ExactPolytope polytope = new ExactPolytope(kind, b, 0);
-                ExactCylinder exact = new ExactCylinder(LeafKind.CYLINDER, cylinder, 0);
+                ExactPolytope polytope = new ExactPolytope(new Leaf(kind, b, 0));
+                ExactCylinder exact = new ExactCylinder(new Leaf(LeafKind.CYLINDER, cylinder, 0));
                 ExactSphere sphere = new ExactSphere(ball, 0);
                 boolean[] truths = {
                     exact.touchesPolytope(polytope), sphere.touchesPolytope(polytope), sphere.touchesCylinder(exact)
@@ -269,12 +269,8 @@ class SpatialOverlapTest {
                     asked++;
                     hits += truths[k] ? 1 : 0;
                     scratch.gjk.pair.spatial(
-                            k == 0 ? LeafKind.CYLINDER : LeafKind.SPHERE,
-                            k == 0 ? cylinder : ball,
-                            0,
-                            k == 2 ? LeafKind.CYLINDER : kind,
-                            k == 2 ? cylinder : b,
-                            0);
+                            k == 0 ? new Leaf(LeafKind.CYLINDER, cylinder, 0) : new Leaf(LeafKind.SPHERE, ball, 0),
+                            k == 2 ? new Leaf(LeafKind.CYLINDER, cylinder, 0) : new Leaf(kind, b, 0));
                     if (scratch.gjk.pair.lower() > 0 || scratch.gjk.pair.isDeep()) {
                         certain++;
                         assertThat(scratch.gjk.pair.isDeep()).as(pair + k).isEqualTo(truths[k]);
@@ -307,14 +303,16 @@ class SpatialOverlapTest {
                 box[k] = Math.rint(corner[k] * 0x1p48) * 0x1p-48 + (random.nextBoolean() ? box[3 + k] : -box[3 + k]);
             }
             box[n % 3] += random.nextInt(-1, 2) * 0x1p-48;
-            boolean truth = SpatialOverlap.test(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0, scratch.overlap);
-            scratch.gjk.pair.spatial(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0);
+            boolean truth = SpatialOverlap.test(
+                    new Leaf(LeafKind.UPRIGHT_BOX, box, 0), new Leaf(kind, other, 0), scratch.overlap);
+            scratch.gjk.pair.spatial(new Leaf(LeafKind.UPRIGHT_BOX, box, 0), new Leaf(kind, other, 0));
             near += scratch.gjk.pair.lower() > 0 || scratch.gjk.pair.isDeep() ? 0 : 1;
             if (truth) {
                 both(LeafKind.PRISM, prism(box), kind, other, true);
             }
             box[n % 3] += box[n % 3] > corner[n % 3] ? 0x1p-20 : -0x1p-20;
-            if (!SpatialOverlap.test(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0, scratch.overlap)) {
+            if (!SpatialOverlap.test(
+                    new Leaf(LeafKind.UPRIGHT_BOX, box, 0), new Leaf(kind, other, 0), scratch.overlap)) {
                 both(LeafKind.PRISM, prism(box), kind, other, false);
                 apart++;
             }
@@ -351,10 +349,10 @@ class SpatialOverlapTest {
 
     private void both(LeafKind kindA, double[] a, LeafKind kindB, double[] b, boolean truth) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-        assertThat(SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap))
+        assertThat(SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap))
                 .as(pair)
                 .isEqualTo(truth);
-        assertThat(SpatialOverlap.test(kindB, b, 0, kindA, a, 0, scratch.overlap))
+        assertThat(SpatialOverlap.test(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0), scratch.overlap))
                 .as(pair + " swapped")
                 .isEqualTo(truth);
     }

@@ -9,6 +9,7 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
@@ -124,7 +125,7 @@ class DoubleDoubleOverlapTest {
             double out = b[0] + 8 * factor;
             while (Math.nextUp(in) < out) {
                 b[0] = in + (out - in) / 2;
-                if (PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap)) {
+                if (PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap)) {
                     in = b[0];
                 } else {
                     out = b[0];
@@ -132,7 +133,7 @@ class DoubleDoubleOverlapTest {
             }
             for (int step = -1; step <= 2; step++) {
                 b[0] = in + step * Math.ulp(in);
-                boolean touches = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap);
+                boolean touches = PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
                 boolean truth =
                         PlanarReference.overlap(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
                 assertThat(touches)

@@ -20,6 +20,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LocalLeaves;
 
@@ -173,8 +174,8 @@ class PlainCellsTest {
         String as = "%s, %s, %s, way %s, %s, %s".formatted(dimension, grid, body, way[0], way[1], way[2]);
         LeafColumn mover = LocalLeaves.placed(body);
         LeafColumn column = LocalLeaves.placed(grid);
-        int said =
-                plain.compare(dimension, mover.kind(0), mover.rows(0), mover.at(0), way[0], way[1], way[2], column, 0);
+        int said = plain.compare(
+                dimension, new Leaf(mover.kind(0), mover.rows(0), mover.at(0)), way[0], way[1], way[2], column, 0);
         boolean isStill = way[0] == 0 && way[2] == 0 && (way[1] == 0 || dimension == Dimension.PLANAR);
         boolean meets = false;
         boolean meetsLater = false;

@@ -85,7 +85,8 @@ class PolytopePolytopeTest {
         for (int n = 0; n < 200; n++) {
             double[] a = coarse(LeafKind.TRIANGLE, random);
             double[] b = coarse(LeafKind.TRIANGLE, random);
-            boolean truth = SpatialOverlap.test(LeafKind.TRIANGLE, a, 0, LeafKind.TRIANGLE, b, 0, scratch.overlap);
+            boolean truth = SpatialOverlap.test(
+                    new Leaf(LeafKind.TRIANGLE, a, 0), new Leaf(LeafKind.TRIANGLE, b, 0), scratch.overlap);
             for (int power : new int[] {-1060, -340, -40, 40, 100}) {
                 double[] p = a.clone();
                 double[] q = b.clone();
@@ -93,7 +94,8 @@ class PolytopePolytopeTest {
                     p[k] = Math.scalb(p[k], power);
                     q[k] = Math.scalb(q[k], power);
                 }
-                assertThat(SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch.overlap))
+                assertThat(SpatialOverlap.test(
+                                new Leaf(LeafKind.TRIANGLE, p, 0), new Leaf(LeafKind.TRIANGLE, q, 0), scratch.overlap))
                         .as(power + " " + Arrays.toString(a) + Arrays.toString(b))
                         .isEqualTo(truth);
             }
@@ -105,14 +107,16 @@ class PolytopePolytopeTest {
         boolean truth = DecimalAxes.overlap(kindA, a, kindB, b);
         asked++;
         hits += truth ? 1 : 0;
-        assertThat(polytopes.touch(kindA, a, 0, kindB, b, 0)).as(pair).isEqualTo(truth);
-        assertThat(polytopes.touch(kindB, b, 0, kindA, a, 0))
-                .as(pair + " swapped")
-                .isEqualTo(truth);
-        assertThat(SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch.overlap))
+        assertThat(polytopes.touch(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0)))
                 .as(pair)
                 .isEqualTo(truth);
-        double distance = SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch.distance);
+        assertThat(polytopes.touch(new Leaf(kindB, b, 0), new Leaf(kindA, a, 0)))
+                .as(pair + " swapped")
+                .isEqualTo(truth);
+        assertThat(SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap))
+                .as(pair)
+                .isEqualTo(truth);
+        double distance = SpatialDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
         assertThat(distance == 0).as(pair + " distance " + distance).isEqualTo(truth || distance == 0);
         if (truth) {
             assertThat(distance).as(pair).isZero();

@@ -26,7 +26,8 @@ class MovingBallTest {
     private int inDoubles;
 
     private double time(double[] ball, double[] d, LeafKind kindB, double[] b) {
-        return SpatialSweep.translation(LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kindB, b, 0, scratch.sweep);
+        return SpatialSweep.translation(
+                new Leaf(LeafKind.SPHERE, ball, 0), d[0], d[1], d[2], new Leaf(kindB, b, 0), scratch.sweep);
     }
 
     @Test
@@ -44,7 +45,12 @@ class MovingBallTest {
             if (k % 5 == 0) { // to contact, and then across
                 double first = time(ball, d, kind, b);
                 if (first <= 1) {
-                    MovedLeaf.moved(LeafKind.SPHERE, ball.clone(), 0, first * d[0], first * d[1], first * d[2], ball);
+                    MovedLeaf.moved(
+                            new Leaf(LeafKind.SPHERE, ball.clone(), 0),
+                            first * d[0],
+                            first * d[1],
+                            first * d[2],
+                            new Leaf(LeafKind.SPHERE, ball, 0));
                     d = new double[] {d[1], -d[0], d[2]};
                 }
             }
@@ -125,7 +131,12 @@ class MovingBallTest {
             String what = Arrays.toString(ball) + " by " + Arrays.toString(d);
             assertThat(time(ball, d, LeafKind.UPRIGHT_BOX, box)).as(what).isEqualTo(deeper ? 0 : FREE);
             assertThat(SpatialSweep.translation(
-                            LeafKind.UPRIGHT_BOX, box, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch.sweep))
+                            new Leaf(LeafKind.UPRIGHT_BOX, box, 0),
+                            -d[0],
+                            -d[1],
+                            -d[2],
+                            new Leaf(LeafKind.SPHERE, ball, 0),
+                            scratch.sweep))
                     .as(what)
                     .isEqualTo(deeper ? 0 : FREE);
             into += deeper ? 1 : 0;
@@ -252,7 +263,8 @@ class MovingBallTest {
         String what = "ball %s by %s, kind %s %s"
                 .formatted(Arrays.toString(ball), Arrays.toString(d), kind, Arrays.toString(b));
         double time = time(ball, d, kind, b);
-        assertThat(SpatialSweep.translation(kind, b, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch.sweep))
+        assertThat(SpatialSweep.translation(
+                        new Leaf(kind, b, 0), -d[0], -d[1], -d[2], new Leaf(LeafKind.SPHERE, ball, 0), scratch.sweep))
                 .as(what + " the other way round")
                 .isEqualTo(time);
         BallTwin twin = new BallTwin(ball, d, kind, b);
@@ -266,8 +278,18 @@ class MovingBallTest {
             double held = scratch.sweep
                     .sweep()
                     .move
-                    .time(false, LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kind, b, 0, scratch.sweep);
-            double found = scratch.sweep.sweep().ball.time(ball, 0, d[0], d[1], d[2], kind, b, 0, held);
+                    .time(
+                            false,
+                            new Leaf(LeafKind.SPHERE, ball, 0),
+                            d[0],
+                            d[1],
+                            d[2],
+                            new Leaf(kind, b, 0),
+                            scratch.overlap);
+            double found = scratch.sweep
+                    .sweep()
+                    .ball
+                    .time(new Leaf(LeafKind.SPHERE, ball, 0), d[0], d[1], d[2], new Leaf(kind, b, 0), held);
             inDoubles += Double.isNaN(found) ? 0 : 1;
         } else {
             misses++;
@@ -293,7 +315,7 @@ class MovingBallTest {
             out[k] *= scale;
         }
         double[] moved = new double[Leaf.STRIDE];
-        MovedLeaf.moved(kind, out, 0, far, 0, -far, moved);
+        MovedLeaf.moved(new Leaf(kind, out, 0), far, 0, -far, new Leaf(LeafKind.SPHERE, moved, 0));
         return moved;
     }
 }

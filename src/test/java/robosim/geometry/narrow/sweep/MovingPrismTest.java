@@ -39,7 +39,7 @@ class MovingPrismTest {
                 int number = random.nextInt(10);
                 a[number] += random.nextInt(-2, 3) * 0x1p-51;
             }
-            double time = MovingPrism.time(planar, a, 0, d[0], d[1], d[2], b, 0);
+            double time = MovingPrism.time(planar, prism(a), d[0], d[1], d[2], prism(b));
             Supplier<String> pair = () ->
                     (planar ? "planar " : "spatial ") + Arrays.toString(a) + Arrays.toString(b) + Arrays.toString(d);
             BigDecimal[] span = span(planar, a, b, d);
@@ -129,14 +129,15 @@ class MovingPrismTest {
         double[] wall = {0, 2, 0, 2, 0, 4, -2, 2, 0, 2};
         double[] flush = {2, 3, 0, 2, 2, 5, 0, 3, 0, 2};
         double[] corner = {1.5, 3, 1.5, 3, 3, 6, -1.5, 1.5, 0, 2};
-        assertThat(MovingPrism.time(false, flush, 0, -1, 0, 0, wall, 0)).isZero();
-        assertThat(MovingPrism.time(false, flush, 0, 0, 0, 1, wall, 0)).isInfinite();
-        assertThat(MovingPrism.time(false, flush, 0, 1, 0, 0, wall, 0)).isInfinite();
-        assertThat(MovingPrism.time(false, flush, 0, 0, 0, 0, wall, 0)).isInfinite();
+        assertThat(MovingPrism.time(false, prism(flush), -1, 0, 0, prism(wall))).isZero();
+        assertThat(MovingPrism.time(false, prism(flush), 0, 0, 1, prism(wall))).isInfinite();
+        assertThat(MovingPrism.time(false, prism(flush), 1, 0, 0, prism(wall))).isInfinite();
+        assertThat(MovingPrism.time(false, prism(flush), 0, 0, 0, prism(wall))).isInfinite();
         // As deep along x as along z: free along either way out, blocked against both.
-        assertThat(MovingPrism.time(true, corner, 0, 1, 0, -1, wall, 0)).isInfinite();
-        assertThat(MovingPrism.time(true, corner, 0, -1, 0, 1, wall, 0)).isInfinite();
-        assertThat(MovingPrism.time(true, corner, 0, -1, 0, -1, wall, 0)).isZero();
+        assertThat(MovingPrism.time(true, prism(corner), 1, 0, -1, prism(wall))).isInfinite();
+        assertThat(MovingPrism.time(true, prism(corner), -1, 0, 1, prism(wall))).isInfinite();
+        assertThat(MovingPrism.time(true, prism(corner), -1, 0, -1, prism(wall)))
+                .isZero();
     }
 
     @Test
@@ -151,16 +152,23 @@ class MovingPrismTest {
             double dy = random.nextInt(-3, 4);
             double dz = random.nextInt(-3, 4);
             if (!touch(false, a, b)
-                    && SpatialSweep.translation(LeafKind.PRISM, a, 0, dx, dy, dz, LeafKind.PRISM, b, 0, s.sweep) > 1) {
+                    && SpatialSweep.translation(
+                                    new Leaf(LeafKind.PRISM, a, 0), dx, dy, dz, new Leaf(LeafKind.PRISM, b, 0), s.sweep)
+                            > 1) {
                 free++;
                 double[] shifts = {dx, dx, dz, dz, dx + dz, dx + dz, dx - dz, dx - dz, dy, dy};
                 for (int m = 0; m < 10; m++) {
                     a[m] += shifts[m];
                 }
-                assertThat(SpatialOverlap.test(LeafKind.PRISM, a, 0, LeafKind.PRISM, b, 0, s.overlap))
+                assertThat(SpatialOverlap.test(
+                                new Leaf(LeafKind.PRISM, a, 0), new Leaf(LeafKind.PRISM, b, 0), s.overlap))
                         .isFalse();
             }
         }
         assertThat(free).isBetween(5_000, 19_000);
+    }
+
+    private static Leaf prism(double[] row) {
+        return new Leaf(LeafKind.PRISM, row, 0);
     }
 }

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.FlatTwin;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 class PlanarSweepTest {
@@ -60,12 +61,22 @@ class PlanarSweepTest {
         }; // from x = -3.5 to -2, at z = -1.25
         for (double[] free : new double[][] {{-1.25, 0.5}, {-1, 0}, {1, 0}, {0, 1}, {1, -1}, {4, -4.5}}) {
             double time = PlanarSweep.translation(
-                    LeafKind.TRIANGLE, triangle, 0, free[0], 0, free[1], LeafKind.CYLINDER, disc, 0, scratch.sweep);
+                    new Leaf(LeafKind.TRIANGLE, triangle, 0),
+                    free[0],
+                    0,
+                    free[1],
+                    new Leaf(LeafKind.CYLINDER, disc, 0),
+                    scratch.sweep);
             assertThat(time).as(Arrays.toString(free)).isInfinite();
         }
         for (double[] into : new double[][] {{-1, -0.1}, {-2, -1}}) {
             double time = PlanarSweep.translation(
-                    LeafKind.TRIANGLE, triangle, 0, into[0], 0, into[1], LeafKind.CYLINDER, disc, 0, scratch.sweep);
+                    new Leaf(LeafKind.TRIANGLE, triangle, 0),
+                    into[0],
+                    0,
+                    into[1],
+                    new Leaf(LeafKind.CYLINDER, disc, 0),
+                    scratch.sweep);
             assertThat(time).as(Arrays.toString(into)).isZero();
         }
     }
@@ -80,7 +91,7 @@ class PlanarSweepTest {
     private void check(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
         String what = "kind %s %s by (%s, %s), kind %s %s"
                 .formatted(kindA, Arrays.toString(a), dx, dz, kindB, Arrays.toString(b));
-        double time = PlanarSweep.translation(kindA, a, 0, dx, 17, dz, kindB, b, 0, scratch.sweep);
+        double time = PlanarSweep.translation(new Leaf(kindA, a, 0), dx, 17, dz, new Leaf(kindB, b, 0), scratch.sweep);
         FlatTwin twin = new FlatTwin(kindA, a, dx, dz, kindB, b);
         if (twin.touchesAtStart()) {
             contacts++;

@@ -13,7 +13,7 @@ import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
-import robosim.geometry.narrow.turn.SpatialTurnSweep;
+import robosim.geometry.narrow.leaf.Turn;
 
 /** Motions of all pairs of kinds in space, against poses sampled on the way and judged by GJK. */
 class SpatialSweepTest {
@@ -92,28 +92,34 @@ class SpatialSweepTest {
             double dx = -a[0] + random.nextDouble(-1, 1);
             double dy = (-a[1] + random.nextDouble(-1, 1)) * (k % 4 == 0 ? 0.01 : 1);
             double dz = -a[2] + random.nextDouble(-1, 1);
-            double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
+            double time =
+                    SpatialSweep.translation(new Leaf(kindA, a, 0), dx, dy, dz, new Leaf(kindB, b, 0), scratch.sweep);
             if (time == 0 || time > 1) {
                 continue;
             }
-            MovedLeaf.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
-            double more = SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
+            MovedLeaf.moved(new Leaf(kindA, a, 0), time * dx, time * dy, time * dz, new Leaf(LeafKind.SPHERE, pose, 0));
+            double more = SpatialSweep.translation(
+                    new Leaf(kindA, pose, 0), dx, dy, dz, new Leaf(kindB, b, 0), scratch.sweep);
             String what = "kind %s %s by (%s, %s, %s), kind %s %s"
                     .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
             assertThat(more).as(what).isLessThan(1e-9);
             stopped++;
             // The same a little deeper, where it did not arrive grazing.
             double before = time - 1e-6;
-            MovedLeaf.moved(kindA, a, 0, before * dx, before * dy, before * dz, pose);
-            gjk.spatial(kindA, pose, 0, kindB, b, 0);
+            MovedLeaf.moved(
+                    new Leaf(kindA, a, 0), before * dx, before * dy, before * dz, new Leaf(LeafKind.SPHERE, pose, 0));
+            gjk.spatial(new Leaf(kindA, pose, 0), new Leaf(kindB, b, 0));
             double closing = -(gjk.nx() * dx + gjk.ny() * dy + gjk.nz() * dz);
             if (gjk.lower() > 0 && closing > 0.1 * Math.sqrt(dx * dx + dy * dy + dz * dz)) {
                 double after = time + 1e-6;
-                MovedLeaf.moved(kindA, a, 0, after * dx, after * dy, after * dz, pose);
-                assertThat(SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch.sweep))
+                MovedLeaf.moved(
+                        new Leaf(kindA, a, 0), after * dx, after * dy, after * dz, new Leaf(LeafKind.SPHERE, pose, 0));
+                assertThat(SpatialSweep.translation(
+                                new Leaf(kindA, pose, 0), dx, dy, dz, new Leaf(kindB, b, 0), scratch.sweep))
                         .as(what)
                         .isZero();
-                assertThat(SpatialSweep.translation(kindA, pose, 0, -dx, -dy, -dz, kindB, b, 0, scratch.sweep))
+                assertThat(SpatialSweep.translation(
+                                new Leaf(kindA, pose, 0), -dx, -dy, -dz, new Leaf(kindB, b, 0), scratch.sweep))
                         .as(what)
                         .isInfinite();
                 headOn++;
@@ -142,12 +148,12 @@ class SpatialSweepTest {
     private void translate(LeafKind kindA, double[] a, double dx, double dy, double dz, LeafKind kindB, double[] b) {
         String what = "kind %s %s by (%s, %s, %s), kind %s %s"
                 .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
-        double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch.sweep);
+        double time = SpatialSweep.translation(new Leaf(kindA, a, 0), dx, dy, dz, new Leaf(kindB, b, 0), scratch.sweep);
         double[] pose = new double[Leaf.STRIDE];
         double start = gap(kindA, a, kindB, b);
         double end = Math.min(1, time);
         if (start < 0) {
-            MovedLeaf.moved(kindA, a, 0, 1e-6 * dx, 1e-6 * dy, 1e-6 * dz, pose);
+            MovedLeaf.moved(new Leaf(kindA, a, 0), 1e-6 * dx, 1e-6 * dy, 1e-6 * dz, new Leaf(LeafKind.SPHERE, pose, 0));
             double change = gap(kindA, pose, kindB, b) - start;
             contacts++;
             blocked += time == 0 ? 1 : 0;
@@ -160,14 +166,14 @@ class SpatialSweepTest {
         }
         for (int k = 0; k <= SAMPLES; k++) {
             double t = end * (k == SAMPLES ? 1 - 1e-9 : (double) k / SAMPLES);
-            MovedLeaf.moved(kindA, a, 0, t * dx, t * dy, t * dz, pose);
-            gjk.spatial(kindA, pose, 0, kindB, b, 0);
+            MovedLeaf.moved(new Leaf(kindA, a, 0), t * dx, t * dy, t * dz, new Leaf(LeafKind.SPHERE, pose, 0));
+            gjk.spatial(new Leaf(kindA, pose, 0), new Leaf(kindB, b, 0));
             assertThat(gjk.overlapping()).as(what).isFalse();
         }
         if (time <= 1) {
             assertThat(time).as(what).isNotNegative();
-            MovedLeaf.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
-            gjk.spatial(kindA, pose, 0, kindB, b, 0);
+            MovedLeaf.moved(new Leaf(kindA, a, 0), time * dx, time * dy, time * dz, new Leaf(LeafKind.SPHERE, pose, 0));
+            gjk.spatial(new Leaf(kindA, pose, 0), new Leaf(kindB, b, 0));
             assertThat(gjk.upper()).as(what).isLessThan(1e-10);
         } else {
             assertThat(time).as(what).isInfinite();
@@ -187,21 +193,11 @@ class SpatialSweepTest {
                         degrees,
                         kindB,
                         Arrays.toString(b));
-        double share = SpatialTurnSweep.free(
-                kindA,
-                a,
-                0,
-                pivot[0],
-                pivot[1],
-                pivot[2],
-                axis[0],
-                axis[1],
-                axis[2],
-                degrees,
-                kindB,
-                b,
-                0,
-                scratch.turn);
+        double share = SpatialSweep.turn(
+                new Leaf(kindA, a, 0),
+                new Turn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], degrees),
+                new Leaf(kindB, b, 0),
+                scratch.sweep);
         double start = gap(kindA, a, kindB, b);
         double limit = Math.min(0, start);
         double end = Math.min(1, share);
@@ -229,7 +225,12 @@ class SpatialSweepTest {
             LeafKind kind, double[] a, double[] pivot, double[] axis, double degrees, double[] pose) {
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
-        MovedLeaf.turned(kind, a, 0, pivot[0], pivot[1], pivot[2], axis[0], axis[1], axis[2], cos, sin, pose);
+        MovedLeaf.turned(
+                new Leaf(kind, a, 0),
+                new Turn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], 0),
+                cos,
+                sin,
+                new Leaf(LeafKind.SPHERE, pose, 0));
     }
 
     private static boolean isCylinder(LeafKind kind) {
@@ -237,7 +238,7 @@ class SpatialSweepTest {
     }
 
     private double gap(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
-        gjk.spatial(kindA, a, 0, kindB, b, 0);
-        return gjk.lower() > 0 ? gjk.upper() : -penetration.spatial(kindA, a, 0, kindB, b, 0);
+        gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
+        return gjk.lower() > 0 ? gjk.upper() : -penetration.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
     }
 }

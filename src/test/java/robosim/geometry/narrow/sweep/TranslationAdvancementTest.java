@@ -47,7 +47,12 @@ class TranslationAdvancementTest {
                 d[m] = length * (b[m] - a[m] + aside * random.nextDouble(-1, 1));
             }
             double time = SpatialSweep.translation(
-                    LeafKind.CYLINDER, a, 0, d[0], d[1], d[2], LeafKind.CYLINDER, b, 0, scratch.sweep);
+                    new Leaf(LeafKind.CYLINDER, a, 0),
+                    d[0],
+                    d[1],
+                    d[2],
+                    new Leaf(LeafKind.CYLINDER, b, 0),
+                    scratch.sweep);
             load(a, d, b);
             BigDecimal truth = meet(a, b);
             if (truth == null) {

@@ -1,18 +1,17 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Radians;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
-import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
-import robosim.geometry.narrow.sweep.StartGap;
+import robosim.geometry.narrow.overlap.OverlapScratch;
 
 /**
  * A leaf of any kind turned about any axis, against one at rest: conservative advancement with fixed separating axes.
@@ -59,11 +58,11 @@ final class TurnAdvancement {
 
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
-    private final double[] pose = new double[Leaf.STRIDE];
+    private final Leaf pose = new Leaf();
 
     private final FeatureDirections ofRest = new FeatureDirections();
     private final FeatureDirections ofMover = new FeatureDirections();
-    private final EdgeCrossTurn across = new EdgeCrossTurn();
+    private final EdgeCrossTurn across = new EdgeCrossTurn(rest, mover);
     private final StartGap startGap = new StartGap();
     private final StartGap.Motion keepsOff = this::notes;
     private final double[] towards = new double[3];
@@ -76,85 +75,66 @@ final class TurnAdvancement {
     private boolean haveFacets;
     private int steps;
 
+    // The query: the mover, the leaf at rest, and the turn by the right hand about its axis.
     private boolean planar;
-    private double wx;
-    private double wy;
-    private double wz;
+    private Leaf a = pose;
+    private Leaf b = pose;
+    private final Turn turn = new Turn();
 
-    /** As {@link SpatialTurnSweep#free} and {@link PlanarTurnSweep#free}. */
-    double free(
-            boolean inPlane,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double px,
-            double py,
-            double pz,
-            double axisX,
-            double axisY,
-            double axisZ,
-            double degrees,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            TurnScratch s) {
-        Gjk gjk = s.gjk.pair;
-        Penetration ways = s.gjk.penetration();
-        double way = degrees < 0 ? -1 : 1;
+    @SuppressWarnings("NullAway.Init") // set by each query
+    private Gjk gjk;
+
+    @SuppressWarnings("NullAway.Init")
+    private Penetration ways;
+
+    /** How much depth is allowed for. */
+    private double depth;
+
+    /** As {@link SpatialSweep#turn} and {@link PlanarSweep#turn}. */
+    double free(boolean inPlane, Leaf moving, Turn by, Leaf resting, OverlapScratch s) {
+        a = moving;
+        b = resting;
+        gjk = s.gjk.pair;
+        ways = s.gjk.penetration();
+        double way = by.degrees < 0 ? -1 : 1;
         planar = inPlane;
-        wx = way * axisX;
-        wy = way * axisY;
-        wz = way * axisZ;
-        mover.level = planar && wx == 0 && wz == 0;
+        turn.about(by.px, by.py, by.pz).by(way * by.wx, way * by.wy, way * by.wz, Math.abs(by.degrees));
+        mover.level = planar && turn.isLevel();
         rest.level = mover.level;
-        mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
-        rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
-        double angle = Degrees.toRadians(Math.abs(degrees));
+        mover.load(a, turn);
+        rest.load(b, turn);
+        across.about(turn);
+        double angle = Degrees.toRadians(turn.degrees);
         double t = 0;
-        double depth = 0;
+        depth = 0;
         haveFacets = false;
-        ask(gjk, kindA, a, i, kindB, b, j);
+        ask(a);
         boolean isContact = !(gjk.lower() > 0);
-        boolean isNear = isNear(gjk);
+        boolean isNear = isNear();
         if (isContact) {
-            depth = Math.max(0, depth(ways, kindA, a, i, kindB, b, j));
-            t = fromContact(ways);
+            depth = Math.max(0, depth(a));
+            t = fromContact();
         }
         if (!isContact || t > 0) {
-            t = advance(kindA, a, i, px, py, pz, kindB, b, j, t, angle, depth, s.gjk);
+            t = advance(t, angle, s);
         }
-        if (!TurningPolygon.covers(t, angle) && isNear && !(isContact && isTouching(kindA, a, i, kindB, b, j, s))) {
-            double rising = fromNear(kindA, a, i, kindB, b, j);
+        if (!TurningPolygon.covers(t, angle) && isNear && !(isContact && isTouching(s))) {
+            double rising = fromNear();
             if (TurningPolygon.covers(rising, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
             if (t < STALLED) {
                 isPatient = true;
-                t = Math.max(t, advance(kindA, a, i, px, py, pz, kindB, b, j, Math.max(t, rising), angle, 0, s.gjk));
+                depth = 0;
+                t = Math.max(t, advance(Math.max(t, rising), angle, s));
                 isPatient = false;
             }
         }
         return TurningPolygon.covers(t, angle) ? Double.POSITIVE_INFINITY : TurningPolygon.fraction(t, angle);
     }
 
-    /** Goes on from an angle that is free up to there, with a depth allowed for; infinite where all that is angle is free. */
-    private double advance(
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double px,
-            double py,
-            double pz,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double from,
-            double angle,
-            double depth,
-            GjkScratch s) {
-        Gjk gjk = s.pair;
-        Penetration ways = s.penetration();
-        LeafKind kind = MovedLeaf.turnedKind(kindA);
+    /** Goes on from an angle that is free up to there, with the depth allowed for; infinite where all that is angle is free. */
+    private double advance(double from, double angle, OverlapScratch s) {
         double t = from;
         double widest = 0;
         for (steps = 0; steps < MOST_STEPS; steps++) {
@@ -162,22 +142,22 @@ final class TurnAdvancement {
             if (TurningPolygon.covers(t, angle)) {
                 return Double.POSITIVE_INFINITY;
             }
-            pose(kindA, a, i, px, py, pz, t);
-            ask(gjk, kind, pose, 0, kindB, b, j);
+            MovedLeaf.turned(a, turn, Radians.cos(t), Radians.sin(t), pose);
+            ask(pose);
             double next = t;
             if (gjk.lower() > 0) {
-                next = found(gjk, kindA, a, i, kindB, b, j, t, angle, depth);
+                next = found(t, angle);
             }
             // Without progress there is contact, or a bracket of round shapes that is still open.
             boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
             if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
-                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, angle, depth));
+                next = Math.max(next, found(t, angle));
             }
             double gap = gjk.lower() > 0 ? gjk.upper() : 0;
             if (gap == 0 && depth > 0) {
-                depth(ways, kind, pose, 0, kindB, b, j);
+                depth(pose);
                 for (int k = 0; k < ways.count(); k++) {
-                    next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
+                    next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t));
                 }
             }
             boolean isOpening = isPatient && gap > widest;
@@ -192,7 +172,7 @@ final class TurnAdvancement {
     }
 
     /** Whether the two start nearer to each other than a turn can resolve, or in contact, and notes the direction. */
-    private boolean isNear(Gjk gjk) {
+    private boolean isNear() {
         towards[0] = gjk.nx();
         towards[1] = gjk.ny();
         towards[2] = gjk.nz();
@@ -201,24 +181,22 @@ final class TurnAdvancement {
     }
 
     /** Whether the two certainly touch at the start. */
-    private boolean isTouching(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, TurnScratch s) {
-        return kindA.isEnclosure()
-                || kindB.isEnclosure()
-                || (ConvexOverlap.test(
-                                planar ? Dimension.PLANAR : Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.overlap)
-                        && !s.overlap.uncertain);
+    private boolean isTouching(OverlapScratch s) {
+        return a.kind.isEnclosure()
+                || b.kind.isEnclosure()
+                || (ConvexOverlap.test(planar ? Dimension.PLANAR : Dimension.SPATIAL, a, b, s) && !s.uncertain);
     }
 
     /**
      * A start from a gap too small to resolve, taken as a contact: the angle until which some plane, which certainly separates
      * the two at the start, is not approached.
      */
-    private double fromNear(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        startGap.between(planar, kindA, a, i, kindB, b, j);
-        rising = planar ? 0 : alongEdges(kindA, a, i, kindB, b, j);
-        axis[0] = wx;
-        axis[1] = wy;
-        axis[2] = wz;
+    private double fromNear() {
+        startGap.between(planar, a, b);
+        rising = planar ? 0 : alongEdges();
+        axis[0] = turn.wx;
+        axis[1] = turn.wy;
+        axis[2] = turn.wz;
         startGap.isSettled(towards, axis, keepsOff);
         return rising;
     }
@@ -227,9 +205,9 @@ final class TurnAdvancement {
      * The same in space for the directions across an edge of each, which turn with both: as long as the edges are far from
      * parallel, as the direction across parallel ones is none.
      */
-    private double alongEdges(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        ofMover.spatial(kindA, a, i);
-        ofRest.spatial(kindB, b, j);
+    private double alongEdges() {
+        ofMover.spatial(a);
+        ofRest.spatial(b);
         haveFacets = true;
         double best = 0;
         for (int k = 0; k < ofRest.edges; k++) {
@@ -252,7 +230,7 @@ final class TurnAdvancement {
         double most = MOST_ALONG - Math.abs(ex * fx + ey * fy + ez * fz);
         double best = 0;
         for (int way = -1; way <= 1; way += 2) {
-            across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
+            across.aim(ex, ey, ez, fx, fy, fz, way);
             double end = Math.min(most, across.notNearer());
             if (end > Math.max(least, best) && isApartAcross(ex, ey, ez, way * fx, way * fy, way * fz)) {
                 best = end;
@@ -287,25 +265,15 @@ final class TurnAdvancement {
     }
 
     /** How far the axis found, and others near it, separate. */
-    private double found(
-            Gjk gjk,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double t,
-            double angle,
-            double depth) {
-        double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
+    private double found(double t, double angle) {
+        double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t);
         if (next - t < FAR && !TurningPolygon.covers(next, angle) && !planar) {
             if (!haveFacets) {
-                ofMover.spatial(kindA, a, i);
-                ofRest.spatial(kindB, b, j);
+                ofMover.spatial(a);
+                ofRest.spatial(b);
                 haveFacets = true;
             }
-            next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
+            next = Math.max(next, near(t));
         }
         return next;
     }
@@ -315,28 +283,22 @@ final class TurnAdvancement {
         return steps;
     }
 
-    private void ask(Gjk gjk, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+    private void ask(Leaf placed) {
         if (planar) {
-            gjk.planar(kindA, a, i, kindB, b, j);
+            gjk.planar(placed, b);
         } else {
-            gjk.spatial(kindA, a, i, kindB, b, j);
+            gjk.spatial(placed, b);
         }
     }
 
-    private double depth(Penetration ways, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        return planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
-    }
-
-    private void pose(LeafKind kind, double[] row, int at, double px, double py, double pz, double t) {
-        double cos = Radians.cos(t);
-        double sin = Radians.sin(t);
-        MovedLeaf.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
+    private double depth(Leaf placed) {
+        return planar ? ways.planar(placed, b) : ways.spatial(placed, b);
     }
 
     /**
      * The angle until which the depth along a direction from the other to the mover, found at t, stays within a limit.
      */
-    private double hold(double nx, double ny, double nz, double t, double depth) {
+    private double hold(double nx, double ny, double nz, double t) {
         rest.aim(-nx, -ny, -nz, 1);
         double place = -rest.least(0) + rest.error() - depth;
         mover.aim(nx, ny, nz, 1);
@@ -358,10 +320,11 @@ final class TurnAdvancement {
     /**
      * The same of the directions that sides and edges have at t: close to contact that of {@link Gjk} is off by as much as
      * a rounding is large beside the gap, which counts where a flat side or a straight edge meets something.
-     *
-     * @param nx the direction that is off
      */
-    private double near(double nx, double ny, double nz, double t, double depth) {
+    private double near(double t) {
+        double nx = gjk.nx();
+        double ny = gjk.ny();
+        double nz = gjk.nz();
         double end = t;
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
@@ -378,43 +341,43 @@ final class TurnAdvancement {
                 double cy = ez * vx - ex * vz;
                 double cz = ex * vy - ey * vx;
                 double way = nx * cx + ny * cy + nz * cz < 0 ? -1 : 1;
-                across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
+                across.aim(ex, ey, ez, fx, fy, fz, way);
                 end = Math.max(end, across.until(t));
                 double length = Math.sqrt(cx * cx + cy * cy + cz * cz);
                 if (length < NEARLY && length > PARALLEL) {
-                    end = Math.max(end, side(nx, ny, nz, cx / length, cy / length, cz / length, t, depth));
+                    end = Math.max(end, side(cx / length, cy / length, cz / length, t));
                 }
             }
-            end = Math.max(end, square(nx, ny, nz, ex, ey, ez, t, depth));
+            end = Math.max(end, square(ex, ey, ez, t));
         }
         for (int m = 0; m < ofMover.edges; m++) {
             turned(ofMover.edgeX[m], ofMover.edgeY[m], ofMover.edgeZ[m], cos, sin);
-            end = Math.max(end, square(nx, ny, nz, vx, vy, vz, t, depth));
+            end = Math.max(end, square(vx, vy, vz, t));
         }
         for (int k = 0; k < ofRest.faces; k++) {
-            end = Math.max(end, side(nx, ny, nz, ofRest.faceX[k], ofRest.faceY[k], ofRest.faceZ[k], t, depth));
+            end = Math.max(end, side(ofRest.faceX[k], ofRest.faceY[k], ofRest.faceZ[k], t));
         }
         for (int m = 0; m < ofMover.faces; m++) {
             turned(ofMover.faceX[m], ofMover.faceY[m], ofMover.faceZ[m], cos, sin);
-            end = Math.max(end, side(nx, ny, nz, vx, vy, vz, t, depth));
+            end = Math.max(end, side(vx, vy, vz, t));
         }
         return end;
     }
 
     /** Tries a side's normal as a fixed axis. */
-    private double side(double nx, double ny, double nz, double x, double y, double z, double t, double depth) {
-        double way = nx * x + ny * y + nz * z < 0 ? -1 : 1;
-        return hold(way * x, way * y, way * z, t, depth);
+    private double side(double x, double y, double z, double t) {
+        double way = gjk.nx() * x + gjk.ny() * y + gjk.nz() * z < 0 ? -1 : 1;
+        return hold(way * x, way * y, way * z, t);
     }
 
-    /** Tries the component of a direction perpendicular to an edge as a fixed axis. */
-    private double square(double nx, double ny, double nz, double ex, double ey, double ez, double t, double depth) {
-        double along = nx * ex + ny * ey + nz * ez;
-        double x = nx - along * ex;
-        double y = ny - along * ey;
-        double z = nz - along * ez;
+    /** Tries the component of the direction found that is perpendicular to an edge as a fixed axis. */
+    private double square(double ex, double ey, double ez, double t) {
+        double along = gjk.nx() * ex + gjk.ny() * ey + gjk.nz() * ez;
+        double x = gjk.nx() - along * ex;
+        double y = gjk.ny() - along * ey;
+        double z = gjk.nz() - along * ez;
         double length = Math.sqrt(x * x + y * y + z * z);
-        return length > SQUARE ? hold(x / length, y / length, z / length, t, depth) : t;
+        return length > SQUARE ? hold(x / length, y / length, z / length, t) : t;
     }
 
     private double vx;
@@ -423,13 +386,16 @@ final class TurnAdvancement {
 
     /** Finds (vx, vy, vz), a direction of the mover turned. */
     private void turned(double x, double y, double z, double cos, double sin) {
+        double wx = turn.wx;
+        double wy = turn.wy;
+        double wz = turn.wz;
         double along = (wx * x + wy * y + wz * z) * (1 - cos);
         vx = x * cos + (wy * z - wz * y) * sin + wx * along;
         vy = y * cos + (wz * x - wx * z) * sin + wy * along;
         vz = z * cos + (wx * y - wy * x) * sin + wz * along;
     }
 
-    private double fromContact(Penetration ways) {
+    private double fromContact() {
         double best = 0;
         for (int k = 0; k < ways.count(); k++) {
             best = Math.max(best, rises(ways.nx(k), ways.ny(k), ways.nz(k)));

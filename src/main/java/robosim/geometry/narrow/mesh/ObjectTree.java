@@ -21,7 +21,7 @@ import robosim.geometry.narrow.overlap.SpatialOverlap;
  * mesh are in its own frame and are transformed as its vertices are placed, so that nothing is missed even if the
  * rotation is orthonormal only to 1e-9.
  */
-final class PartTree {
+final class ObjectTree {
     /** Widening relative to the numbers that a box is computed from; see {@link LeafColumn}. */
     private static final double WIDEN = MeshWalk.WIDEN;
 
@@ -41,9 +41,7 @@ final class PartTree {
 
     // The leaf loaded last: a row of the column, or a triangle.
     private final double[] triangle = new double[Leaf.STRIDE];
-    double[] row = triangle;
-    int at;
-    LeafKind kind = LeafKind.TRIANGLE;
+    private final Leaf leaf = new Leaf(LeafKind.TRIANGLE, triangle, 0);
 
     /** Opens an object. */
     void open(LeafColumn leaves, Dimension dimension) {
@@ -131,33 +129,28 @@ final class PartTree {
         return code < 0 ? column.mesh(part(place)).tree().item(~code) : -1;
     }
 
-    /** Loads a leaf into {@link #row}, {@link #at} and {@link #kind}. */
-    void load(long leaf) {
-        loadTriangle(part(leaf), triangle(leaf));
+    /** The leaf at a place, valid until the next one. */
+    Leaf leaf(long place) {
+        return leaf(part(place), triangle(place));
     }
 
     /** The same, given the part and the triangle of the mesh, -1 if the part is not a mesh. */
-    void loadTriangle(int part, int ofMesh) {
+    Leaf leaf(int part, int ofMesh) {
         if (ofMesh < 0) {
-            row = column.rows();
-            at = part * Leaf.STRIDE;
-            kind = column.kind(part);
-            return;
+            return leaf.set(column.kind(part), column.rows(), part * Leaf.STRIDE);
         }
-        row = triangle;
-        at = 0;
-        kind = LeafKind.TRIANGLE;
         TriangleMesh mesh = column.mesh(part);
         for (int corner = 0; corner < 3; corner++) {
             vertex(part, mesh.vertex(ofMesh, corner), triangle, 3 * corner);
         }
+        return leaf.set(LeafKind.TRIANGLE, triangle, 0);
     }
 
     /**
      * Whether a solid mesh contains a point of a part: the given vertex of a mesh, or for other parts (vertex 0) their
      * reference point.
      */
-    boolean holds(int solid, PartTree other, int part, int vertex, LeafScratch s) {
+    boolean holds(int solid, ObjectTree other, int part, int vertex, LeafScratch s) {
         double[] point = other.triangle;
         if (other.kindOf(part).isMesh()) {
             other.vertex(part, vertex, point, 0);
@@ -168,7 +161,7 @@ final class PartTree {
     }
 
     /** The vertex (0 if there are none) by which {@link #holds} finds a part inside; -1 if it is not inside. */
-    int heldVertex(int solid, PartTree other, int part, LeafScratch s) {
+    int heldVertex(int solid, ObjectTree other, int part, LeafScratch s) {
         if (!other.kindOf(part).isMesh()) {
             return holds(solid, other, part, 0, s) ? 0 : -1;
         }
@@ -244,7 +237,7 @@ final class PartTree {
             LeafBounds.of(column.kind(part), column.rows(), part * Leaf.STRIDE, out);
             widenUncertain(column.kind(part), out);
         } else if (code(place) < 0) {
-            load(place);
+            leaf(place);
             LeafBounds.of(LeafKind.TRIANGLE, triangle, 0, out);
         } else {
             meshBox(part, code(place), out);

@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 
 /** Turns in the plane, against sampled poses: no contact before the answer, and contact right after it. */
 class PlanarTurnSweepTest {
@@ -67,8 +68,11 @@ class PlanarTurnSweepTest {
         double px = -0.3423529954203559;
         double pz = -0.34756818533578415;
         double degrees = -51.102608853458996;
-        double share = PlanarTurnSweep.free(
-                LeafKind.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, degrees, LeafKind.UPRIGHT_BOX, box, 0, scratch.turn);
+        double share = PlanarSweep.turn(
+                new Leaf(LeafKind.SPHERE, disc, 0),
+                new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
+                new Leaf(LeafKind.UPRIGHT_BOX, box, 0),
+                scratch.sweep);
         double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.UPRIGHT_BOX, box)
                 .gap(degrees * Math.min(1, share));
         assertThat(share > 1 || gap < 0x1p-30)
@@ -101,8 +105,11 @@ class PlanarTurnSweepTest {
         System.arraycopy(numbers, 0, box, 0, numbers.length);
         double px = 1.5984062612296086;
         double pz = 1.1514794349385777;
-        double share = PlanarTurnSweep.free(
-                LeafKind.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, 35.23771176608052, LeafKind.BOX, box, 0, scratch.turn);
+        double share = PlanarSweep.turn(
+                new Leaf(LeafKind.SPHERE, disc, 0),
+                new Turn().about(px, 0, pz).by(0, 1, 0, 35.23771176608052),
+                new Leaf(LeafKind.BOX, box, 0),
+                scratch.sweep);
         double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.BOX, box).gap(35.23771176608052 * share);
         assertThat(gap).as("share %s", share).isGreaterThan(-1e-14);
     }
@@ -114,7 +121,11 @@ class PlanarTurnSweepTest {
     private void check(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
         String what = "kind %s %s about (%s, %s) by %s, kind %s %s"
                 .formatted(kindA, Arrays.toString(a), px, pz, degrees, kindB, Arrays.toString(b));
-        double share = PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch.turn);
+        double share = PlanarSweep.turn(
+                new Leaf(kindA, a, 0),
+                new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
+                new Leaf(kindB, b, 0),
+                scratch.sweep);
         FlatPair pair = new FlatPair(kindA, a, px, pz, kindB, b);
         double start = pair.gap(0);
         double limit = Math.min(start, 0);

@@ -6,7 +6,7 @@ import robosim.geometry.exact.Filter;
  * Whether a disc in straight motion meets another at rest, in plain doubles and only where these are certain: compares
  * the squared distance of a point from a segment with the squared sum of the radii.
  */
-public final class DiscWay {
+public final class DiscSweepFilter {
     /** Doubles cannot tell. */
     public static final int UNSURE = 0;
 
@@ -29,7 +29,7 @@ public final class DiscWay {
     /** Squares of motions shorter than this could lose too much to underflow. */
     private static final double SHORT = 0x1p-900;
 
-    private DiscWay() {}
+    private DiscSweepFilter() {}
 
     /**
      * Whether the contents of one disc can move by (dx, dz) past the contents of another disc, whose centre is at

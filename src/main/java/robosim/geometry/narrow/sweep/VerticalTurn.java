@@ -1,12 +1,13 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.ExactVector;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.planar.ExactPlanar;
 import robosim.geometry.narrow.sat.ExactExtent;
-import robosim.geometry.narrow.sweep.ExactDisc;
 
 /**
  * A leaf turned about a vertical line against one at rest, in the plane: chooses between polygons and discs, and
@@ -33,69 +34,58 @@ final class VerticalTurn {
     }
 
     /**
-     * As {@link PlanarTurnSweep#free}, by {@code degrees} about the upward vertical through (px, pz).
+     * As {@link PlanarSweep#turn}, about a vertical axis.
      *
      * @param heightDepth how far the heights overlap, which a turn does not change: where that is the lesser depth at the
      *     start, nothing gets deeper; infinite where heights do not count
      */
-    double free(
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double px,
-            double pz,
-            double degrees,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double heightDepth) {
+    double free(Leaf a, Turn turn, Leaf b, double heightDepth) {
+        double degrees = turn.wy < 0 ? -turn.degrees : turn.degrees;
         double angle = Degrees.toRadians(Math.abs(degrees));
         isApart = false;
         // From x towards z is clockwise as seen from above.
         sign = degrees > 0 ? -1 : 1;
-        load(mover, kindA, a, i, px, pz);
-        load(rest, kindB, b, j, px, pz);
+        load(mover, a, turn);
+        load(rest, b, turn);
         double free;
-        if (kindA.isDisc()) {
-            double radius = a[i + 3] + (kindB.isDisc() ? b[j + 3] : 0);
-            free = round(mover.x[0], mover.z[0], rest, radius, a, i, kindB, b, j, heightDepth);
-        } else if (kindB.isDisc()) {
+        if (a.kind.isDisc()) {
+            double radius = a.get(3) + (b.kind.isDisc() ? b.get(3) : 0);
+            free = round(mover.x[0], mover.z[0], rest, radius, a, b, heightDepth);
+        } else if (b.kind.isDisc()) {
             // As the mover sees it, the disc goes round the other way.
             mover.mirror(-1);
             rest.mirror(-1);
-            free = round(rest.x[0], rest.z[0], mover, b[j + 3], b, j, kindA, a, i, heightDepth);
+            free = round(rest.x[0], rest.z[0], mover, b.get(3), b, a, heightDepth);
         } else {
-            free = polygons(angle, kindA, a, i, kindB, b, j, heightDepth);
+            free = polygons(angle, a, b, heightDepth);
         }
         arc = free;
         return TurningPolygon.covers(free, angle) ? Double.POSITIVE_INFINITY : TurningPolygon.fraction(free, angle);
     }
 
-    private void load(ProjectedPolygon outline, LeafKind kind, double[] row, int at, double px, double pz) {
-        if (kind.isDisc()) {
-            outline.point(row[at] - px, row[at + 2] - pz);
+    private void load(ProjectedPolygon outline, Leaf leaf, Turn turn) {
+        if (leaf.kind.isDisc()) {
+            outline.point(leaf.get(0) - turn.px, leaf.get(2) - turn.pz);
         } else {
-            outline.load(kind, row, at, px, pz);
+            outline.load(leaf, turn.px, turn.pz);
         }
         outline.mirror(sign);
     }
 
-    private double polygons(
-            double angle, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double heightDepth) {
+    private double polygons(double angle, Leaf a, Leaf b, double heightDepth) {
         polygons.load(mover, rest);
         if (!polygons.near) {
             isApart = true;
             return polygons.free(angle);
         }
-        boolean apart =
-                polygons.gap > -polygons.error && !ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+        boolean apart = polygons.gap > -polygons.error
+                && !ExactPlanar.of(a.kind, a.row, a.at).touches(ExactPlanar.of(b.kind, b.row, b.at));
         if (!apart) {
             return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(angle);
         }
         isApart = true;
         for (int k = 0; k < polygons.normals(); k++) {
-            if (polygons.isLeading(k)
-                    && !isBeyond(kindA, a, i, polygons.unitX(k), sign * polygons.unitZ(k), kindB, b, j)) {
+            if (polygons.isLeading(k) && !isBeyond(a, polygons.unitX(k), sign * polygons.unitZ(k), b)) {
                 polygons.reject(k);
             }
         }
@@ -103,23 +93,13 @@ final class VerticalTurn {
     }
 
     /** Whether a lies wholly beyond b in a direction; (nx, nz) is used as given, of any length. */
-    private static boolean isBeyond(
-            LeafKind kindA, double[] a, int i, double nx, double nz, LeafKind kindB, double[] b, int j) {
+    private static boolean isBeyond(Leaf a, double nx, double nz, Leaf b) {
         ExactVector n = ExactVector.of(nx, 0, nz);
-        return ExactExtent.of(n, kindB, b, j).gapTo(ExactExtent.of(n, kindA, a, i)) > 0;
+        return ExactExtent.of(n, b).gapTo(ExactExtent.of(n, a)) > 0;
     }
 
     private double round(
-            double x,
-            double z,
-            ProjectedPolygon outline,
-            double radius,
-            double[] a,
-            int i,
-            LeafKind kindB,
-            double[] b,
-            int j,
-            double heightDepth) {
+            double x, double z, ProjectedPolygon outline, double radius, Leaf a, Leaf b, double heightDepth) {
         disc.load(x, z, outline);
         double gap = disc.distance - radius;
         double error = disc.error + 32 * 0x1p-53 * radius;
@@ -127,8 +107,7 @@ final class VerticalTurn {
             isApart = true;
             return disc.free(outline, radius, false);
         }
-        boolean apart =
-                gap >= -error && !ExactDisc.of(a, i, 0, 0, kindB, b, j, null).touches();
+        boolean apart = gap >= -error && !ExactDisc.of(a, 0, 0, b, null).touches();
         isApart = apart;
         if (disc.distance > disc.error || outline.normals == 0) {
             boolean shallow = !apart && -gap >= heightDepth - error;

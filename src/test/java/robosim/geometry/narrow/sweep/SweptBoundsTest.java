@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -12,6 +12,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.narrow.leaf.Turn;
 
 class SweptBoundsTest {
     private static final int SAMPLES = 2000;
@@ -32,7 +33,10 @@ class SweptBoundsTest {
                 double degrees = random.nextDouble(-200, 200) * (k % 5 == 0 ? 3 : 1);
                 double[] bounds = new double[6];
                 SweptBounds.turn(
-                        kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], degrees, bounds, scratch.turn);
+                        new Leaf(kind, row, 0),
+                        new Turn().about(p[0], p[1], p[2]).by(axis[0], axis[1], axis[2], degrees),
+                        bounds,
+                        scratch.sweep);
                 double[] seen = sampled(kind, row, p, axis, degrees);
                 double[] start = new double[6];
                 LeafBounds.of(kind, row, 0, start);
@@ -57,7 +61,11 @@ class SweptBoundsTest {
         double[] bounds = new double[6];
         double[] start = new double[6];
         LeafBounds.of(LeafKind.UPRIGHT_CYLINDER, robot, 0, start);
-        SweptBounds.turn(LeafKind.UPRIGHT_CYLINDER, robot, 0, 0.1, 0.2, 0.3, 0, 1, 0, 1234.5, bounds, scratch.turn);
+        SweptBounds.turn(
+                new Leaf(LeafKind.UPRIGHT_CYLINDER, robot, 0),
+                new Turn().about(0.1, 0.2, 0.3).by(0, 1, 0, 1234.5),
+                bounds,
+                scratch.sweep);
         assertThat(bounds).containsExactly(start);
     }
 
@@ -65,7 +73,7 @@ class SweptBoundsTest {
     void aTranslationStretchesTheBounds() {
         double[] box = SweepRows.uprightBox(1, 2, 3, 0.5, 1, 2, 90);
         double[] bounds = new double[6];
-        SweptBounds.translation(LeafKind.UPRIGHT_BOX, box, 0, 4, -8, 0, bounds);
+        SweptBounds.translation(new Leaf(LeafKind.UPRIGHT_BOX, box, 0), 4, -8, 0, bounds);
         assertThat(bounds).containsExactly(-1, -7, 2.5, 7, 3, 3.5);
     }
 
@@ -79,7 +87,12 @@ class SweptBoundsTest {
             double angle = Math.toRadians(degrees * k / SAMPLES);
             double cos = StrictMath.cos(angle);
             double sin = StrictMath.sin(angle);
-            MovedLeaf.turned(kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], cos, sin, pose);
+            MovedLeaf.turned(
+                    new Leaf(kind, row, 0),
+                    new Turn().about(p[0], p[1], p[2]).by(axis[0], axis[1], axis[2], 0),
+                    cos,
+                    sin,
+                    new Leaf(LeafKind.SPHERE, pose, 0));
             LeafBounds.of(MovedLeaf.turnedKind(kind), pose, 0, bounds);
             for (int m = 0; m < 3; m++) {
                 seen[m] = Math.min(seen[m], bounds[m]);

@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** What plain doubles say of a disc's way, against the same in decimals without rounding. */
-class DiscWayTest {
+class DiscSweepFilterTest {
     private static final int TRIALS = 20_000;
 
     /** MET or CLEAR without doubt, or UNSURE where a disc starts in touch or goes along. */
@@ -22,15 +22,17 @@ class DiscWayTest {
             return -ahead.signum();
         }
         if (ahead.signum() <= 0) {
-            return DiscWay.CLEAR;
+            return DiscSweepFilter.CLEAR;
         }
         if (ahead.compareTo(way) >= 0) {
             BigDecimal ex = qx.subtract(wayX);
             BigDecimal ez = qz.subtract(wayZ);
-            return ex.multiply(ex).add(ez.multiply(ez)).compareTo(square) > 0 ? DiscWay.CLEAR : DiscWay.MET;
+            return ex.multiply(ex).add(ez.multiply(ez)).compareTo(square) > 0
+                    ? DiscSweepFilter.CLEAR
+                    : DiscSweepFilter.MET;
         }
         BigDecimal aside = qx.multiply(wayZ).subtract(qz.multiply(wayX));
-        return aside.multiply(aside).compareTo(square.multiply(way)) > 0 ? DiscWay.CLEAR : DiscWay.MET;
+        return aside.multiply(aside).compareTo(square.multiply(way)) > 0 ? DiscSweepFilter.CLEAR : DiscSweepFilter.MET;
     }
 
     /** A way whose line passes the offset nearly as closely as the radii allow, or that ends so. */
@@ -78,30 +80,32 @@ class DiscWayTest {
             BigDecimal qz = new BigDecimal(n[1]).add(new BigDecimal(aside * 0.999));
             BigDecimal reach = new BigDecimal(n[4]).add(new BigDecimal(slack * random.nextDouble(-1, 1)));
             boolean isAll = random.nextInt(4) > 0;
-            int verdict = DiscWay.past(n[0], n[1], n[2], n[3], n[4], slack, isAll);
+            int verdict = DiscSweepFilter.past(n[0], n[1], n[2], n[3], n[4], slack, isAll);
             (isNear ? saidNear : said)[verdict + 1]++;
-            String what = "DiscWay.past(%s, %s, %s, %s, %s, %s, %s), meant %s %s %s"
+            String what = "DiscSweepFilter.past(%s, %s, %s, %s, %s, %s, %s), meant %s %s %s"
                     .formatted(n[0], n[1], n[2], n[3], n[4], slack, isAll, qx, qz, reach);
-            if (verdict == DiscWay.MET) {
+            if (verdict == DiscSweepFilter.MET) {
                 assertThat(isAll).as(what).isTrue();
             }
-            if (verdict != DiscWay.UNSURE) {
+            if (verdict != DiscSweepFilter.UNSURE) {
                 assertThat(truth(qx, qz, n[2], n[3], reach)).as(what).isEqualTo(verdict);
             }
         }
         int half = TRIALS / 2;
-        assertThat(said[DiscWay.CLEAR + 1]).isBetween(half * 3 / 10, half * 8 / 10);
-        assertThat(said[DiscWay.MET + 1]).isBetween(half / 10, half * 6 / 10);
-        assertThat(saidNear[DiscWay.UNSURE + 1]).isBetween(half / 20, half * 7 / 10);
-        assertThat(saidNear[DiscWay.CLEAR + 1]).isGreaterThan(half / 10);
-        assertThat(saidNear[DiscWay.MET + 1]).isGreaterThan(half / 10);
+        assertThat(said[DiscSweepFilter.CLEAR + 1]).isBetween(half * 3 / 10, half * 8 / 10);
+        assertThat(said[DiscSweepFilter.MET + 1]).isBetween(half / 10, half * 6 / 10);
+        assertThat(saidNear[DiscSweepFilter.UNSURE + 1]).isBetween(half / 20, half * 7 / 10);
+        assertThat(saidNear[DiscSweepFilter.CLEAR + 1]).isGreaterThan(half / 10);
+        assertThat(saidNear[DiscSweepFilter.MET + 1]).isGreaterThan(half / 10);
     }
 
     @Test
     void leavesToOthersWhatIsTooSmall() {
-        assertThat(DiscWay.past(1, 0, 0, 0, 0.5, 0, true)).isEqualTo(DiscWay.UNSURE);
-        assertThat(DiscWay.past(0x1p-500, 0, 0x1p-500, 0, 0x1p-502, 0, true)).isEqualTo(DiscWay.UNSURE);
-        assertThat(DiscWay.past(Double.NaN, 0, 1, 0, 0.5, 0, true)).isEqualTo(DiscWay.UNSURE);
-        assertThat(DiscWay.past(3, 0, 1, 0, Double.POSITIVE_INFINITY, 0, true)).isEqualTo(DiscWay.UNSURE);
+        assertThat(DiscSweepFilter.past(1, 0, 0, 0, 0.5, 0, true)).isEqualTo(DiscSweepFilter.UNSURE);
+        assertThat(DiscSweepFilter.past(0x1p-500, 0, 0x1p-500, 0, 0x1p-502, 0, true))
+                .isEqualTo(DiscSweepFilter.UNSURE);
+        assertThat(DiscSweepFilter.past(Double.NaN, 0, 1, 0, 0.5, 0, true)).isEqualTo(DiscSweepFilter.UNSURE);
+        assertThat(DiscSweepFilter.past(3, 0, 1, 0, Double.POSITIVE_INFINITY, 0, true))
+                .isEqualTo(DiscSweepFilter.UNSURE);
     }
 }

@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Outward;
@@ -7,6 +7,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them. */
@@ -14,9 +15,8 @@ public final class SweptBounds {
     private SweptBounds() {}
 
     /** Writes minimum x, y, z and maximum x, y, z of a leaf over a translation. */
-    public static void translation(
-            LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
-        LeafBounds.of(kind, row, at, out6);
+    public static void translation(Leaf leaf, double dx, double dy, double dz, double[] out6) {
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, out6);
         moved(out6, 0, dx, dy, dz, out6);
     }
 
@@ -39,62 +39,38 @@ public final class SweptBounds {
      * <p>A bound that the turn does not extend is that of the leaf at the start; others are tight to within rounding,
      * for cylinders that tilt to 2^-36 of their distance from the pivot.
      */
-    public static void turn(
-            LeafKind kind,
-            double[] row,
-            int at,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            double[] out6,
-            TurnScratch s) {
-        LeafBounds.of(kind, row, at, out6);
-        if (degrees == 0) {
+    public static void turn(Leaf leaf, Turn turn, double[] out6, SweepScratch s) {
+        LeafBounds.of(leaf.kind, leaf.row, leaf.at, out6);
+        if (turn.degrees == 0) {
             return;
         }
         UnderflowScaling m = s.leaf.scaling;
-        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
-            extend(kind, row, at, px, py, pz, wx, wy, wz, degrees, out6, s);
+        if (!m.take(Dimension.SPATIAL, VectorMath.largest(turn.px, turn.py, turn.pz), leaf.kind, leaf.row, leaf.at)) {
+            extend(leaf, turn, out6, s);
             return;
         }
         for (int k = 0; k < 6; k++) {
             out6[k] = m.up(out6[k]);
         }
-        extend(kind, m.a, 0, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out6, s);
+        extend(m.first, m.up(turn), out6, s);
         for (int k = 0; k < 3; k++) {
             out6[k] = -m.ceiling(-out6[k]);
             out6[k + 3] = m.ceiling(out6[k + 3]);
         }
     }
 
-    private static void extend(
-            LeafKind kind,
-            double[] row,
-            int at,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            double[] out6,
-            TurnScratch s) {
-        TurnBody body = s.turns().body;
-        double sign = degrees < 0 ? -1 : 1;
-        body.load(kind, row, at, px, py, pz, wx, wy, wz);
-        double lost = lost(kind, row, at, wx, wz);
+    private static void extend(Leaf leaf, Turn turn, double[] out6, SweepScratch s) {
+        TurnBody body = s.sweep().body;
+        double sign = turn.degrees < 0 ? -1 : 1;
+        body.load(leaf, turn);
+        double lost = lost(leaf, turn);
         // The stored end is at that angle to within rounding.
-        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
+        double angle = Degrees.toRadians(Math.abs(turn.degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 3; k++) {
             double x = k == 0 ? 1 : 0;
             double y = k == 1 ? 1 : 0;
             double z = k == 2 ? 1 : 0;
-            double pivot = k == 0 ? px : k == 1 ? py : pz;
+            double pivot = k == 0 ? turn.px : k == 1 ? turn.py : turn.pz;
             body.aim(x, y, z, sign);
             double most = body.greatest(angle, pivot, out6[k + 3]);
             out6[k + 3] = most > out6[k + 3] ? most + lost : most;
@@ -108,67 +84,43 @@ public final class SweptBounds {
      * What a rim's reach loses in doubles where the cylinder is turned off a direction along its axis by less than can be told
      * from the cosine; 0 for an upright cylinder that stays upright, and for other leaves.
      */
-    private static double lost(LeafKind kind, double[] row, int at, double wx, double wz) {
-        boolean hasRims = kind == LeafKind.CYLINDER || (kind == LeafKind.UPRIGHT_CYLINDER && (wx != 0 || wz != 0));
-        return hasRims ? 0x1p-25 * row[at + Leaf.SIZE] : 0;
+    private static double lost(Leaf leaf, Turn turn) {
+        boolean hasRims = leaf.kind == LeafKind.CYLINDER || (leaf.kind == LeafKind.UPRIGHT_CYLINDER && !turn.isLevel());
+        return hasRims ? 0x1p-25 * leaf.get(Leaf.SIZE) : 0;
     }
 
     /**
      * Extends the bounds of x + z (two numbers) and of x - z (two more), which hold at the start, to hold for the leaf
      * anywhere on a turn.
      */
-    public static void turnDiagonals(
-            LeafKind kind,
-            double[] row,
-            int at,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            double[] out4,
-            TurnScratch s) {
-        if (degrees == 0) {
+    public static void turnDiagonals(Leaf leaf, Turn turn, double[] out4, SweepScratch s) {
+        if (turn.degrees == 0) {
             return;
         }
         UnderflowScaling m = s.leaf.scaling;
-        if (!m.take(Dimension.SPATIAL, VectorMath.largest(px, py, pz), kind, row, at)) {
-            extendDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s);
+        if (!m.take(Dimension.SPATIAL, VectorMath.largest(turn.px, turn.py, turn.pz), leaf.kind, leaf.row, leaf.at)) {
+            extendDiagonals(leaf, turn, out4, s);
             return;
         }
         for (int k = 0; k < 4; k++) {
             out4[k] = m.up(out4[k]);
         }
-        extendDiagonals(kind, m.a, 0, m.up(px), m.up(py), m.up(pz), wx, wy, wz, degrees, out4, s);
+        extendDiagonals(m.first, m.up(turn), out4, s);
         for (int k = 0; k < 4; k += 2) {
             out4[k] = -m.ceiling(-out4[k]);
             out4[k + 1] = m.ceiling(out4[k + 1]);
         }
     }
 
-    private static void extendDiagonals(
-            LeafKind kind,
-            double[] row,
-            int at,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            double[] out4,
-            TurnScratch s) {
-        TurnBody body = s.turns().body;
-        double sign = degrees < 0 ? -1 : 1;
-        body.load(kind, row, at, px, py, pz, wx, wy, wz);
-        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
+    private static void extendDiagonals(Leaf leaf, Turn turn, double[] out4, SweepScratch s) {
+        TurnBody body = s.sweep().body;
+        double sign = turn.degrees < 0 ? -1 : 1;
+        body.load(leaf, turn);
+        double angle = Degrees.toRadians(Math.abs(turn.degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 2; k++) {
             double z = k == 0 ? VectorMath.HALF_ROOT : -VectorMath.HALF_ROOT;
-            double pivot = VectorMath.HALF_ROOT * px + z * pz;
-            double slack = 0x1p-48 * (Math.abs(px) + Math.abs(pz));
+            double pivot = VectorMath.HALF_ROOT * turn.px + z * turn.pz;
+            double slack = 0x1p-48 * (Math.abs(turn.px) + Math.abs(turn.pz));
             body.aim(VectorMath.HALF_ROOT, 0, z, sign);
             out4[2 * k + 1] = diagonal(body, angle, pivot, out4[2 * k + 1], slack);
             body.aim(-VectorMath.HALF_ROOT, 0, -z, sign);

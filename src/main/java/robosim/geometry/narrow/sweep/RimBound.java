@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Radians;
 
@@ -11,7 +11,7 @@ import robosim.geometry.exact.Radians;
  * along w. For any e above 0 and any D0 it is {@code sqrt(y) <= (e^2 + y) / (2 e)} and {@code -D^2 <= D0^2 - 2 D0 D},
  * so that {@code (e^2 + Q + D0^2 - 2 (c c' + D0) D) / (2 e)} is a bound, a touching one where e = sqrt(y) and D0 = D.
  */
-final class RimReach {
+final class RimBound {
     /** The number of bounds to choose from. */
     static final int BOUNDS = 4;
 
@@ -43,27 +43,21 @@ final class RimReach {
     private double a;
     private double b;
 
-    /** Takes a direction, the rim's axis, the turn's axis, all of unit length, and the sense of the turn. */
-    void aim(
-            double dx,
-            double dy,
-            double dz,
-            double axisX,
-            double axisY,
-            double axisZ,
-            double aboutX,
-            double aboutY,
-            double aboutZ,
-            double by) {
-        nx = dx;
-        ny = dy;
-        nz = dz;
+    /** Takes the rim's axis and the turn's, both of unit length. */
+    void axes(double axisX, double axisY, double axisZ, double aboutX, double aboutY, double aboutZ) {
         ux = axisX;
         uy = axisY;
         uz = axisZ;
         wx = aboutX;
         wy = aboutY;
         wz = aboutZ;
+    }
+
+    /** Takes a unit direction, and the sense of the turn. */
+    void aim(double dx, double dy, double dz, double by) {
+        nx = dx;
+        ny = dy;
+        nz = dz;
         sign = by;
         double c = nx * wx + ny * wy + nz * wz;
         double e = ux * wx + uy * wy + uz * wz;

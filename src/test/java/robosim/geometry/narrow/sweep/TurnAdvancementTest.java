@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -16,6 +16,7 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.narrow.leaf.Turn;
 
 /** Turns that pass closely: the gap that is let through, and how close a turn comes that is stopped. */
 class TurnAdvancementTest {
@@ -55,7 +56,7 @@ class TurnAdvancementTest {
                 assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, still))
                         .as(what)
                         .isInfinite();
-                assertThat(scratch.turn.turns().advancement.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.sweep.sweep().turning.steps()).as(what).isLessThan(FEW);
                 // Through the waist, where the edges cross, and no further.
                 double[] cut = SweepRows.triangle(1 - gap, -1, slope, 1 - gap, 1, -slope, 3, 0, 0);
                 assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, cut))
@@ -96,7 +97,7 @@ class TurnAdvancementTest {
                 if (radius < gap) {
                     assertThat(share).as(what).isInfinite();
                 }
-                assertThat(scratch.turn.turns().advancement.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.sweep.sweep().turning.steps()).as(what).isLessThan(FEW);
             }
         }
     }
@@ -150,33 +151,29 @@ class TurnAdvancementTest {
             double[] a = SweepRows.random(kindA, 1, random);
             double[] b = SweepRows.random(kindB, 1, random);
             double[] about = SweepRows.random(LeafKind.BOX, 1, random);
-            gjk.spatial(kindA, a, 0, kindB, b, 0);
+            gjk.spatial(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0));
             if (!(gjk.lower() > 0)) {
                 continue;
             }
             double degrees = random.nextDouble(-180, 180);
-            double share = SpatialTurnSweep.free(
-                    kindA, a, 0, 0.1, 0.2, 0.3, about[6], about[9], about[12], degrees, kindB, b, 0, scratch.turn);
-            most = Math.max(most, scratch.turn.turns().advancement.steps());
+            double share = SpatialSweep.turn(
+                    new Leaf(kindA, a, 0),
+                    new Turn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], degrees),
+                    new Leaf(kindB, b, 0),
+                    scratch.sweep);
+            most = Math.max(most, scratch.sweep.sweep().turning.steps());
             if (share > 1) {
                 continue;
             }
             stopped++;
             double angle = Math.toRadians(degrees * share);
             MovedLeaf.turned(
-                    kindA,
-                    a,
-                    0,
-                    0.1,
-                    0.2,
-                    0.3,
-                    about[6],
-                    about[9],
-                    about[12],
+                    new Leaf(kindA, a, 0),
+                    new Turn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], 0),
                     StrictMath.cos(angle),
                     StrictMath.sin(angle),
-                    pose);
-            gjk.spatial(MovedLeaf.turnedKind(kindA), pose, 0, kindB, b, 0);
+                    new Leaf(LeafKind.SPHERE, pose, 0));
+            gjk.spatial(new Leaf(MovedLeaf.turnedKind(kindA), pose, 0), new Leaf(kindB, b, 0));
             String what = "kind %s %s about %s by %s, kind %s %s"
                     .formatted(kindA, Arrays.toString(a), Arrays.toString(about), degrees, kindB, Arrays.toString(b));
             // The mover reaches at least as far as its centre.
@@ -225,14 +222,23 @@ class TurnAdvancementTest {
 
     private double turn(
             LeafKind kindA, double[] a, double wx, double wy, double wz, double degrees, LeafKind kindB, double[] b) {
-        return SpatialTurnSweep.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch.turn);
+        return SpatialSweep.turn(
+                new Leaf(kindA, a, 0),
+                new Turn().about(0, 0, 0).by(wx, wy, wz, degrees),
+                new Leaf(kindB, b, 0),
+                scratch.sweep);
     }
 
     private static double[] turned(double degrees, LeafKind kind, double[] row) {
         double[] out = new double[Leaf.STRIDE];
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
-        MovedLeaf.turned(kind, row, 0, 0, 0, 0, 0, 1, 0, cos, sin, out);
+        MovedLeaf.turned(
+                new Leaf(kind, row, 0),
+                new Turn().about(0, 0, 0).by(0, 1, 0, 0),
+                cos,
+                sin,
+                new Leaf(LeafKind.SPHERE, out, 0));
         return out;
     }
 

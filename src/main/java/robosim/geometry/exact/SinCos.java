@@ -1,7 +1,7 @@
 package robosim.geometry.exact;
 
 /** The sine and cosine of an angle in radians, the same bits everywhere; quick for the small angles of a step. */
-public final class Turned {
+public final class SinCos {
     /** Up to here the series below are as good as doubles: the first terms left out are below 2^-54. */
     private static final double SMALL = 0.5;
 

@@ -1,8 +1,9 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Radians;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
@@ -51,7 +52,10 @@ final class TurnBody {
     private double uy;
     private double uz;
 
-    // The turn's axis, and the direction of the last question with what its points do.
+    // The turn's pivot and axis, and the direction of the last question with what its points do.
+    private double px;
+    private double py;
+    private double pz;
     private double wx;
     private double wy;
     private double wz;
@@ -65,54 +69,48 @@ final class TurnBody {
     private double ny;
     private double nz;
     private double sign;
-    private final RimReach rim = new RimReach();
+    private final RimBound rim = new RimBound();
 
-    /** Loads a leaf, relative to the pivot, for turns about a unit axis. */
-    void load(
-            LeafKind kind,
-            double[] row,
-            int at,
-            double px,
-            double py,
-            double pz,
-            double axisX,
-            double axisY,
-            double axisZ) {
-        wx = axisX;
-        wy = axisY;
-        wz = axisZ;
+    /** Loads a leaf, relative to the pivot of a turn. */
+    void load(Leaf leaf, Turn turn) {
+        px = turn.px;
+        py = turn.py;
+        pz = turn.pz;
+        wx = turn.wx;
+        wy = turn.wy;
+        wz = turn.wz;
         points = 0;
         margin = 0;
         rims = false;
         radius = 0;
-        switch (kind) {
+        switch (leaf.kind) {
             case TRIANGLE -> {
-                for (int m = at; m < at + 9; m += 3) {
-                    add(row[m] - px, row[m + 1] - py, row[m + 2] - pz);
+                for (int m = leaf.at; m < leaf.at + 9; m += 3) {
+                    add(leaf.row[m] - px, leaf.row[m + 1] - py, leaf.row[m + 2] - pz);
                 }
             }
-            case UPRIGHT_CAPSULE -> capsule(row, at, px, py, pz, 0, 1, 0);
-            case CAPSULE -> capsule(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
+            case UPRIGHT_CAPSULE -> capsule(leaf.row, leaf.at, 0, 1, 0);
+            case CAPSULE -> capsule(leaf.row, leaf.at, leaf.get(7), leaf.get(10), leaf.get(13));
             case SPHERE -> {
-                add(row[at] - px, row[at + 1] - py, row[at + 2] - pz);
-                margin = row[at + 3];
+                add(leaf.get(0) - px, leaf.get(1) - py, leaf.get(2) - pz);
+                margin = leaf.get(3);
             }
-            case CYLINDER -> cylinder(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
-            case UPRIGHT_CYLINDER -> cylinder(row, at, px, py, pz, 0, 1, 0);
-            case UPRIGHT_BOX, BOX -> box(row, at, px, py, pz);
-            case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case CYLINDER -> cylinder(leaf.row, leaf.at, leaf.get(7), leaf.get(10), leaf.get(13));
+            case UPRIGHT_CYLINDER -> cylinder(leaf.row, leaf.at, 0, 1, 0);
+            case UPRIGHT_BOX, BOX -> box(leaf.row, leaf.at);
+            case PRISM, MESH, SOLID_MESH, GRID -> throw leaf.kind.refused();
         }
         measure();
     }
 
-    private void capsule(double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
+    private void capsule(double[] row, int at, double ax, double ay, double az) {
         double h = row[at + 4];
         add(row[at] - px + h * ax, row[at + 1] - py + h * ay, row[at + 2] - pz + h * az);
         add(row[at] - px - h * ax, row[at + 1] - py - h * ay, row[at + 2] - pz - h * az);
         margin = row[at + 3];
     }
 
-    private void box(double[] row, int at, double px, double py, double pz) {
+    private void box(double[] row, int at) {
         for (int m = 0; m < 8; m++) {
             double p = (m & 1) == 0 ? row[at + 3] : -row[at + 3];
             double q = (m & 2) == 0 ? row[at + 4] : -row[at + 4];
@@ -124,12 +122,13 @@ final class TurnBody {
         }
     }
 
-    private void cylinder(double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
+    private void cylinder(double[] row, int at, double ax, double ay, double az) {
         double length = Math.sqrt(ax * ax + ay * ay + az * az);
         ux = ax / length;
         uy = ay / length;
         uz = az / length;
         rims = true;
+        rim.axes(ux, uy, uz, wx, wy, wz);
         radius = row[at + 3];
         for (int sign = -1; sign <= 1; sign += 2) {
             double h = sign * row[at + 4];
@@ -137,10 +136,10 @@ final class TurnBody {
         }
     }
 
-    private void add(double px, double py, double pz) {
-        x[points] = px;
-        y[points] = level ? 0 : py;
-        z[points] = pz;
+    private void add(double ofX, double ofY, double ofZ) {
+        x[points] = ofX;
+        y[points] = level ? 0 : ofY;
+        z[points] = ofZ;
         points++;
     }
 
@@ -183,7 +182,7 @@ final class TurnBody {
             sk = across * (wx * ux + wy * uy + wz * uz);
             sa = nx * ux + ny * uy + nz * uz - sk;
             sb = sign * (cx * ux + cy * uy + cz * uz);
-            rim.aim(nx, ny, nz, ux, uy, uz, wx, wy, wz, sign);
+            rim.aim(nx, ny, nz, sign);
         }
     }
 
@@ -237,7 +236,7 @@ final class TurnBody {
         double t = from;
         for (int step = 0; step < MOST_STEPS && t - from < FULL; step++) {
             double end = t;
-            for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+            for (int bound = 0; bound < RimBound.BOUNDS; bound++) {
                 rim.bound(bound, t);
                 double constant = limit + radius * rim.constant;
                 end = Math.max(end, pointsUntil(constant, radius * rim.cosine, radius * rim.sine, t));

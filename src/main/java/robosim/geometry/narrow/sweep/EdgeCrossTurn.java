@@ -1,6 +1,7 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Radians;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
@@ -10,7 +11,7 @@ import robosim.geometry.narrow.sat.AxisBody;
  * passes another it follows them, whereas a fixed direction would be perpendicular to both only for an instant. For a
  * point p of the mover and a point q at rest {@code n.Rp = e1.R(e2 x p)} and {@code n.q = (q x e1).Re2}: sinusoids, of
  * degree one, as all that {@link TurnBody} asks. A cylinder's or capsule's edge is its axis; it reaches |n|
- * times its radius, of which {@link RimReach} has bounds of the same form.
+ * times its radius, of which {@link RimBound} has bounds of the same form.
  *
  * <p>Edges that are nearly along the turn's axis w make a short n, of the size of d1 and d2 in {@code e1 = c1 w + d1} and
  * {@code e2 = c2 w + d2}. So {@code n = c1 w x Rd2 + c2 d1 x w + d1 x Rd2} is taken in these parts, of which
@@ -21,29 +22,35 @@ final class EdgeCrossTurn {
     private static final double ROUNDOFF = 128 * 0x1p-53;
     private static final int MOST_STEPS = 12;
 
-    private final RimReach reach = new RimReach();
-    private final TurnSum first = new TurnSum();
-    private final TurnSum second = new TurnSum();
+    private final RimBound reach = new RimBound();
+    private final Sinusoids first = new Sinusoids();
+    private final Sinusoids second = new Sinusoids();
+    private final TurnBody rest;
+    private final TurnBody mover;
+    private double wx;
+    private double wy;
+    private double wz;
     private double limit;
     private double radius;
+
+    /** For two bodies, to be loaded before anything is asked. */
+    EdgeCrossTurn(TurnBody rest, TurnBody mover) {
+        this.rest = rest;
+        this.mover = mover;
+    }
+
+    /** Takes the axis of the turn that both are loaded for. */
+    void about(Turn turn) {
+        wx = turn.wx;
+        wy = turn.wy;
+        wz = turn.wz;
+    }
 
     /**
      * Takes two edges' unit directions, (fx, fy, fz) at rest and (mx, my, mz) as the mover stands at the start, so that the
      * direction across both, or (way -1) against it, leads from the leaf at rest to the mover.
      */
-    void aim(
-            TurnBody rest,
-            double fx,
-            double fy,
-            double fz,
-            TurnBody mover,
-            double mx,
-            double my,
-            double mz,
-            double wx,
-            double wy,
-            double wz,
-            double way) {
+    void aim(double fx, double fy, double fz, double mx, double my, double mz, double way) {
         double c1 = fx * wx + fy * wy + fz * wz;
         double c2 = mx * wx + my * wy + mz * wz;
         double ax = fx - c1 * wx;
@@ -54,7 +61,8 @@ final class EdgeCrossTurn {
         double bz = mz - c2 * wz;
         double aa = Math.sqrt(ax * ax + ay * ay + az * az);
         double bb = Math.sqrt(bx * bx + by * by + bz * bz);
-        reach.aim(fx, fy, fz, mx, my, mz, wx, wy, wz, 1);
+        reach.axes(mx, my, mz, wx, wy, wz);
+        reach.aim(fx, fy, fz, 1);
         radius = mover.aside() + rest.aside();
         double most = Math.abs(c1) * bb + Math.abs(c2) * aa + aa * bb;
         limit = ROUNDOFF * most * (mover.extent + rest.extent) + AxisBody.TINY;
@@ -63,7 +71,7 @@ final class EdgeCrossTurn {
         double sx = way * c1 * (wy * bz - wz * by);
         double sy = way * c1 * (wz * bx - wx * bz);
         double sz = way * c1 * (wx * by - wy * bx);
-        first.clear();
+        first.clear(wx, wy, wz);
         for (int m = 0; m < mover.points; m++) {
             double px = mover.x[m];
             double py = mover.y[m];
@@ -75,16 +83,13 @@ final class EdgeCrossTurn {
                     way * az,
                     my * pz - mz * py,
                     mz * px - mx * pz,
-                    mx * py - my * px,
-                    wx,
-                    wy,
-                    wz);
+                    mx * py - my * px);
         }
         // The other's: c2 (d1 x w).q + (q x e1).Rd2, taken off.
         sx = -way * c2 * (ay * wz - az * wy);
         sy = -way * c2 * (az * wx - ax * wz);
         sz = -way * c2 * (ax * wy - ay * wx);
-        second.clear();
+        second.clear(wx, wy, wz);
         for (int m = 0; m < rest.points; m++) {
             double qx = rest.x[m];
             double qy = rest.y[m];
@@ -96,10 +101,7 @@ final class EdgeCrossTurn {
                     -way * (qx * fy - qy * fx),
                     bx,
                     by,
-                    bz,
-                    wx,
-                    wy,
-                    wz);
+                    bz);
         }
     }
 
@@ -120,7 +122,7 @@ final class EdgeCrossTurn {
      */
     double notNearer() {
         double end = 0;
-        for (int bound = 0; bound < (radius == 0 ? 1 : RimReach.BOUNDS); bound++) {
+        for (int bound = 0; bound < (radius == 0 ? 1 : RimBound.BOUNDS); bound++) {
             reach.bound(bound, 0);
             double constant = radius == 0 ? 0 : radius * reach.constant;
             double cosine = radius == 0 ? 0 : radius * reach.cosine;
@@ -153,7 +155,7 @@ final class EdgeCrossTurn {
         double t = from;
         for (int step = 0; step < MOST_STEPS && t - from < 2 * Math.PI; step++) {
             double end = t;
-            for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+            for (int bound = 0; bound < RimBound.BOUNDS; bound++) {
                 reach.bound(bound, t);
                 double constant = limit + radius * reach.constant;
                 end = Math.max(end, pairsUntil(constant, radius * reach.cosine, radius * reach.sine, t));
@@ -185,5 +187,42 @@ final class EdgeCrossTurn {
             }
         }
         return end;
+    }
+
+    /** Sinusoids {@code k + a cos t + b sin t}, one for each point of a leaf. */
+    private static final class Sinusoids {
+        int count;
+        private double wx;
+        private double wy;
+        private double wz;
+        final double[] k = new double[TurnBody.MOST_POINTS];
+        final double[] a = new double[TurnBody.MOST_POINTS];
+        final double[] b = new double[TurnBody.MOST_POINTS];
+
+        /** Begins with sinusoids of turns about a unit axis. */
+        void clear(double axisX, double axisY, double axisZ) {
+            wx = axisX;
+            wy = axisY;
+            wz = axisZ;
+            count = 0;
+        }
+
+        /** Adds {@code constant + u.Rv}, R being the turn by t about the unit axis w. */
+        void add(double constant, double ux, double uy, double uz, double vx, double vy, double vz) {
+            double along = (ux * wx + uy * wy + uz * wz) * (wx * vx + wy * vy + wz * vz);
+            k[count] = constant + along;
+            a[count] = ux * vx + uy * vy + uz * vz - along;
+            b[count] = ux * (wy * vz - wz * vy) + uy * (wz * vx - wx * vz) + uz * (wx * vy - wy * vx);
+            count++;
+        }
+
+        /** The least of them at the angle of this cosine and sine. */
+        double least(double cos, double sin) {
+            double least = Double.POSITIVE_INFINITY;
+            for (int m = 0; m < count; m++) {
+                least = Math.min(least, k[m] + a[m] * cos + b[m] * sin);
+            }
+            return least;
+        }
     }
 }

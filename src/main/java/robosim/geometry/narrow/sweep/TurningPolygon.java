@@ -1,4 +1,4 @@
-package robosim.geometry.narrow.turn;
+package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
