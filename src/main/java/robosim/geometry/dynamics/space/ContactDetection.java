@@ -106,16 +106,32 @@ final class ContactDetection {
         return least;
     }
 
+    /** Whether all but the bodies of its own group are farther from a body than a distance. */
+    boolean isAlone(RigidBody body, double distance) {
+        near.find(body, 0, 0, 0, body.reach + distance);
+        near.leaf(body, body.place, leaf);
+        for (int k = 0; k < near.count; k++) {
+            int other = bodyOf(near.object[k]);
+            boolean isOwn = other >= 0 && bodies.get(other).group == body.group;
+            if (!isOwn && !isFarther(k, distance)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean isFarther(int k, double distance) {
+        return meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE)
+                && meeting.apart > distance;
+    }
+
     /** Adds the bodies that are nearer to a body than a distance. */
     void neighbours(RigidBody body, double within, BitSet out) {
         near.find(body, 0, 0, 0, body.reach + TOUCH);
         near.leaf(body, body.place, leaf);
         for (int k = 0; k < near.count; k++) {
             int other = bodyOf(near.object[k]);
-            boolean isNear = other >= 0
-                    && !(meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE)
-                            && meeting.apart > within);
-            if (isNear) {
+            if (other >= 0 && !isFarther(k, within)) {
                 out.set(other);
             }
         }

@@ -13,19 +13,14 @@ final class EnergyBudget {
     /** What is touched faster than this wakes up, m/s. */
     private static final double WAKE = 5e-3;
 
-    /** Less than this share of the energy is rounding. */
-    private static final double ROUNDING = 1e-12;
-
     private final List<RigidBody> bodies;
     private final double[] gravity;
 
-    // By group: the energy before and what drives have added, the kinetic one now, the potential one gained, mass and
-    // momentum, and whether anything that stands still is touched.
+    // By group: the energy before and what drives have added, the kinetic one now, the potential one gained, and
+    // whether anything that stands still is touched.
     private double[] before = new double[0];
     private double[] moving = new double[0];
     private double[] risen = new double[0];
-    private double[] mass = new double[0];
-    private double[] momentum = new double[0];
     private boolean[] isPressed = new boolean[0];
     private boolean[] isHeld = new boolean[0];
 
@@ -49,6 +44,8 @@ final class EnergyBudget {
             }
             body.energy = body.kinetic(body.v);
             System.arraycopy(body.place, 0, body.start, 0, 3);
+            System.arraycopy(body.v, 0, body.began, 0, 3);
+            body.spin(body.place, body.v, body.spun);
         }
     }
 
@@ -73,9 +70,9 @@ final class EnergyBudget {
 
     /**
      * Energy grows by no more than the work of drives: what rounding, or restitution together with friction, would add is taken
-     * from the speed.
+     * from the speed. Bodies that touch nothing but each other keep both momenta instead.
      */
-    void finish(double seconds) {
+    void finish(double seconds, FreeGroup free) {
         for (int b = 0; b < bodies.size(); b++) {
             RigidBody body = bodies.get(b);
             if (!body.isAsleep) {
@@ -87,8 +84,13 @@ final class EnergyBudget {
             RigidBody body = bodies.get(b);
             int group = body.group;
             body.isPressed = isPressed[group];
-            if (moving[group] + risen[group] > before[group]) {
+            if (isHeld[group] && moving[group] + risen[group] > before[group]) {
                 brake(body, group);
+            }
+        }
+        for (int group = 0; group < bodies.size(); group++) {
+            if (!isHeld[group] && moving[group] > 0) {
+                free.keep(group, seconds, before[group]);
             }
         }
         for (int b = 0; b < bodies.size(); b++) {
@@ -102,23 +104,12 @@ final class EnergyBudget {
         }
     }
 
-    /**
-     * Takes from a body what its group has too much. Those that touch nothing but each other keep their momentum: they lose what
-     * they move about their common centre of mass, unless that is rounding alone.
-     */
+    /** Takes from a body what its group has too much. */
     private void brake(RigidBody body, int group) {
         double excess = moving[group] + risen[group] - before[group];
-        boolean isFree = !isHeld[group] && excess > ROUNDING * moving[group];
-        double carried = 0;
-        for (int axis = 0; axis < 3 && isFree; axis++) {
-            double drift = momentum[3 * group + axis] / mass[group];
-            carried += 0.5 * mass[group] * drift * drift;
-        }
-        double inner = moving[group] - carried;
-        double share = inner > 0 ? Math.sqrt(Math.max(0, inner - excess) / inner) : 1;
+        double share = Math.sqrt(Math.max(0, moving[group] - excess) / moving[group]);
         for (int k = 0; k < 6; k++) {
-            double drift = k < 3 && isFree ? momentum[3 * group + k] / mass[group] : 0;
-            body.v[k] = drift + (body.v[k] - drift) * share;
+            body.v[k] *= share;
         }
     }
 
@@ -129,16 +120,12 @@ final class EnergyBudget {
             before = new double[count];
             moving = new double[count];
             risen = new double[count];
-            mass = new double[count];
-            momentum = new double[3 * count];
             isPressed = new boolean[count];
             isHeld = new boolean[count];
         }
         Arrays.fill(before, 0);
         Arrays.fill(moving, 0);
         Arrays.fill(risen, 0);
-        Arrays.fill(mass, 0);
-        Arrays.fill(momentum, 0);
         Arrays.fill(isPressed, false);
         Arrays.fill(isHeld, false);
         for (int b = 0; b < count; b++) {
@@ -148,10 +135,6 @@ final class EnergyBudget {
                 before[group] += body.energy + body.work;
                 moving[group] += body.kinetic(body.v);
                 risen[group] += body.risen(gravity);
-                mass[group] += body.mass;
-                for (int axis = 0; axis < 3; axis++) {
-                    momentum[3 * group + axis] += body.mass * body.v[axis];
-                }
                 isPressed[group] |= body.isDriving;
                 isHeld[group] |= body.isHeld;
             }

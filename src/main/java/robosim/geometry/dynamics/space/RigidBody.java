@@ -64,10 +64,12 @@ final class RigidBody implements Cloneable {
     /** The inverse of the inertia about the world's axes. */
     double[] inverse = new double[9];
 
-    /** Kinetic energy when the slice began, and the centre. */
+    /** Kinetic energy when the slice began, the centre, the velocity, and the angular momentum about the centre. */
     double energy;
 
     double[] start = new double[3];
+    double[] began = new double[3];
+    double[] spun = new double[3];
 
     /** The velocity before a collision that another body has. */
     double[] known = new double[6];
@@ -116,6 +118,8 @@ final class RigidBody implements Cloneable {
             copy.reaction = reaction.clone();
             copy.inverse = inverse.clone();
             copy.start = start.clone();
+            copy.began = began.clone();
+            copy.spun = spun.clone();
             copy.known = known.clone();
             copy.own = own.clone();
             return copy;
@@ -168,17 +172,10 @@ final class RigidBody implements Cloneable {
 
     /** The angular velocity at another attitude with the angular momentum that it has at this one; writes three numbers. */
     void keepMomentum(double[] from, double[] velocity, double[] to, double[] out, int at) {
-        // Momentum in the world's axes, by way of the own axes at the first attitude.
-        double lx = 0;
-        double ly = 0;
-        double lz = 0;
-        for (int k = 0; k < 3; k++) {
-            double along = from[3 + k] * velocity[3] + from[6 + k] * velocity[4] + from[9 + k] * velocity[5];
-            double momentum = moments[k] * along;
-            lx += from[3 + k] * momentum;
-            ly += from[6 + k] * momentum;
-            lz += from[9 + k] * momentum;
-        }
+        spin(from, velocity, own);
+        double lx = own[0];
+        double ly = own[1];
+        double lz = own[2];
         for (int k = 0; k < 3; k++) {
             own[k] = (to[3 + k] * lx + to[6 + k] * ly + to[9 + k] * lz) / moments[k];
         }
@@ -186,6 +183,23 @@ final class RigidBody implements Cloneable {
             int r = 3 + 3 * row;
             out[at + row] = to[r] * own[0] + to[r + 1] * own[1] + to[r + 2] * own[2];
         }
+    }
+
+    /** The angular momentum about its centre in the world's axes, by way of its own ones; writes three numbers. */
+    void spin(double[] at, double[] velocity, double[] out) {
+        double lx = 0;
+        double ly = 0;
+        double lz = 0;
+        for (int k = 0; k < 3; k++) {
+            double along = at[3 + k] * velocity[3] + at[6 + k] * velocity[4] + at[9 + k] * velocity[5];
+            double momentum = moments[k] * along;
+            lx += at[3 + k] * momentum;
+            ly += at[6 + k] * momentum;
+            lz += at[9 + k] * momentum;
+        }
+        out[0] = lx;
+        out[1] = ly;
+        out[2] = lz;
     }
 
     /** Kinetic energy at a velocity. */

@@ -34,6 +34,7 @@ public final class SpatialStepper {
     private final Integrator carriage;
     private final TimeOfImpact impact;
     private final Loosening loosening;
+    private final FreeGroup free;
     private final double[] known = new double[ObjectTable.PLACE];
     private int[] order = new int[0];
     private Runnable betweenParts = () -> {};
@@ -69,6 +70,7 @@ public final class SpatialStepper {
         impulses = new SequentialImpulses(bodies, traction);
         detection = new ContactDetection(bodies, budget, near, contacts);
         impact = new TimeOfImpact(bodies, near);
+        free = new FreeGroup(bodies, this.gravity, placer, detection);
         loosening = new Loosening(bodies, placer, way, detection, this.gravity);
         carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, this::tell);
     }
@@ -248,7 +250,7 @@ public final class SpatialStepper {
                 carriage.carry(order[k], made, surfaces);
             }
         }
-        budget.finish(made);
+        budget.finish(made, free);
         return made;
     }
 
