@@ -88,6 +88,7 @@ final class EnergyBudget {
                 brake(body, group);
             }
         }
+        free.list();
         for (int group = 0; group < bodies.size(); group++) {
             if (!isHeld[group] && moving[group] > 0) {
                 free.keep(group, seconds, before[group]);

@@ -43,6 +43,9 @@ final class FreeGroup {
 
     private final Turning turning = new Turning();
     private final double[] turned = new double[ObjectTable.PLACE];
+    // By group, its first body; by body, the next one of its group, or -1.
+    private int[] first = new int[0];
+    private int[] next = new int[0];
     private double mass;
     private int count;
     private boolean isDriven;
@@ -54,11 +57,28 @@ final class FreeGroup {
         this.detection = detection;
     }
 
+    /** Lists the bodies of each group, after the groups have changed. */
+    void list() {
+        if (first.length < bodies.size()) {
+            first = new int[2 * bodies.size()];
+            next = new int[2 * bodies.size()];
+        }
+        Arrays.fill(first, 0, bodies.size(), -1);
+        for (int b = bodies.size() - 1; b >= 0; b--) {
+            int group = bodies.get(b).group;
+            next[b] = first[group];
+            first[group] = b;
+        }
+    }
+
     /**
      * Puts the centre of a group where its momentum takes it in a time, gives it the angular momentum that it had when the slice
      * began, and takes the energy that is more than allowed.
      */
     void keep(int group, double seconds, double allowed) {
+        if (next[first[group]] < 0 && isOnItsWay(bodies.get(first[group]), seconds, allowed)) {
+            return; // as most bodies that fall
+        }
         sum(group);
         if (!isDriven) {
             centre(group, seconds);
@@ -66,10 +86,8 @@ final class FreeGroup {
                 spin[axis] = before[axis] - after[axis];
             }
             divide(spin, turn);
-            for (int b = 0; b < bodies.size(); b++) {
-                if (bodies.get(b).group == group) {
-                    add(bodies.get(b), 1);
-                }
+            for (int b = first[group]; b >= 0; b = next[b]) {
+                add(bodies.get(b), 1);
             }
             System.arraycopy(before, 0, after, 0, 3);
         }
@@ -79,8 +97,8 @@ final class FreeGroup {
         for (int axis = 0; axis < 3; axis++) {
             rigid += 0.5 * (mass * drift[axis] * drift[axis] + after[axis] * turn[axis]);
         }
-        for (int b = 0; b < bodies.size(); b++) {
-            moving += bodies.get(b).group == group ? bodies.get(b).kinetic(bodies.get(b).v) : 0;
+        for (int b = first[group]; b >= 0; b = next[b]) {
+            moving += bodies.get(b).kinetic(bodies.get(b).v);
         }
         double inner = moving - rigid;
         double excess = moving + risen(group) - allowed;
@@ -90,6 +108,20 @@ final class FreeGroup {
         } else if (excess > 0 && inner > 0) {
             scale(group, Math.sqrt(Math.max(0, inner - excess) / inner));
         }
+    }
+
+    /** Whether a body alone does not turn, is where its velocity takes it, and has no more energy than allowed. */
+    private boolean isOnItsWay(RigidBody body, double seconds, double allowed) {
+        for (int axis = 0; axis < 3; axis++) {
+            double way = 0.5 * (body.began[axis] + body.v[axis]) * seconds;
+            if (body.v[3 + axis] != 0
+                    || body.spun[axis] != 0
+                    || !(Math.abs(body.start[axis] + way - body.place[axis]) <= 0.5 * ROUNDING)) {
+                return false;
+            }
+        }
+        double moving = body.kinetic(body.v);
+        return moving + body.risen(gravity) - allowed <= MOST_EXCESS * moving;
     }
 
     /**
@@ -109,20 +141,16 @@ final class FreeGroup {
     /** Shifts all bodies; whether all are free then, and all others farther away than a distance. */
     private boolean isShifted(int group, int sign, double distance) {
         boolean isFree = true;
-        for (int b = 0; b < bodies.size(); b++) {
+        for (int b = first[group]; b >= 0; b = next[b]) {
             RigidBody body = bodies.get(b);
-            if (body.group == group) {
-                for (int axis = 0; axis < 3; axis++) {
-                    body.place[axis] += sign * spin[axis];
-                }
-                placer.put(body.id, body.place);
+            for (int axis = 0; axis < 3; axis++) {
+                body.place[axis] += sign * spin[axis];
             }
+            placer.put(body.id, body.place);
         }
-        for (int b = 0; b < bodies.size(); b++) {
+        for (int b = first[group]; b >= 0; b = next[b]) {
             RigidBody body = bodies.get(b);
-            isFree = isFree
-                    && (body.group != group
-                            || (placer.isFree(body.id, body.place) && detection.isAlone(body, distance)));
+            isFree = isFree && placer.isFree(body.id, body.place) && detection.isAlone(body, distance);
         }
         for (int axis = 0; axis < 3; axis++) {
             centre[axis] += sign * spin[axis];
@@ -133,8 +161,8 @@ final class FreeGroup {
     /** The potential energy that a group has gained, where it is now. */
     private double risen(int group) {
         double risen = 0;
-        for (int b = 0; b < bodies.size(); b++) {
-            risen += bodies.get(b).group == group ? bodies.get(b).risen(gravity) : 0;
+        for (int b = first[group]; b >= 0; b = next[b]) {
+            risen += bodies.get(b).risen(gravity);
         }
         return risen;
     }
@@ -165,9 +193,9 @@ final class FreeGroup {
         }
         double square = 0;
         for (int axis = 0; axis < 3; axis++) {
-            int next = (axis + 1) % 3;
+            int following = (axis + 1) % 3;
             int last = (axis + 2) % 3;
-            spin[axis] = turn[next] * after[last] - turn[last] * after[next];
+            spin[axis] = turn[following] * after[last] - turn[last] * after[following];
             square += spin[axis] * spin[axis];
         }
         double angle = Math.abs(excess) / Math.sqrt(square);
@@ -192,14 +220,12 @@ final class FreeGroup {
 
     /** Leaves a share of how bodies move otherwise than as a single rigid body. */
     private void scale(int group, double share) {
-        for (int b = 0; b < bodies.size(); b++) {
+        for (int b = first[group]; b >= 0; b = next[b]) {
             RigidBody body = bodies.get(b);
-            if (body.group == group) {
-                for (int k = 0; k < 6; k++) {
-                    body.v[k] = share * body.v[k] + (k < 3 ? (1 - share) * drift[k] : 0);
-                }
-                add(body, 1 - share);
+            for (int k = 0; k < 6; k++) {
+                body.v[k] = share * body.v[k] + (k < 3 ? (1 - share) * drift[k] : 0);
             }
+            add(body, 1 - share);
         }
     }
 
@@ -225,18 +251,16 @@ final class FreeGroup {
         Arrays.fill(drift, 0);
         Arrays.fill(from, 0);
         Arrays.fill(fromDrift, 0);
-        for (int b = 0; b < bodies.size(); b++) {
+        for (int b = first[group]; b >= 0; b = next[b]) {
             RigidBody body = bodies.get(b);
-            if (body.group == group) {
-                mass += body.mass;
-                count++;
-                isDriven |= body.isDriven || body.stop != null;
-                for (int axis = 0; axis < 3; axis++) {
-                    centre[axis] += body.mass * body.place[axis];
-                    drift[axis] += body.mass * body.v[axis];
-                    from[axis] += body.mass * body.start[axis];
-                    fromDrift[axis] += body.mass * body.began[axis];
-                }
+            mass += body.mass;
+            count++;
+            isDriven |= body.isDriven || body.stop != null;
+            for (int axis = 0; axis < 3; axis++) {
+                centre[axis] += body.mass * body.place[axis];
+                drift[axis] += body.mass * body.v[axis];
+                from[axis] += body.mass * body.start[axis];
+                fromDrift[axis] += body.mass * body.began[axis];
             }
         }
         for (int axis = 0; axis < 3; axis++) {
@@ -248,43 +272,41 @@ final class FreeGroup {
         Arrays.fill(before, 0);
         Arrays.fill(after, 0);
         Arrays.fill(inertia, 0);
-        for (int b = 0; b < bodies.size(); b++) {
+        for (int b = first[group]; b >= 0; b = next[b]) {
             RigidBody body = bodies.get(b);
-            if (body.group == group) {
-                body.spin(body.place, body.v, spin);
-                for (int axis = 0; axis < 3; axis++) {
-                    before[axis] += body.spun[axis];
-                    after[axis] += spin[axis];
-                }
-                orbit(body.mass, body.start, from, body.began, fromDrift, before);
-                orbit(body.mass, body.place, centre, body.v, drift, after);
-                addInertia(body);
+            body.spin(body.place, body.v, spin);
+            for (int axis = 0; axis < 3; axis++) {
+                before[axis] += body.spun[axis];
+                after[axis] += spin[axis];
             }
+            orbit(body.mass, body.start, from, body.began, fromDrift, before);
+            orbit(body.mass, body.place, centre, body.v, drift, after);
+            addInertia(body);
         }
     }
 
     private static void orbit(double mass, double[] place, double[] centre, double[] v, double[] drift, double[] out) {
         for (int axis = 0; axis < 3; axis++) {
-            int next = (axis + 1) % 3;
+            int following = (axis + 1) % 3;
             int last = (axis + 2) % 3;
             out[axis] += mass
-                    * ((place[next] - centre[next]) * (v[last] - drift[last])
-                            - (place[last] - centre[last]) * (v[next] - drift[next]));
+                    * ((place[following] - centre[following]) * (v[last] - drift[last])
+                            - (place[last] - centre[last]) * (v[following] - drift[following]));
         }
     }
 
     private void addInertia(RigidBody body) {
         for (int axis = 0; axis < 3; axis++) {
-            int next = (axis + 1) % 3;
+            int following = (axis + 1) % 3;
             int last = (axis + 2) % 3;
-            double y = body.place[next] - centre[next];
+            double y = body.place[following] - centre[following];
             double z = body.place[last] - centre[last];
             inertia[axis] += body.mass * (y * y + z * z);
             inertia[3 + axis] -= body.mass * y * z;
             for (int k = 0; k < 3; k++) {
                 double along = body.place[3 + 3 * axis + k];
                 inertia[axis] += body.moments[k] * along * along;
-                inertia[3 + axis] += body.moments[k] * body.place[3 + 3 * next + k] * body.place[3 + 3 * last + k];
+                inertia[3 + axis] += body.moments[k] * body.place[3 + 3 * following + k] * body.place[3 + 3 * last + k];
             }
         }
     }
