@@ -1,7 +1,7 @@
 package robosim.geometry;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.sensing.Echoes;
+import robosim.geometry.engine.sensing.BeamResults;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -25,7 +25,7 @@ public final class SenseBuffer {
         PARTS
     }
 
-    private final Echoes echoes;
+    private final BeamResults echoes;
 
     /** A buffer for distances and nothing else. */
     public SenseBuffer() {
@@ -42,10 +42,10 @@ public final class SenseBuffer {
             hasNormals |= extra == Extra.NORMALS;
             hasParts |= extra == Extra.PARTS;
         }
-        echoes = new Echoes(hasObjects, hasNormals, hasParts);
+        echoes = new BeamResults(hasObjects, hasNormals, hasParts);
     }
 
-    Echoes echoes() {
+    BeamResults echoes() {
         return echoes;
     }
 

@@ -6,7 +6,7 @@ import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.motion.FreePlaces;
-import robosim.geometry.engine.sensing.Echoes;
+import robosim.geometry.engine.sensing.BeamResults;
 import robosim.geometry.engine.sensing.PatternSensor;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Pose;
@@ -90,7 +90,7 @@ final class WorldCopies {
             mount(world, name, pose);
             Checks.present("pattern", pattern);
             Checks.present("options", options);
-            Echoes echoes = Checks.present("out", out).echoes();
+            BeamResults echoes = Checks.present("out", out).echoes();
             PatternSensor sensor = world.engine().sensor;
             sensor.prepare(pattern, options, echoes);
             int tiles = sensor.tiles(pattern, options);

@@ -56,7 +56,7 @@ final class BodyState implements Cloneable {
     private double left;
     private boolean isHindered;
 
-    private PushResponse response = new PushResponse();
+    private PushExtrapolation response = new PushExtrapolation();
 
     /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
     double[] spatial = new double[6];

@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.dynamics.step.PlanarStepper;
+import robosim.geometry.dynamics.planar.PlanarStepper;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
@@ -76,7 +76,7 @@ public final class Dynamics {
     private final SurfaceTable table;
 
     /** Null in a PLANAR world. */
-    private final @Nullable Falling falling;
+    private final @Nullable SpatialBodies falling;
 
     /** The bodies by their index in the stepper; objects that only stand in the way come after them. */
     private final List<BodyState> order = new ArrayList<>();
@@ -131,7 +131,7 @@ public final class Dynamics {
         objects = engine.objects;
         stepper = new PlanarStepper(engine);
         table = new SurfaceTable(ground);
-        falling = falls ? new Falling(engine, table, gravity) : null;
+        falling = falls ? new SpatialBodies(engine, table, gravity) : null;
         pauseBy(() -> {});
     }
 
@@ -143,7 +143,7 @@ public final class Dynamics {
             throw new IllegalArgumentException("name must be that of a moveable object (got: \"" + name + "\")");
         }
         if (falling != null) {
-            Falling.check(object);
+            SpatialBodies.check(object);
         }
         BodyState before = find(name);
         BodyState state = new BodyState(name, body, objects.arrival(objects.find(name)));
@@ -204,7 +204,7 @@ public final class Dynamics {
         BodyState state = state(name);
         Checks.present("velocity", velocity);
         if (falling != null) {
-            Falling.setTwist(state, world.getObject(name).pose(), velocity);
+            SpatialBodies.setTwist(state, world.getObject(name).pose(), velocity);
         } else {
             Quantity.level("velocity", velocity, "in a PLANAR world");
             state.setVelocity(objects.places(), heading(name), velocity);
@@ -218,14 +218,14 @@ public final class Dynamics {
      */
     public void setSpatialVelocity(String name, SpatialVelocity velocity) {
         Checks.present("velocity", velocity);
-        Falling.setVelocity(spatial(name), velocity);
+        SpatialBodies.setVelocity(spatial(name), velocity);
     }
 
     /** The velocity of a body, along its own axes, and about its own Y alone. */
     public Twist velocity(String name) {
         BodyState state = state(name);
         return falling != null
-                ? Falling.twist(state, world.getObject(name).pose())
+                ? SpatialBodies.twist(state, world.getObject(name).pose())
                 : state.velocity(objects.places(), heading(name));
     }
 
@@ -240,7 +240,7 @@ public final class Dynamics {
      * @throws IllegalArgumentException if the world is PLANAR
      */
     public SpatialVelocity spatialVelocity(String name) {
-        return Falling.velocity(spatial(name));
+        return SpatialBodies.velocity(spatial(name));
     }
 
     private BodyState spatial(String name) {
@@ -572,6 +572,6 @@ public final class Dynamics {
         if (falling != null) {
             return falling.last();
         }
-        return ToldContacts.result(stepper.touches(), stepper.before(), betweenParts);
+        return StepContacts.result(stepper.touches(), stepper.before(), betweenParts);
     }
 }

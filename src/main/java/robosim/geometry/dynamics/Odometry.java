@@ -45,16 +45,16 @@ public record Odometry(double wayPerWay, double wayPerTurn, double turnPerWay, d
     public Twist measured(Twist had, double seconds, String robot, long step) {
         Checks.present("had", had);
         Quantity.positive("seconds", seconds);
-        long state = Noise.start(seed, Checks.present("robot", robot), step);
+        long state = OdometryNoise.start(seed, Checks.present("robot", robot), step);
         double way = Math.sqrt(had.x() * had.x() + had.z() * had.z()) * seconds;
         double turn = Math.abs(had.ry()) * seconds;
         double ofWay = Math.sqrt(wayPerWay * wayPerWay * way + wayPerTurn * wayPerTurn * (turn / 360)) / seconds;
         double ofTurn = Math.sqrt(turnPerWay * turnPerWay * way + turnPerTurn * turnPerTurn * turn) / seconds;
-        double sideways = had.z() == 0 ? 0 : ofWay * Noise.normal(state, 1);
+        double sideways = had.z() == 0 ? 0 : ofWay * OdometryNoise.normal(state, 1);
         return new Twist(
-                had.x() + ofWay * Noise.normal(state, 0),
+                had.x() + ofWay * OdometryNoise.normal(state, 0),
                 had.y(),
                 had.z() + sideways,
-                had.ry() + ofTurn * Noise.normal(state, 2));
+                had.ry() + ofTurn * OdometryNoise.normal(state, 2));
     }
 }

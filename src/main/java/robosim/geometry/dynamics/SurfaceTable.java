@@ -2,11 +2,11 @@ package robosim.geometry.dynamics;
 
 import java.util.HashMap;
 import java.util.Map;
-import robosim.geometry.dynamics.step.Surfaces;
+import robosim.geometry.dynamics.planar.ContactSurfaces;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /** The surfaces of objects by their ids, and one for all others. */
-final class SurfaceTable implements Surfaces {
+final class SurfaceTable implements ContactSurfaces {
     /** By id, for a step. */
     private final Map<Integer, Surface> own = new HashMap<>();
 

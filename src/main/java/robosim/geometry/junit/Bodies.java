@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.net.session.BodyStepper;
 import robosim.geometry.net.session.Falls;
-import robosim.geometry.net.session.Motion;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
@@ -33,7 +33,7 @@ final class Bodies {
     private final Map<String, StopAnswer> stops = new HashMap<>();
 
     private final Map<String, Long> stopSteps = new HashMap<>();
-    private final Motion motion;
+    private final BodyStepper motion;
     private StepBundle.Answer last = new StepBundle.Answer(List.of(), List.of(), List.of());
 
     /**
@@ -58,12 +58,12 @@ final class Bodies {
         }
     }
 
-    Bodies(Motion motion) {
+    Bodies(BodyStepper motion) {
         this.motion = motion;
     }
 
     /** The same bodies, with their velocities and commands, in a world that was changed by other means. */
-    Bodies again(Motion other) {
+    Bodies again(BodyStepper other) {
         Bodies again = new Bodies(other);
         again.given.putAll(given);
         again.told.putAll(told);

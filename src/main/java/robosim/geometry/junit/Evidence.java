@@ -72,7 +72,7 @@ final class Evidence {
      * Writes all evidence and returns the lines of the failure message that name it. Throws nothing, so that the
      * failure itself is reported.
      */
-    String leave(String failure, long seed, @Nullable RobotWorld world, Talks talks, String title) {
+    String leave(String failure, long seed, @Nullable RobotWorld world, RecordedServer talks, String title) {
         String lines = "\n  seed:   " + seed + " (as @Seed(" + seed + "L) or -Drobosim.seed=" + seed + ")";
         if (world != null) {
             lines += "\n  replay: " + unlessItFails("written", () -> replay(world.scenario(title)));

@@ -19,7 +19,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.net.session.Motion;
+import robosim.geometry.net.session.BodyStepper;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
@@ -84,7 +84,7 @@ public final class RobotWorld {
         }
         transcript.catchUp();
         if (before != null && anew != null) {
-            bodies = before.again(new Motion(geometry));
+            bodies = before.again(new BodyStepper(geometry));
             run(bodies, anew);
         }
     }
@@ -107,7 +107,7 @@ public final class RobotWorld {
         catchUp();
         Bodies all = bodies;
         if (all == null) {
-            all = new Bodies(new Motion(geometry));
+            all = new Bodies(new BodyStepper(geometry));
             bodies = all;
             clock.moving(this::step);
             if (!inFile.isEmpty()) {
@@ -248,10 +248,10 @@ public final class RobotWorld {
      *
      * @throws IllegalArgumentException if there is none of that name; the message lists those that exist
      */
-    public Thing object(String name) {
+    public Pushable object(String name) {
         Checks.present("name", name);
         known(name);
-        return new Thing(this, name);
+        return new Pushable(this, name);
     }
 
     /** All moveable objects, in the order in which they were added. */

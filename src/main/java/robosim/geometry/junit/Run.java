@@ -22,7 +22,7 @@ final class Run {
     private final long seed;
     private final SplittableRandom splittable;
     private final Random random;
-    private final Talks talks = new Talks();
+    private final RecordedServer talks = new RecordedServer();
     private @Nullable RobotWorld world;
 
     /** Which of several worlds and seeds to use; null if there is nothing to choose. */
@@ -124,7 +124,7 @@ final class Run {
         return new Evidence(Path.of(folder, name(context)));
     }
 
-    Talks talks() {
+    RecordedServer talks() {
         return talks;
     }
 

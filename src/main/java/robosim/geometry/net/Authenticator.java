@@ -5,10 +5,10 @@ import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.channel.MessageChannel;
-import robosim.geometry.protocol.json.Gate;
+import robosim.geometry.protocol.json.PeerAdmission;
 
 /** Admits a peer by its encoding and its secret; until it is admitted, shorter timeouts hold. */
-final class Authenticator implements Gate {
+final class Authenticator implements PeerAdmission {
     private final Access access;
     private final PacedInput in;
     private final Timeouts timeouts;

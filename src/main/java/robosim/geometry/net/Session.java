@@ -17,9 +17,9 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.net.session.AngleCheck;
 import robosim.geometry.net.session.Batches;
+import robosim.geometry.net.session.BodyStepper;
 import robosim.geometry.net.session.Extent;
 import robosim.geometry.net.session.LogBudget;
-import robosim.geometry.net.session.Motion;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
 import robosim.geometry.net.session.WorldRequests;
@@ -89,10 +89,10 @@ public final class Session {
     private @Nullable Geometry world;
 
     /** The bodies of the world; null before the first step. */
-    private @Nullable Motion motion;
+    private @Nullable BodyStepper motion;
 
     /** The bodies of which the log has told that one was stopped. */
-    private @Nullable Motion stopping;
+    private @Nullable BodyStepper stopping;
 
     private Set<String> moveable = new HashSet<>();
     private double radians;
@@ -416,7 +416,7 @@ public final class Session {
         }
         breath.run();
         try {
-            Motion moving = motion == null ? new Motion(geometry, () -> breath.run()) : motion;
+            BodyStepper moving = motion == null ? new BodyStepper(geometry, () -> breath.run()) : motion;
             motion = moving;
             StepBundle.Answer answer = moving.step(step, (index, reason) -> problems.add(leftOut(index, reason)));
             angles.look(step, moving);

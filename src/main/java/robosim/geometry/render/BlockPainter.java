@@ -23,7 +23,7 @@ final class BlockPainter {
     private final SenseBuffer met = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS, Extra.PARTS);
 
     private @Nullable ColorCamera camera;
-    private Beam[] beams = new Beam[0];
+    private PixelBeam[] beams = new PixelBeam[0];
     private SkyLight sky = new SkyLight(Sky.NONE);
     private @Nullable Lighting lighting;
 
@@ -77,7 +77,7 @@ final class BlockPainter {
         Lighting with = by.options().lighting();
         if (!with.equals(lighting)) {
             lighting = with;
-            beams = with.lights().stream().map(Beam::new).toArray(Beam[]::new);
+            beams = with.lights().stream().map(PixelBeam::new).toArray(PixelBeam[]::new);
             sky = new SkyLight(with.sky());
         }
         Pose place = by.placeIn(world);
@@ -168,13 +168,13 @@ final class BlockPainter {
         if (object == null) {
             sky.addSeen(into.way[3 * into.count + 1], weight, light, 3 * sample);
         } else {
-            Surface surface = surfaces.of(object, met.part(ray));
+            ShadedSurface surface = surfaces.of(object, met.part(ray));
             into.add(met.distances()[ray], surface, met.face(ray), met.normals(), ray, sky, sample, weight);
         }
     }
 
     private void illuminate(ColorCamera.Options options, int samples, int depth) {
-        for (Beam beam : beams) {
+        for (PixelBeam beam : beams) {
             illuminator.addLight(hits, beam);
         }
         SkyShade smooth = shade;
@@ -241,7 +241,7 @@ final class BlockPainter {
         for (int k = 0; k < hits.count; k++) {
             int at = 3 * k;
             int to = 3 * hits.target[k];
-            Surface surface = hits.at(k);
+            ShadedSurface surface = hits.at(k);
             double mirror = isLast ? 0 : surface.mirror;
             double own = hits.weight[k] * (1 - mirror);
             if (seen[k]) {

@@ -26,7 +26,7 @@ final class Hits {
     final double[] ambient;
 
     final double[] direct;
-    final @Nullable Surface[] surface;
+    final @Nullable ShadedSurface[] surface;
 
     /** The sample to which the light goes, and the share of it that does. */
     final int[] target;
@@ -44,7 +44,7 @@ final class Hits {
         color = new double[3 * most];
         ambient = new double[3 * most];
         direct = new double[3 * most];
-        surface = new Surface[most];
+        surface = new ShadedSurface[most];
         target = new int[most];
         weight = new double[most];
     }
@@ -63,7 +63,14 @@ final class Hits {
 
     /** Adds the point at a distance along the ray that was taken last. */
     void add(
-            double distance, Surface met, int face, double[] normals, int ray, SkyLight sky, int sample, double share) {
+            double distance,
+            ShadedSurface met,
+            int face,
+            double[] normals,
+            int ray,
+            SkyLight sky,
+            int sample,
+            double share) {
         int k = count++;
         int at = 3 * k;
         double px = from[at] + distance * way[at];
@@ -105,8 +112,8 @@ final class Hits {
     }
 
     /** The surface of a point. */
-    Surface at(int k) {
-        Surface met = surface[k];
+    ShadedSurface at(int k) {
+        ShadedSurface met = surface[k];
         if (met == null) {
             throw new AssertionError("a point has a surface");
         }

@@ -40,7 +40,7 @@ final class Illuminator {
     }
 
     /** Adds the light of a beam to all points that it reaches. */
-    void addLight(Hits hits, Beam beam) {
+    void addLight(Hits hits, PixelBeam beam) {
         int count = 0;
         for (int k = 0; k < hits.count; k++) {
             int at = 3 * k;
@@ -95,9 +95,9 @@ final class Illuminator {
     }
 
     /** What a point makes of the light: some is scattered in its colour, some goes on about the mirrored direction. */
-    private void carry(Hits hits, int k, Beam beam, int to) {
+    private void carry(Hits hits, int k, PixelBeam beam, int to) {
         int at = 3 * k;
-        Surface met = hits.at(k);
+        ShadedSurface met = hits.at(k);
         double highlight = 0;
         if (met.specular > 0) {
             double nx = hits.normal[at];

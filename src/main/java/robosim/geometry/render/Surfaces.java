@@ -19,12 +19,12 @@ final class Surfaces {
 
     /** The parts of one object, and where they stand in it. */
     private static final class Entry {
-        final Surface[] parts;
+        final ShadedSurface[] parts;
         final Pose[] within;
         long picture = -1;
 
         Entry(int count) {
-            parts = new Surface[count];
+            parts = new ShadedSurface[count];
             within = new Pose[count];
         }
     }
@@ -59,7 +59,7 @@ final class Surfaces {
      * @param part -1 where no single part is known; then the first one stands for all
      */
     @SuppressWarnings("ReferenceEquality") // the same instance is the same object; an equal one may be elsewhere
-    Surface of(GeometryObject object, int part) {
+    ShadedSurface of(GeometryObject object, int part) {
         Entry entry = lastEntry;
         if (entry == null || lastObject != object) {
             entry = find(object);
@@ -101,7 +101,7 @@ final class Surfaces {
         List<GeometryObject> parts = object instanceof ObjectGroup group ? group.parts() : List.of(object);
         Entry entry = new Entry(parts.size());
         for (int k = 0; k < parts.size(); k++) {
-            entry.parts[k] = new Surface(parts.get(k), size);
+            entry.parts[k] = new ShadedSurface(parts.get(k), size);
             entry.within[k] = object instanceof ObjectGroup ? parts.get(k).pose() : Pose.ORIGIN;
         }
         place(entry, object.pose());

@@ -221,7 +221,7 @@ class DrivingTest {
         world.object("crate").hasMass(5).hasDamping(1, 1);
         world.robot("cart").drives(1, 0).forSeconds(3);
         Evidence evidence = new Evidence(folder);
-        String lines = evidence.leave("failure", 1, world, new Talks(), "drive");
+        String lines = evidence.leave("failure", 1, world, new RecordedServer(), "drive");
         assertThat(lines).doesNotContain("none");
         String picture = Files.readString(folder.resolve("last-moments.svg"), StandardCharsets.UTF_8);
         assertThat(picture).contains("cart");

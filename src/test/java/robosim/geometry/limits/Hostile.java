@@ -32,8 +32,8 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
 import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.PeerAdmission;
 
 /**
  * Gives bytes to a decoder and judges what becomes of them: bundles, or the protocol's own exception, within a second and
@@ -190,7 +190,7 @@ final class Hostile {
                 OutputStream.nullOutputStream(),
                 MessageTranslator.RECORDS,
                 MessagePace.NONE,
-                Gate.OPEN);
+                PeerAdmission.OPEN);
         List<String> wrong = new ArrayList<>();
         channel.onWrongRequest(wrong::add);
         for (Bundle bundle = channel.read(); bundle != null; bundle = channel.read()) {

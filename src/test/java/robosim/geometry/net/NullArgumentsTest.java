@@ -42,8 +42,8 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.channel.MessageChannel;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonRecord;
+import robosim.geometry.protocol.json.PeerAdmission;
 import robosim.geometry.scenario.Recorder;
 import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.Replay;
@@ -64,7 +64,7 @@ class NullArgumentsTest {
     /** Told to the module, or values that it makes for others to read. */
     private static final List<String> NOT_ASKED = List.of(
             "SessionListener",
-            "Gate",
+            "PeerAdmission",
             "Loader",
             "MessagePace",
             "MessageTranslator",
@@ -103,7 +103,7 @@ class NullArgumentsTest {
             SSLContext.getDefault(),
             MessageTranslator.RECORDS,
             MessagePace.NONE,
-            Gate.OPEN,
+            PeerAdmission.OPEN,
             new InitBundle(List.of()),
             new MoveBundle(List.of()),
             new DistanceBundle(List.of()),
@@ -119,7 +119,7 @@ class NullArgumentsTest {
                     new ByteArrayOutputStream(),
                     MessageTranslator.RECORDS,
                     MessagePace.NONE,
-                    Gate.OPEN),
+                    PeerAdmission.OPEN),
             new MessageWriter(new ByteArrayOutputStream()),
             new MessageReader(new ByteArrayInputStream(new byte[0])),
             header,

@@ -32,8 +32,8 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.channel.MessageChannel;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.PeerAdmission;
 
 /**
  * Conversations of all sizes that are sent without waiting: how their bytes are split and joined on the way changes no
@@ -168,7 +168,7 @@ class PipelinedTest {
             ByteArrayOutputStream out = new ByteArrayOutputStream();
             InputStream in = new Split(talk.sent(), random.split());
             MessageChannel channel =
-                    new MessageChannel(in, out, MessageTranslator.RECORDS, MessagePace.NONE, Gate.OPEN);
+                    new MessageChannel(in, out, MessageTranslator.RECORDS, MessagePace.NONE, PeerAdmission.OPEN);
             Session session = new Session();
             for (Bundle request = channel.read(); request != null; request = channel.read()) {
                 Reply reply = session.reply(request);
@@ -231,7 +231,7 @@ class PipelinedTest {
                 out,
                 MessageTranslator.RECORDS,
                 MessagePace.NONE,
-                Gate.OPEN);
+                PeerAdmission.OPEN);
         for (int k = 0; k < 4; k++) {
             assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
         }

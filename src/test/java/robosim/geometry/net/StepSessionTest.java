@@ -28,8 +28,8 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.pace.CpuTurn;
+import robosim.geometry.net.session.BodyStepper;
 import robosim.geometry.net.session.LogBudget;
-import robosim.geometry.net.session.Motion;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -200,7 +200,7 @@ class StepSessionTest {
     void whatIsRefusedIsNoBody() {
         Geometry world = new Geometry(40, 5, 40, Dimension.PLANAR, Accuracy.EXACT);
         world.addObject(new BoxObject(new Point(), 1, 1, 0).moveable("sheet"));
-        Motion motion = new Motion(world);
+        BodyStepper motion = new BodyStepper(world);
         BodyRequest heavy = BodyRequest.of("sheet").withMass(5);
         List<StepBundle> steps = List.of(
                 new StepBundle(1, List.of(heavy.withDrive(DriveSettings.DEFAULT)), List.of()),
@@ -223,7 +223,7 @@ class StepSessionTest {
         Geometry world = new Geometry(40, 5, 40, Dimension.PLANAR, Accuracy.EXACT);
         CylinderObject cart = new CylinderObject(new Point(), 0.5, 1).moveable("cart");
         world.addObject(cart);
-        Motion motion = new Motion(world);
+        BodyStepper motion = new BodyStepper(world);
         BodyRequest given = BodyRequest.of("cart").withDrive(DriveSettings.of(DriveSettings.Kind.OMNIDIRECTIONAL));
         List<DriveCommand> aside = List.of(new DriveCommand("cart", 0, 1, 0));
         List<String> reasons = new ArrayList<>();

@@ -18,8 +18,8 @@ import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.channel.MessageChannel;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.PeerAdmission;
 
 /** What an environment speaks. */
 enum Tongue {
@@ -69,7 +69,7 @@ enum Tongue {
             ByteArrayOutputStream hello = new ByteArrayOutputStream();
             line(hello, HELLO);
             ByteArrayInputStream in = new ByteArrayInputStream(hello.toByteArray());
-            new MessageChannel(in, bytes, MessageTranslator.RECORDS, MessagePace.NONE, Gate.OPEN).read();
+            new MessageChannel(in, bytes, MessageTranslator.RECORDS, MessagePace.NONE, PeerAdmission.OPEN).read();
             long[] ends = new long[replies.size()];
             for (int k = 0; k < ends.length; k++) {
                 line(bytes, JsonLines.write(replies.get(k)));

@@ -54,7 +54,7 @@ public final class CloudOptions {
         int width = camera.width() * samples;
         int height = camera.height() * samples;
         int[] pixels = new int[width * height];
-        Arrays.fill(pixels, Look.NOTHING);
+        Arrays.fill(pixels, PictureStyle.NOTHING);
         double[] nearest = new double[pixels.length];
         Arrays.fill(nearest, Double.POSITIVE_INFINITY);
         double[] heights = new double[cloud.size()];
@@ -81,13 +81,15 @@ public final class CloudOptions {
             double x = width / 2.0 + focal * (r[2] * dx + r[5] * dy + r[8] * dz) / ahead;
             double y = height / 2.0 - focal * (r[1] * dx + r[4] * dy + r[7] * dz) / ahead;
             double bright = Math.min(1, 0.45 + 0.55 * cloud.value(PointCloud.Field.INTENSITY, k));
-            int colour =
-                    Look.mixed(Look.NOTHING, Look.ramp(1 - (heights[k] - low) / (high - low) * 0.85 - 0.05), bright);
+            int colour = PictureStyle.mixed(
+                    PictureStyle.NOTHING,
+                    PictureStyle.ramp(1 - (heights[k] - low) / (high - low) * 0.85 - 0.05),
+                    bright);
             double radius =
                     Math.min(MOST_RADIUS * samples, Math.max(0.5, RADIUS * focal * studio.depth(camera) / ahead));
             dot(x, y, radius, ahead, colour, width, pixels, nearest);
         }
-        return Look.means(pixels, camera.width(), camera.height(), samples);
+        return PictureStyle.means(pixels, camera.width(), camera.height(), samples);
     }
 
     private static void dot(

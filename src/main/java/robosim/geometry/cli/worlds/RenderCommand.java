@@ -98,12 +98,12 @@ public final class RenderCommand implements Callable<Integer> {
             names = "--show",
             paramLabel = "WHAT",
             defaultValue = "colour",
-            completionCandidates = Look.Names.class,
-            converter = Look.Converter.class,
+            completionCandidates = PictureStyle.Names.class,
+            converter = PictureStyle.Converter.class,
             description = "${COMPLETION-CANDIDATES}: the world in its light, how far away surfaces are, which way they"
                     + " face, which object or label each pixel shows, or what a lidar measures (default:"
                     + " ${DEFAULT-VALUE})")
-    private Look show = Look.COLOUR;
+    private PictureStyle show = PictureStyle.COLOUR;
 
     @Mixin
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -301,11 +301,11 @@ public final class RenderCommand implements Callable<Integer> {
                 CameraOptions.Shot shot = shots.get(k);
                 int done = 100 * k / shots.size();
                 int[] seen;
-                if (show == Look.COLOUR) {
+                if (show == PictureStyle.COLOUR) {
                     shot.camera().render(snapshot, frame, share -> percent.accept(done + share / shots.size()));
                     seen = frame.pixels();
                 } else {
-                    seen = show == Look.POINTS
+                    seen = show == PictureStyle.POINTS
                             ? clouds.picture(shot.camera(), studio, snapshot, metres)
                             : show.picture(shot.camera(), studio, snapshot);
                 }

@@ -126,7 +126,7 @@ public abstract class BeamSearch {
     }
 
     /** Adds the cone at hand to those that share what is around their place, or begins with it. */
-    public void share(Surroundings around, int cone, boolean isFirst) {
+    public void share(ConeCandidates around, int cone, boolean isFirst) {
         if (isFirst) {
             around.start(beam.ox, beam.oy, beam.oz);
         }
@@ -147,7 +147,7 @@ public abstract class BeamSearch {
      *
      * @param cone its number among them
      */
-    protected void searchAround(AccuracyView view, double limit, int ignored, Surroundings around, int cone) {
+    protected void searchAround(AccuracyView view, double limit, int ignored, ConeCandidates around, int cone) {
         LeafTable own = view.own;
         setSides();
         double slack = slack(own) + 0x1p-44 * Math.abs(beam.oy);

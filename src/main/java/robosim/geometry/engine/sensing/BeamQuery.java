@@ -2,8 +2,8 @@ package robosim.geometry.engine.sensing;
 
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.BeamSearch;
+import robosim.geometry.engine.broadphase.ConeCandidates;
 import robosim.geometry.engine.broadphase.LeafTable;
-import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Checks;
@@ -180,7 +180,7 @@ public final class BeamQuery extends BeamSearch {
     }
 
     /** The same for one of the cones that share what is around their place. */
-    double nearest(AccuracyView view, double limit, int ignored, Surroundings around, int cone) {
+    double nearest(AccuracyView view, double limit, int ignored, ConeCandidates around, int cone) {
         hit = -1;
         best = Double.POSITIVE_INFINITY;
         searchAround(view, limit, ignored, around, cone);
@@ -276,7 +276,7 @@ public final class BeamQuery extends BeamSearch {
     }
 
     /** Notes what the last answer is of, at the distance that it gave. */
-    void tell(Echoes out, int beam, AccuracyView view, double at) {
+    void tell(BeamResults out, int beam, AccuracyView view, double at) {
         boolean isMissed = hit < 0;
         if (out.hasNormals() && !isMissed) {
             normal(view, at, vector);

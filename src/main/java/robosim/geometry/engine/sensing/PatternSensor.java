@@ -2,9 +2,9 @@ package robosim.geometry.engine.sensing;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.ConeCandidates;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.PacketSearch;
-import robosim.geometry.engine.broadphase.Surroundings;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
@@ -38,7 +38,7 @@ public final class PatternSensor {
     /** Made for the first tile. */
     private @Nullable PacketSearch packets;
 
-    private @Nullable Surroundings surroundings;
+    private @Nullable ConeCandidates surroundings;
 
     private final double[] vector = new double[3];
     private final ScanDirections scans = new ScanDirections();
@@ -55,7 +55,7 @@ public final class PatternSensor {
     private double[] distances = NONE;
 
     /** What takes more than distances; null if nothing does. */
-    private @Nullable Echoes more;
+    private @Nullable BeamResults more;
 
     // What is asked of each beam.
     private double min;
@@ -83,7 +83,7 @@ public final class PatternSensor {
      *
      * @throws IllegalArgumentException if a beam has no answer in this world, or the answers want what it has not
      */
-    public void prepare(RayPattern pattern, SenseOptions options, Echoes out) {
+    public void prepare(RayPattern pattern, SenseOptions options, BeamResults out) {
         if ((out.hasNormals() || out.hasParts()) && options.width() > 0) {
             throw new IllegalArgumentException("width must be 0 for a buffer with "
                     + (out.hasNormals() ? "normals" : "parts") + ", which cones have not (got: " + options.width()
@@ -100,7 +100,7 @@ public final class PatternSensor {
     }
 
     /** Prepares, and answers all beams. */
-    public void senseAll(RayPattern pattern, SenseOptions options, Echoes out) {
+    public void senseAll(RayPattern pattern, SenseOptions options, BeamResults out) {
         prepare(pattern, options, out);
         sense(pattern, options, out, 0, tiles(pattern, options));
         finish(pattern, out);
@@ -138,7 +138,7 @@ public final class PatternSensor {
     }
 
     /** Answers the tiles from one up to another, which is not among them. */
-    public void sense(RayPattern pattern, SenseOptions options, Echoes out, int from, int to) {
+    public void sense(RayPattern pattern, SenseOptions options, BeamResults out, int from, int to) {
         AccuracyView view = view(pattern, options);
         min = options.min();
         max = options.max();
@@ -243,7 +243,7 @@ public final class PatternSensor {
             int beam = beams[k];
             double nearest = search.nearest(k - from);
             distances[beam] = nearest < min ? min : nearest;
-            Echoes wanted = more;
+            BeamResults wanted = more;
             if (wanted != null) {
                 int hit = search.hit(k - from);
                 if (hit >= 0 && wanted.hasNormals()) {
@@ -261,10 +261,10 @@ public final class PatternSensor {
     }
 
     /** What is around, for some cones; null where they do not look around. */
-    private @Nullable Surroundings around(AccuracyView view, int from, int to) {
-        Surroundings around = surroundings;
+    private @Nullable ConeCandidates around(AccuracyView view, int from, int to) {
+        ConeCandidates around = surroundings;
         if (around == null) {
-            around = new Surroundings(objects);
+            around = new ConeCandidates(objects);
             surroundings = around;
         }
         for (int k = from; k < to; k++) {
@@ -287,7 +287,7 @@ public final class PatternSensor {
         ranging.widen(width);
     }
 
-    private void answerOneByOne(AccuracyView view, int from, int to, @Nullable Surroundings around) {
+    private void answerOneByOne(AccuracyView view, int from, int to, @Nullable ConeCandidates around) {
         for (int k = from; k < to; k++) {
             int beam = beams[k];
             beam(view, k);
@@ -295,7 +295,7 @@ public final class PatternSensor {
                     ? ranging.nearest(view, max, ignored)
                     : ranging.nearest(view, max, ignored, around, k);
             distances[beam] = nearest < min ? min : nearest;
-            Echoes wanted = more;
+            BeamResults wanted = more;
             if (wanted != null) {
                 ranging.tell(wanted, beam, view, nearest);
             }
@@ -303,7 +303,7 @@ public final class PatternSensor {
     }
 
     /** Says that all beams have been answered. */
-    public static void finish(RayPattern pattern, Echoes out) {
+    public static void finish(RayPattern pattern, BeamResults out) {
         out.filled(pattern.size());
     }
 }

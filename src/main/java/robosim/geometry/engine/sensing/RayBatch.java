@@ -88,7 +88,7 @@ public final class RayBatch {
     }
 
     /** What each ray meets first. */
-    public void cast(AccuracyView view, double[] rays, int count, Echoes out) {
+    public void cast(AccuracyView view, double[] rays, int count, BeamResults out) {
         out.clear(count, dimension);
         double[] distances = out.distances();
         for (int k = 0; k < count; k++) {

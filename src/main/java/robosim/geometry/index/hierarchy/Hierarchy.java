@@ -56,7 +56,7 @@ public final class Hierarchy {
     private int[] slots = new int[0];
 
     /** The objects that are to be hung: where they are many, the hierarchy is built with them instead. */
-    private final WaitingList waiting = new WaitingList();
+    private final PendingObjects waiting = new PendingObjects();
 
     private int count = 1;
 

@@ -53,7 +53,7 @@ public final class AngleCheck {
     }
 
     /** Looks at a step that was carried out; the turn of a drive of forces is none. */
-    public void look(StepBundle step, Motion motion) {
+    public void look(StepBundle step, BodyStepper motion) {
         for (DriveCommand command : step.commands()) {
             if (motion.kind(command.objectName()) != DriveSettings.Kind.FORCE) {
                 look("turn", "radians a second", command.objectName(), command.turn());

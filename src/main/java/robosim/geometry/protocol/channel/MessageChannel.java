@@ -21,9 +21,9 @@ import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonCodec;
 import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.PeerAdmission;
 
 /**
  * Both directions of one connection, in the encoding that the peer chooses by its first byte: {@code AC} of Java
@@ -57,7 +57,7 @@ public final class MessageChannel {
     private final OutputStream out;
     private final MessageTranslator translator;
     private final MessagePace pace;
-    private final Gate gate;
+    private final PeerAdmission gate;
 
     /** The writer, if it was created, and our stream header sent, before the peer had sent anything. */
     private @Nullable MessageWriter early;
@@ -69,7 +69,8 @@ public final class MessageChannel {
     private volatile @Nullable Encoding encoding;
 
     /** Reads and writes nothing yet. */
-    public MessageChannel(InputStream in, OutputStream out, MessageTranslator translator, MessagePace pace, Gate gate) {
+    public MessageChannel(
+            InputStream in, OutputStream out, MessageTranslator translator, MessagePace pace, PeerAdmission gate) {
         this.in = Checks.present("in", in);
         this.out = Checks.present("out", out);
         this.translator = Checks.present("translator", translator);

@@ -34,7 +34,7 @@ public final class JsonCodec {
     private final OutputStream target;
 
     private final OutputStream buffered;
-    private final Gate gate;
+    private final PeerAdmission gate;
     private final Consumer<String> wrongRequests;
     private final InitBundle.Loader worlds;
     private boolean admitted;
@@ -60,7 +60,7 @@ public final class JsonCodec {
             InputStream in,
             OutputStream out,
             MessagePace pace,
-            Gate gate,
+            PeerAdmission gate,
             InitBundle.Loader worlds,
             Consumer<String> wrongRequests) {
         this.lines = new LineInput(in, pace);
@@ -82,7 +82,7 @@ public final class JsonCodec {
             InputStream in,
             OutputStream out,
             MessagePace pace,
-            Gate gate,
+            PeerAdmission gate,
             InitBundle.Loader worlds,
             Consumer<String> wrongRequests) {
         Checks.present("in", in);

@@ -75,7 +75,7 @@ public final class SafeXml {
             }
         } catch (CharConversionException e) { // bytes that are not of its encoding
         }
-        try (MendedXml in = new MendedXml(RegularFile.open(file))) {
+        try (LenientXml in = new LenientXml(RegularFile.open(file))) {
             H follower = followers.get();
             parse(plainReader(), in, source, follower);
             in.mended(source).forEach(remarks);
@@ -90,7 +90,7 @@ public final class SafeXml {
 
     /** The bytes of a file without the mistakes that Gazebo does not mind. */
     public static InputStream mended(InputStream in) throws IOException {
-        return new MendedXml(in);
+        return new LenientXml(in);
     }
 
     /** A parser to which a colon is a letter. */

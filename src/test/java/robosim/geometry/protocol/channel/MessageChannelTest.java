@@ -36,8 +36,8 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
-import robosim.geometry.protocol.json.Gate;
 import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.PeerAdmission;
 
 class MessageChannelTest {
     private static final String HELLO = "{\"type\":\"hello\",\"version\":1}\n";
@@ -47,12 +47,12 @@ class MessageChannelTest {
 
     private final ByteArrayOutputStream out = new ByteArrayOutputStream();
 
-    private MessageChannel channel(InputStream in, Gate gate) {
+    private MessageChannel channel(InputStream in, PeerAdmission gate) {
         return new MessageChannel(in, out, MessageTranslator.RECORDS, MessagePace.NONE, gate);
     }
 
     private MessageChannel channel(String text) {
-        return channel(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), Gate.OPEN);
+        return channel(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), PeerAdmission.OPEN);
     }
 
     private List<String> lines() {
@@ -85,7 +85,7 @@ class MessageChannelTest {
     @Test
     void aJavaPeerIsAnsweredInJava() throws IOException {
         byte[] bytes = MessageTest.write(Samples.everyBundle().toArray(Bundle[]::new));
-        MessageChannel channel = channel(new ByteArrayInputStream(bytes), Gate.OPEN);
+        MessageChannel channel = channel(new ByteArrayInputStream(bytes), PeerAdmission.OPEN);
         assertThat(out.toByteArray()).as("before a word of the peer").isEmpty();
         assertThat(channel.encoding()).isNull();
         assertThatThrownBy(() -> channel.write(NONE_MADE)).isInstanceOf(IllegalStateException.class);
@@ -139,7 +139,7 @@ class MessageChannelTest {
         };
         InputStream in = new ByteArrayInputStream((HELLO + MOVES).getBytes(StandardCharsets.UTF_8));
         MessageChannel channel =
-                new MessageChannel(in, counting, MessageTranslator.RECORDS, MessagePace.NONE, Gate.OPEN);
+                new MessageChannel(in, counting, MessageTranslator.RECORDS, MessagePace.NONE, PeerAdmission.OPEN);
         channel.read();
         assertThat(writes[0]).as("for the hello").isEqualTo(1);
         channel.write(NONE_MADE);
@@ -149,7 +149,7 @@ class MessageChannelTest {
     @Test
     void whoIsSilentGetsTheHeaderOfJava() throws IOException {
         byte[] bytes = MessageTest.write(new MoveBundle(List.of()));
-        MessageChannel channel = channel(late(bytes), Gate.OPEN);
+        MessageChannel channel = channel(late(bytes), PeerAdmission.OPEN);
         assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
         channel.write(NONE_MADE);
         assertThat(MessageTest.readAll(out.toByteArray())).containsExactly(NONE_MADE.bundle());
@@ -157,7 +157,7 @@ class MessageChannelTest {
 
     @Test
     void aJsonPeerThatIsLateFindsTheHeaderOnALineOfItsOwn() throws IOException {
-        MessageChannel channel = channel(late((HELLO + MOVES).getBytes(StandardCharsets.UTF_8)), Gate.OPEN);
+        MessageChannel channel = channel(late((HELLO + MOVES).getBytes(StandardCharsets.UTF_8)), PeerAdmission.OPEN);
         assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
         channel.write(NONE_MADE);
         byte[] got = out.toByteArray();
@@ -299,7 +299,7 @@ class MessageChannelTest {
             text.writeBytes((HELLO + "{\"type\":\"ping\",\"id\":\"").getBytes(StandardCharsets.UTF_8));
             text.writeBytes(some);
             text.writeBytes("\"}\n".getBytes(StandardCharsets.UTF_8));
-            assertThatThrownBy(() -> channel(new ByteArrayInputStream(text.toByteArray()), Gate.OPEN)
+            assertThatThrownBy(() -> channel(new ByteArrayInputStream(text.toByteArray()), PeerAdmission.OPEN)
                             .read())
                     .isInstanceOf(ProtocolException.class)
                     .hasMessageContaining("line 2, a line must be UTF-8 (got: other bytes at byte 22)");
@@ -326,7 +326,7 @@ class MessageChannelTest {
         };
         InputStream endless = new SequenceInputStream(
                 new ByteArrayInputStream((HELLO + "{").getBytes(StandardCharsets.UTF_8)), spaces);
-        assertThatThrownBy(() -> channel(endless, Gate.OPEN).read())
+        assertThatThrownBy(() -> channel(endless, PeerAdmission.OPEN).read())
                 .hasMessageContaining("line 2, a line must have at most " + MessageLimits.MAX_MESSAGE_BYTES + " bytes");
     }
 
@@ -371,7 +371,7 @@ class MessageChannelTest {
     @Test
     void theGateIsAskedOnceAndNothingElseIsReadBeforeIt() throws IOException {
         List<String> told = new ArrayList<>();
-        Gate gate = secret -> told.add(String.valueOf(secret));
+        PeerAdmission gate = secret -> told.add(String.valueOf(secret));
         String hello = HELLO.replace("1}", "1,\"secret\":\"\\u0061b\"}");
         MessageChannel channel =
                 channel(new ByteArrayInputStream((hello + MOVES + MOVES).getBytes(StandardCharsets.UTF_8)), gate);
@@ -404,7 +404,7 @@ class MessageChannelTest {
                 broken,
                 MessageTranslator.RECORDS,
                 MessagePace.NONE,
-                Gate.OPEN);
+                PeerAdmission.OPEN);
         assertThatThrownBy(channel::read).hasMessageContaining("must have the field \"type\"");
         channel.refuse("again");
     }
@@ -432,7 +432,7 @@ class MessageChannelTest {
         Class<?> channel = loader.loadClass(home + "channel.MessageChannel");
         Class<?> translator = loader.loadClass(home + "MessageTranslator");
         Class<?> pace = loader.loadClass(home + "MessagePace");
-        Class<?> gate = loader.loadClass(home + "json.Gate");
+        Class<?> gate = loader.loadClass(home + "json.PeerAdmission");
         Object made = channel.getConstructor(InputStream.class, OutputStream.class, translator, pace, gate)
                 .newInstance(
                         new ByteArrayInputStream(bytes),

@@ -195,7 +195,12 @@ class JsonBatchesTest {
             }
         };
         JsonCodec codec = JsonCodec.open(
-                slow, new ByteArrayOutputStream(), MessagePace.NONE, Gate.OPEN, InitBundle.Loader.NONE, reason -> {});
+                slow,
+                new ByteArrayOutputStream(),
+                MessagePace.NONE,
+                PeerAdmission.OPEN,
+                InitBundle.Loader.NONE,
+                reason -> {});
         assertThat(codec.read()).isEqualTo(bundle);
         assertThat(codec.read()).isNull();
     }

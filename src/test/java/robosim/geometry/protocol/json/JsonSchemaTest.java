@@ -209,7 +209,7 @@ class JsonSchemaTest {
                 out,
                 MessageTranslator.RECORDS,
                 MessagePace.NONE,
-                Gate.OPEN);
+                PeerAdmission.OPEN);
         List<String> refusals = new ArrayList<>();
         channel.onWrongRequest(refusals::add);
         channel.loadBy(load -> new InitBundle.Loaded(List.of(new InitBundle(List.of())), 1, List.of()));

@@ -1,0 +1,140 @@
+package robosim.geometry.dynamics.planar;
+
+/** A collision: who takes part, what velocities come of it, and what drives make of these. */
+final class Collisions {
+    /** So often drives make up for what a collision has cost them. */
+    private static final int MOST_PUSHES = 16;
+
+    /** What drives do. */
+    PlanarStepper.Pushes pushes = (body, angle, round) -> false;
+
+    /** A number of the round of pushes at hand; after those of one collision one is left out. */
+    private long pushing;
+
+    /** Whether the world has carried the bodies to where they are, and has turned them. */
+    boolean isCarried;
+
+    /** A number of the collision at hand: pairs and bodies that belong to it are marked with it. */
+    int mark;
+
+    private final Bodies bodies;
+    private final ConvexPieces pieces;
+    private final Pairs pairs;
+    private final CollisionPrediction meetings;
+    private final PlanarTimeOfImpact impact;
+    private final Island island;
+    private final ContactSolver solver;
+    private final FloorFriction floor;
+    private int[] bodyMark = new int[8];
+
+    Collisions(PlanarScene scene, Pairs pairs, CollisionPrediction meetings, FloorFriction floor) {
+        this.pairs = pairs;
+        this.meetings = meetings;
+        this.floor = floor;
+        bodies = scene.bodies;
+        pieces = scene.pieces;
+        impact = meetings.impact;
+        island = meetings.island;
+        solver = meetings.solver;
+    }
+
+    /** Makes a collision an island, with all that touch there, and what these touch. */
+    void gather(int hit, double now) {
+        mark++;
+        if (bodyMark.length < bodies.count) {
+            bodyMark = new int[2 * bodies.count];
+        }
+        pairs.mark[hit] = 0;
+        island.begin();
+        join(pieces.body[pairs.a[hit]], now);
+        int other = pieces.body[pairs.b[hit]];
+        if (other >= 0) {
+            join(other, now);
+        }
+        for (int k = 0; k < island.bodyCount; k++) {
+            bodies.betweenParts.run();
+            int body = island.bodyList[k];
+            if (bodies.lightness[body] == 0) {
+                continue;
+            }
+            for (int link = pairs.heads[body]; link >= 0; link = pairs.links[link]) {
+                int pair = link >> 1;
+                if (!pairs.touches[pair] || pairs.mark[pair] == mark) {
+                    continue;
+                }
+                pairs.mark[pair] = mark;
+                int first = pieces.body[pairs.a[pair]];
+                int second = pieces.body[pairs.b[pair]];
+                join(first, now);
+                if (second >= 0) {
+                    join(second, now);
+                }
+                double distance = impact.measure(pairs.a[pair], pairs.b[pair], now);
+                if (meetings.isTouch(pair, distance)) {
+                    meetings.addContacts(pair, now);
+                } else if (pair != hit) {
+                    pairs.touches[pair] = false;
+                }
+            }
+        }
+    }
+
+    /** Solves what has been gathered, and lets drives make up for what it has cost them. */
+    boolean settle(ContactLog touches, boolean isBouncing) {
+        boolean isSolved = solver.solve(isBouncing);
+        meetings.tell(touches);
+        pushing++;
+        for (int round = 0; round < MOST_PUSHES && isSolved && push(); round++) {
+            isSolved = solver.solveAgain();
+            meetings.tell(touches);
+        }
+        for (int c = 0; c < island.count; c++) {
+            if (island.b[c] >= 0 && solver.push[c] > 0) {
+                floor.press(island.a[c]);
+                floor.press(island.b[c]);
+            }
+        }
+        return isSolved;
+    }
+
+    /** Lets the drives push on those whom something that can be moved is in the way of; whether any does. */
+    private boolean push() {
+        boolean isPushed = false;
+        pushing++;
+        for (int c = 0; c < island.count; c++) {
+            if (island.b[c] >= 0 && solver.push[c] > 0) {
+                isPushed |= push(island.a[c]);
+                isPushed |= push(island.b[c]);
+            }
+        }
+        return isPushed;
+    }
+
+    private boolean push(int body) {
+        double turned = isCarried ? 0 : bodies.angle[body];
+        return bodies.lightness[body] > 0 && solver.isChanged(body) && pushes.push(body, turned, pushing);
+    }
+
+    /** Whether the second body of a pair recedes from the first, which follows it: then it is carried first. */
+    boolean isFollowed(int b, int a, int pair, double now) {
+        impact.measure(pairs.a[pair], pairs.b[pair], now);
+        double nx = impact.separation.nx;
+        double nz = impact.separation.nz;
+        return bodies.vx[b] * nx + bodies.vz[b] * nz < 0 && bodies.vx[a] * nx + bodies.vz[a] * nz < 0;
+    }
+
+    /** Whether the velocity of one of a pair has been changed. */
+    boolean isChanged(int pair) {
+        int other = pieces.body[pairs.b[pair]];
+        return solver.isChanged(pieces.body[pairs.a[pair]]) || (other >= 0 && solver.isChanged(other));
+    }
+
+    private void join(int body, double now) {
+        if (bodyMark[body] == mark) {
+            return;
+        }
+        bodyMark[body] = mark;
+        bodies.advance(body, now);
+        island.addBody(body);
+    }
+}

@@ -1,0 +1,91 @@
+package robosim.geometry.dynamics.spatial;
+
+import java.util.Arrays;
+
+/** Points at which bodies touch or nearly do; columns of numbers. */
+final class Contacts {
+    private static final int FIRST = 64;
+
+    int count;
+
+    /** The body, and the other one; -1 where that stands still. */
+    int[] body = new int[FIRST];
+
+    int[] other = new int[FIRST];
+
+    /** The id of the other object; -1 for the border of the world. */
+    int[] object = new int[FIRST];
+
+    /** Three numbers each: the point, and the unit normal towards the body. */
+    double[] point = new double[3 * FIRST];
+
+    double[] normal = new double[3 * FIRST];
+
+    /** Which of the pieces around the body it is with. */
+    int[] piece = new int[FIRST];
+
+    /** How far the two are apart there. */
+    double[] apart = new double[FIRST];
+
+    /** What the body has been given along the normal, newton seconds. */
+    double[] impulse = new double[FIRST];
+
+    void clear() {
+        count = 0;
+    }
+
+    void add(
+            int ofBody,
+            int otherBody,
+            int otherObject,
+            double x,
+            double y,
+            double z,
+            double nx,
+            double ny,
+            double nz,
+            double gap) {
+        if (count == body.length) {
+            grow();
+        }
+        int k = count++;
+        body[k] = ofBody;
+        other[k] = otherBody;
+        object[k] = otherObject;
+        point[3 * k] = x;
+        point[3 * k + 1] = y;
+        point[3 * k + 2] = z;
+        normal[3 * k] = nx;
+        normal[3 * k + 1] = ny;
+        normal[3 * k + 2] = nz;
+        apart[k] = gap;
+        impulse[k] = 0;
+    }
+
+    private void grow() {
+        int room = 2 * count;
+        body = Arrays.copyOf(body, room);
+        other = Arrays.copyOf(other, room);
+        object = Arrays.copyOf(object, room);
+        piece = Arrays.copyOf(piece, room);
+        point = Arrays.copyOf(point, 3 * room);
+        normal = Arrays.copyOf(normal, 3 * room);
+        apart = Arrays.copyOf(apart, room);
+        impulse = Arrays.copyOf(impulse, room);
+    }
+
+    /** Moves a contact to another place. */
+    void copy(int from, int to) {
+        if (from == to) {
+            return;
+        }
+        body[to] = body[from];
+        other[to] = other[from];
+        object[to] = object[from];
+        piece[to] = piece[from];
+        System.arraycopy(point, 3 * from, point, 3 * to, 3);
+        System.arraycopy(normal, 3 * from, normal, 3 * to, 3);
+        apart[to] = apart[from];
+        impulse[to] = impulse[from];
+    }
+}

@@ -1,0 +1,144 @@
+package robosim.geometry.dynamics.spatial;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** The energy of bodies in a slice, shared by those that touch each other; and which of them come to rest. */
+final class EnergyBudget {
+    /** What touches something and moves more slowly than this for so long comes to rest: m/s, s. */
+    private static final double SLOW = 1e-3;
+
+    private static final double REST = 0.25;
+
+    /** What is touched faster than this wakes up, m/s. */
+    private static final double WAKE = 5e-3;
+
+    private final List<RigidBody> bodies;
+    private final double[] gravity;
+
+    // By group: the energy before and what drives have added, the kinetic one now, the potential one gained, and
+    // whether anything that stands still is touched.
+    private double[] before = new double[0];
+    private double[] moving = new double[0];
+    private double[] risen = new double[0];
+    private boolean[] isPressed = new boolean[0];
+    private boolean[] isHeld = new boolean[0];
+
+    EnergyBudget(List<RigidBody> bodies, double[] gravity) {
+        this.bodies = bodies;
+        this.gravity = gravity;
+    }
+
+    /** Notes what each body has when a slice begins, after damping. */
+    void begin(double seconds) {
+        for (int b = 0; b < bodies.size(); b++) {
+            RigidBody body = bodies.get(b);
+            body.group = b;
+            body.isTouching = false;
+            body.isHeld = false;
+            body.work = 0;
+            body.lastWork = 0;
+            body.turnInertia();
+            if (!body.isAsleep) {
+                body.limit(seconds);
+            }
+            body.energy = body.kinetic(body.v);
+            System.arraycopy(body.place, 0, body.start, 0, 3);
+            System.arraycopy(body.v, 0, body.began, 0, 3);
+            body.spin(body.place, body.v, body.spun);
+        }
+    }
+
+    /**
+     * Notes that two bodies touch: they share their energy, and one that comes fast enough, or that a drive presses, wakes the
+     * other.
+     */
+    void join(int a, int b) {
+        RigidBody body = bodies.get(a);
+        RigidBody other = bodies.get(b);
+        other.isTouching = true;
+        if (other.isAsleep && (body.isPressed || body.speed(body.v) > WAKE)) {
+            other.wake();
+        }
+        int from = body.group;
+        int to = other.group;
+        for (int k = 0; k < bodies.size(); k++) {
+            RigidBody each = bodies.get(k);
+            each.group = each.group == from ? to : each.group;
+        }
+    }
+
+    /**
+     * Energy grows by no more than the work of drives: what rounding, or restitution together with friction, would add is taken
+     * from the speed. Bodies that touch nothing but each other keep both momenta instead.
+     */
+    void finish(double seconds, FreeGroup free) {
+        for (int b = 0; b < bodies.size(); b++) {
+            RigidBody body = bodies.get(b);
+            if (!body.isAsleep) {
+                System.arraycopy(body.u, 0, body.v, 0, 6);
+            }
+        }
+        sum();
+        for (int b = 0; b < bodies.size(); b++) {
+            RigidBody body = bodies.get(b);
+            int group = body.group;
+            body.isPressed = isPressed[group];
+            if (isHeld[group] && moving[group] + risen[group] > before[group]) {
+                brake(body, group);
+            }
+        }
+        free.list();
+        for (int group = 0; group < bodies.size(); group++) {
+            if (!isHeld[group] && moving[group] > 0) {
+                free.keep(group, seconds, before[group]);
+            }
+        }
+        for (int b = 0; b < bodies.size(); b++) {
+            RigidBody body = bodies.get(b);
+            if (!body.isAsleep) {
+                body.slow = body.isTouching && !body.isPressed && body.speed(body.v) < SLOW ? body.slow + seconds : 0;
+                if (body.slow > REST) {
+                    body.sleep();
+                }
+            }
+        }
+    }
+
+    /** Takes from a body what its group has too much. */
+    private void brake(RigidBody body, int group) {
+        double excess = moving[group] + risen[group] - before[group];
+        double share = Math.sqrt(Math.max(0, moving[group] - excess) / moving[group]);
+        for (int k = 0; k < 6; k++) {
+            body.v[k] *= share;
+        }
+    }
+
+    /** What the bodies of each group have. */
+    private void sum() {
+        int count = bodies.size();
+        if (before.length < count) {
+            before = new double[count];
+            moving = new double[count];
+            risen = new double[count];
+            isPressed = new boolean[count];
+            isHeld = new boolean[count];
+        }
+        Arrays.fill(before, 0);
+        Arrays.fill(moving, 0);
+        Arrays.fill(risen, 0);
+        Arrays.fill(isPressed, false);
+        Arrays.fill(isHeld, false);
+        for (int b = 0; b < count; b++) {
+            RigidBody body = bodies.get(b);
+            if (!body.isAsleep) {
+                int group = body.group;
+                before[group] += body.energy + body.work;
+                moving[group] += body.kinetic(body.v);
+                risen[group] += body.risen(gravity);
+                isPressed[group] |= body.isDriving;
+                isHeld[group] |= body.isHeld;
+            }
+        }
+    }
+}

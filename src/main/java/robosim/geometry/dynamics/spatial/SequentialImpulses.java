@@ -1,0 +1,367 @@
+package robosim.geometry.dynamics.spatial;
+
+import java.util.List;
+import robosim.geometry.dynamics.planar.ContactSurfaces;
+
+/**
+ * Impulses at contacts, one after the other until nothing changes any more (Catto 2005): Newton's restitution, and Coulomb's
+ * friction within its cone.
+ */
+final class SequentialImpulses {
+    /** Slower approaches do not bounce, m/s: twice what gravity makes of rest in a slice. */
+    static final double BOUNCE = 0.02;
+
+    /** Whatever slides more slowly sticks as long as static friction can hold it, m/s. */
+    private static final double STICK = 1e-4;
+
+    private static final int MOST_ROUNDS = 200;
+
+    /** What static friction holds slides more slowly, m/s. */
+    private static final double SLIP = 1e-5;
+
+    /** So often contacts are found to slide that were not. */
+    private static final int MOST_SLIPS = 4;
+
+    /** Impulses that change a velocity by less than so many m/s no longer count. */
+    private static final double SMALL = 1e-9;
+
+    private final List<RigidBody> bodies;
+
+    private double[] target = new double[0];
+    private double[] pushed = new double[0];
+    private double[] rubbed = new double[0];
+    private double[] tangents = new double[0];
+    private double[] ease = new double[0];
+    private double[] friction = new double[0];
+    private boolean[] isOff = new boolean[0];
+
+    /** In which order contacts get their impulses, and how often it has changed. */
+    private int[] order = new int[0];
+
+    private int turn;
+
+    /** Of contacts below a driven body, that body, and else -1; and friction while wheels slide. */
+    private int[] wheel = new int[0];
+
+    private double[] slides = new double[0];
+    private final double[] arm = new double[3];
+    private final Traction traction;
+
+    SequentialImpulses(List<RigidBody> bodies, Traction traction) {
+        this.bodies = bodies;
+        this.traction = traction;
+    }
+
+    /** Begins anew with the order of contacts. */
+    void clear() {
+        turn = 0;
+    }
+
+    /** How often the order has changed. */
+    int turn() {
+        return turn;
+    }
+
+    void turn(int to) {
+        turn = to;
+    }
+
+    private double[] velocity(int b, boolean atEnd) {
+        RigidBody body = bodies.get(b);
+        return atEnd ? body.u : body.v;
+    }
+
+    /** Whether impulses move a body; what sleeps stands still until it is woken. */
+    private boolean isMoved(int b) {
+        return b >= 0 && !bodies.get(b).isAsleep;
+    }
+
+    /**
+     * Gives impulses.
+     *
+     * @param driven  the one body whose drive acts, or -1 for all
+     * @param atEnd   whether to the velocities at the end of the slice, and then without restitution, but with drives
+     * @param seconds what is left of the slice
+     * @param gap     nearer than this bodies are kept from coming
+     */
+    void solve(Contacts contacts, int driven, boolean atEnd, double seconds, double gap, ContactSurfaces surfaces) {
+        reserve(contacts.count);
+        boolean any = false;
+        for (int k = 0; k < contacts.count; k++) {
+            any |= prepare(contacts, k, atEnd, seconds, gap, surfaces);
+        }
+        turn += atEnd ? 0 : 1;
+        arrange(contacts);
+        if (atEnd) {
+            traction.prepare(contacts, wheel, isOff, driven, seconds);
+        }
+        if (any) {
+            iterate(contacts, atEnd);
+        }
+        for (int k = 0; any && k < MOST_SLIPS && slips(contacts, atEnd); k++) {
+            iterate(contacts, atEnd);
+        }
+        for (int k = 0; k < contacts.count; k++) {
+            if (!isOff[k]) {
+                contacts.impulse[k] += pushed[k];
+            }
+        }
+        if (atEnd) {
+            traction.finish();
+        }
+    }
+
+    /** Gives impulses until they change nothing any more. */
+    private void iterate(Contacts contacts, boolean atEnd) {
+        for (int round = 0; round < MOST_ROUNDS; round++) {
+            double most = 0;
+            for (int at = 0; at < contacts.count; at++) {
+                int k = order[at];
+                if (!isOff[k]) {
+                    most = Math.max(most, push(contacts, k, atEnd));
+                    most = Math.max(most, rub(contacts, k, atEnd));
+                }
+            }
+            if (atEnd) {
+                most = Math.max(most, traction.roll(contacts, wheel, pushed, friction, slides));
+            }
+            if (most < SMALL) {
+                break;
+            }
+        }
+    }
+
+    /** Lets those slide that static friction has not held; whether there are any. */
+    private boolean slips(Contacts c, boolean atEnd) {
+        boolean any = false;
+        for (int k = 0; k < c.count; k++) {
+            boolean isHeld = !isOff[k] && wheel[k] < 0 && pushed[k] > 0 && friction[k] > slides[k];
+            if (isHeld && slidesBy(c, k, atEnd) > SLIP) {
+                friction[k] = slides[k];
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    /**
+     * Puts the contacts in order. Where there are several solutions, as for who carries how much of a box on four corners, which
+     * one is found depends on it: so those of two pieces take turns, each of them to be the first, one way round and the other,
+     * and no side is favoured in the long run.
+     */
+    private void arrange(Contacts c) {
+        int to;
+        for (int from = 0; from < c.count; from = to) {
+            to = from + 1;
+            while (to < c.count && isSamePair(c, from, to)) {
+                to++;
+            }
+            int size = to - from;
+            int first = (turn >>> 1) % size;
+            for (int k = 0; k < size; k++) {
+                int next = (turn & 1) == 0 ? first + k : first + size - k;
+                order[from + k] = from + next % size;
+            }
+        }
+    }
+
+    private static boolean isSamePair(Contacts c, int a, int b) {
+        return c.body[a] == c.body[b] && c.object[a] == c.object[b] && c.piece[a] == c.piece[b];
+    }
+
+    private void reserve(int count) {
+        if (target.length < count) {
+            int room = 2 * count;
+            target = new double[room];
+            order = new int[room];
+            pushed = new double[room];
+            friction = new double[room];
+            slides = new double[room];
+            wheel = new int[room];
+            rubbed = new double[2 * room];
+            tangents = new double[6 * room];
+            ease = new double[2 * room];
+            isOff = new boolean[room];
+        }
+    }
+
+    private boolean prepare(Contacts c, int k, boolean atEnd, double seconds, double gap, ContactSurfaces surfaces) {
+        pushed[k] = 0;
+        wheel[k] = -1;
+        rubbed[2 * k] = 0;
+        rubbed[2 * k + 1] = 0;
+        int own = bodies.get(c.body[k]).id;
+        int other = c.object[k];
+        double before = speed(c, k, c.normal, 3 * k, false);
+        double apart = c.apart[k];
+        // What is not there yet, and comes fast enough to bounce, is met on the way; but a rim that lands almost flat
+        // meets the
+        // floor at one point after the other within microseconds, and as the gap grows, all of these are met at once.
+        boolean isBall = bodies.get(c.body[k]).isBall;
+        isOff[k] = before < -BOUNCE && apart > (isBall ? 4 * gap : Math.max(TurningSweep.THERE, gap));
+        if (isOff[k]) {
+            return false;
+        }
+        boolean bounces = !atEnd && before < -BOUNCE;
+        if (bounces) {
+            target[k] = -before * surfaces.mixRestitution(surfaces.restitution(own), surfaces.restitution(other));
+        } else if (apart > 2 * gap) {
+            target[k] = -(apart - 2 * gap) / seconds;
+        } else {
+            target[k] = apart < gap / 4 ? (gap / 4 - apart) / seconds : 0;
+        }
+        makeTangents(c, k);
+        ease[2 * k] = 1 / lightness(c, k, c.normal, 3 * k);
+        // One for both, so that what slides is rubbed straight against its way.
+        ease[2 * k + 1] = 1 / Math.max(lightness(c, k, tangents, 6 * k), lightness(c, k, tangents, 6 * k + 3));
+        rubs(c, k, own, other, surfaces);
+        return true;
+    }
+
+    /** Works out the friction at a contact: of wheels that stand still, and for all else as it slides now. */
+    private void rubs(Contacts c, int k, int own, int other, ContactSurfaces surfaces) {
+        double floor = floor(c, k, c.body[k], 1);
+        double otherFloor = c.other[k] < 0 ? 0 : floor(c, k, c.other[k], -1);
+        double still = surfaces.mixFriction(
+                Math.max(floor, surfaces.staticFriction(own)), Math.max(otherFloor, surfaces.staticFriction(other)));
+        double sliding = surfaces.mixFriction(
+                Math.max(floor, surfaces.slidingFriction(own)), Math.max(otherFloor, surfaces.slidingFriction(other)));
+        slides[k] = sliding;
+        friction[k] = wheel[k] >= 0 || slidesBy(c, k, false) <= STICK ? still : sliding;
+    }
+
+    /** A body's own friction with a floor, where the contact is below it, which may make that one of its wheels. */
+    private double floor(Contacts c, int k, int b, double sign) {
+        RigidBody body = bodies.get(b);
+        boolean isWheel = Traction.isBelow(body, c.normal, 3 * k, sign);
+        if (isWheel && wheel[k] < 0) {
+            wheel[k] = b;
+        }
+        return isWheel || traction.carries(c.normal, 3 * k, sign) ? body.floorFriction : 0;
+    }
+
+    private double slidesBy(Contacts c, int k, boolean atEnd) {
+        double s = speed(c, k, tangents, 6 * k, atEnd);
+        double t = speed(c, k, tangents, 6 * k + 3, atEnd);
+        return Math.sqrt(s * s + t * t);
+    }
+
+    /** The speed at which the body leaves the other one along a direction. */
+    private double speed(Contacts c, int k, double[] along, int at, boolean atEnd) {
+        double sum = speed(c.body[k], c, k, along, at, atEnd);
+        return isMoved(c.other[k]) ? sum - speed(c.other[k], c, k, along, at, atEnd) : sum;
+    }
+
+    private double speed(int b, Contacts c, int k, double[] along, int at, boolean atEnd) {
+        double[] v = velocity(b, atEnd);
+        reach(b, c, k);
+        double x = v[0] + (v[4] * arm[2] - v[5] * arm[1]);
+        double y = v[1] + (v[5] * arm[0] - v[3] * arm[2]);
+        double z = v[2] + (v[3] * arm[1] - v[4] * arm[0]);
+        return x * along[at] + y * along[at + 1] + z * along[at + 2];
+    }
+
+    private void reach(int b, Contacts c, int k) {
+        double[] place = bodies.get(b).place;
+        arm[0] = c.point[3 * k] - place[0];
+        arm[1] = c.point[3 * k + 1] - place[1];
+        arm[2] = c.point[3 * k + 2] - place[2];
+    }
+
+    /** By how much a unit of impulse along a direction changes the speed. */
+    private double lightness(Contacts c, int k, double[] along, int at) {
+        double sum = isMoved(c.body[k]) ? lightness(c.body[k], c, k, along, at) : 0;
+        return isMoved(c.other[k]) ? sum + lightness(c.other[k], c, k, along, at) : sum;
+    }
+
+    private double lightness(int b, Contacts c, int k, double[] along, int at) {
+        RigidBody body = bodies.get(b);
+        reach(b, c, k);
+        double x = arm[1] * along[at + 2] - arm[2] * along[at + 1];
+        double y = arm[2] * along[at] - arm[0] * along[at + 2];
+        double z = arm[0] * along[at + 1] - arm[1] * along[at];
+        double[] i = body.inverse;
+        return 1 / body.mass
+                + x * (i[0] * x + i[1] * y + i[2] * z)
+                + y * (i[3] * x + i[4] * y + i[5] * z)
+                + z * (i[6] * x + i[7] * y + i[8] * z);
+    }
+
+    private void makeTangents(Contacts c, int k) {
+        double nx = c.normal[3 * k];
+        double ny = c.normal[3 * k + 1];
+        double nz = c.normal[3 * k + 2];
+        int at = 6 * k;
+        boolean isLevel = Math.abs(nx) < 0.6;
+        tangents[at] = isLevel ? 0 : -nz;
+        tangents[at + 1] = isLevel ? nz : 0;
+        tangents[at + 2] = isLevel ? -ny : nx;
+        double size = RigidBody.length(tangents, at);
+        for (int axis = 0; axis < 3; axis++) {
+            tangents[at + axis] /= size;
+        }
+        tangents[at + 3] = ny * tangents[at + 2] - nz * tangents[at + 1];
+        tangents[at + 4] = nz * tangents[at] - nx * tangents[at + 2];
+        tangents[at + 5] = nx * tangents[at + 1] - ny * tangents[at];
+    }
+
+    /** Pushes along the normal; answers by how much that changes the speed there. */
+    private double push(Contacts c, int k, boolean atEnd) {
+        double lacks = target[k] - speed(c, k, c.normal, 3 * k, atEnd);
+        double after = Math.max(0, pushed[k] + lacks * ease[2 * k]);
+        double by = after - pushed[k];
+        pushed[k] = after;
+        give(c, k, c.normal, 3 * k, by, atEnd);
+        return Math.abs(by) / ease[2 * k];
+    }
+
+    private double rub(Contacts c, int k, boolean atEnd) {
+        if (friction[k] == 0 || wheel[k] >= 0) {
+            return 0;
+        }
+        double s = rubbed[2 * k] - speed(c, k, tangents, 6 * k, atEnd) * ease[2 * k + 1];
+        double t = rubbed[2 * k + 1] - speed(c, k, tangents, 6 * k + 3, atEnd) * ease[2 * k + 1];
+        double size = Math.sqrt(s * s + t * t);
+        double most = friction[k] * pushed[k];
+        double share = size > most ? most / size : 1;
+        double byS = share * s - rubbed[2 * k];
+        double byT = share * t - rubbed[2 * k + 1];
+        rubbed[2 * k] = share * s;
+        rubbed[2 * k + 1] = share * t;
+        give(c, k, tangents, 6 * k, byS, atEnd);
+        give(c, k, tangents, 6 * k + 3, byT, atEnd);
+        return Math.max(Math.abs(byS), Math.abs(byT)) / ease[2 * k + 1];
+    }
+
+    private void give(Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {
+        if (impulse != 0) {
+            boolean isShared = isMoved(c.other[k]);
+            give(c.body[k], c, k, along, at, impulse, velocity(c.body[k], atEnd));
+            if (isShared) {
+                give(c.other[k], c, k, along, at, -impulse, velocity(c.other[k], atEnd));
+            }
+            if (isShared && atEnd) {
+                give(c.body[k], c, k, along, at, impulse, bodies.get(c.body[k]).given);
+                give(c.other[k], c, k, along, at, -impulse, bodies.get(c.other[k]).given);
+            }
+        }
+    }
+
+    private void give(int b, Contacts c, int k, double[] along, int at, double impulse, double[] v) {
+        RigidBody body = bodies.get(b);
+        reach(b, c, k);
+        double x = impulse * along[at];
+        double y = impulse * along[at + 1];
+        double z = impulse * along[at + 2];
+        v[0] += x / body.mass;
+        v[1] += y / body.mass;
+        v[2] += z / body.mass;
+        double tx = arm[1] * z - arm[2] * y;
+        double ty = arm[2] * x - arm[0] * z;
+        double tz = arm[0] * y - arm[1] * x;
+        double[] i = body.inverse;
+        v[3] += i[0] * tx + i[1] * ty + i[2] * tz;
+        v[4] += i[3] * tx + i[4] * ty + i[5] * tz;
+        v[5] += i[6] * tx + i[7] * ty + i[8] * tz;
+    }
+}

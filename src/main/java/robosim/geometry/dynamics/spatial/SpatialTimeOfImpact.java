@@ -1,0 +1,137 @@
+package robosim.geometry.dynamics.spatial;
+
+import java.util.List;
+import robosim.geometry.model.Pose;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/**
+ * When two bodies that both move will meet in a slice, so that the slice ends there with both where they are at that time. Of
+ * two spheres it is a root; of anything else it is found by conservative advancement (Mirtich 1996): a direction that separates
+ * the two goes on to do so for as long as the speed along it, turns included, needs for the gap.
+ *
+ * <p>Nothing relies on it but how well a collision is resolved: the world decides what is free.
+ */
+final class SpatialTimeOfImpact {
+    /** The share of a slice by the end of which nothing meets. */
+    static final double NEVER = 1;
+
+    /** Two meet where they are this near, in metres: what sweeps leave, and half as much. */
+    private static final double MET = 1.5 * TurningSweep.GAP;
+
+    /** An advance by less than so much of the gap is the last. */
+    private static final double CLOSE = 1e-3 * TurningSweep.GAP;
+
+    private static final int MOST_STEPS = 64;
+
+    private final List<RigidBody> bodies;
+    private final NearbyPieces near;
+    private final Turning turning = new Turning();
+    private final ContactGeometry meeting = new ContactGeometry();
+    private final LeafColumn leafA = new LeafColumn(1);
+    private final LeafColumn leafB = new LeafColumn(1);
+    private final double[] placeA = new double[Pose.PLACE];
+    private final double[] placeB = new double[Pose.PLACE];
+    private final double[] wayA = new double[3];
+    private final double[] wayB = new double[3];
+    private final double[] turnA = new double[3];
+    private final double[] turnB = new double[3];
+
+    SpatialTimeOfImpact(List<RigidBody> bodies, NearbyPieces near) {
+        this.bodies = bodies;
+        this.near = near;
+    }
+
+    /** The least share of a slice after which two bodies meet, each going on from its velocity at the start to that at the end. */
+    double first(double seconds) {
+        double first = NEVER;
+        for (int a = 0; a < bodies.size(); a++) {
+            RigidBody one = bodies.get(a);
+            if (!one.isAsleep) {
+                motion(one, seconds, wayA, turnA);
+                for (int b = a + 1; b < bodies.size(); b++) {
+                    if (!bodies.get(b).isAsleep) {
+                        first = Math.min(first, meet(one, bodies.get(b), seconds, first));
+                    }
+                }
+            }
+        }
+        return first;
+    }
+
+    /** Translation and turn in a slice. */
+    private static void motion(RigidBody body, double seconds, double[] translation, double[] turn) {
+        for (int axis = 0; axis < 3; axis++) {
+            translation[axis] = 0.5 * (body.v[axis] + body.u[axis]) * seconds;
+            turn[axis] = 0.5 * (body.v[3 + axis] + body.u[3 + axis]) * seconds;
+        }
+    }
+
+    private double meet(RigidBody a, RigidBody b, double seconds, double before) {
+        motion(b, seconds, wayB, turnB);
+        double px = b.place[0] - a.place[0];
+        double py = b.place[1] - a.place[1];
+        double pz = b.place[2] - a.place[2];
+        double wx = wayB[0] - wayA[0];
+        double wy = wayB[1] - wayA[1];
+        double wz = wayB[2] - wayA[2];
+        double reach = a.reach + b.reach + MET;
+        double within = spheres(px, py, pz, wx, wy, wz, reach);
+        boolean isOnlySpheres = a.isBall && b.isBall;
+        if (within >= before || isOnlySpheres) {
+            // Those that touch have been resolved when the slice began.
+            return isOnlySpheres && within == 0 ? NEVER : within;
+        }
+        return advance(a, b, within, before);
+    }
+
+    /** When two spheres that reach so far meet, 0 where they do at the start. */
+    private static double spheres(double px, double py, double pz, double wx, double wy, double wz, double reach) {
+        double apart = px * px + py * py + pz * pz - reach * reach;
+        if (apart <= 0) {
+            return 0;
+        }
+        double closing = -(px * wx + py * wy + pz * wz);
+        double square = wx * wx + wy * wy + wz * wz;
+        double root = closing * closing - square * apart;
+        if (!(closing > 0) || root < 0) {
+            return NEVER;
+        }
+        return Math.min(NEVER, apart / (closing + Math.sqrt(root)));
+    }
+
+    private double advance(RigidBody a, RigidBody b, double from, double before) {
+        double turns = a.reach * RigidBody.length(turnA, 0) + b.reach * RigidBody.length(turnB, 0);
+        double share = from;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            place(a, wayA, turnA, share, placeA, leafA);
+            place(b, wayB, turnB, share, placeB, leafB);
+            if (!meeting.measure(leafA.kind(0), leafA.rows(), 0, leafB.kind(0), leafB.rows(), 0)) {
+                return share == 0 ? NEVER : share;
+            }
+            double closing = turns;
+            closing -= (wayA[0] - wayB[0]) * meeting.nx;
+            closing -= (wayA[1] - wayB[1]) * meeting.ny;
+            closing -= (wayA[2] - wayB[2]) * meeting.nz;
+            double gap = meeting.apart - MET;
+            if (gap <= CLOSE) {
+                // Those that touch have been resolved when the slice began.
+                return share == 0 ? NEVER : share;
+            }
+            share += gap / closing;
+            if (!(closing > 0) || share >= before) {
+                return NEVER;
+            }
+        }
+        return share;
+    }
+
+    private void place(
+            RigidBody body, double[] translation, double[] turn, double share, double[] place, LeafColumn leaf) {
+        turning.turn(body.place, turn, share, place);
+        for (int axis = 0; axis < 3; axis++) {
+            place[axis] = body.place[axis] + share * translation[axis];
+            place[Pose.LOST + axis] = 0;
+        }
+        near.leaf(body, place, leaf);
+    }
+}
