@@ -67,14 +67,16 @@ public record StepBundle(
         @Serial
         private static final long serialVersionUID = 1;
 
-        /** Refuses null. */
-        public Answer {
-            bodies = Checks.copy("bodies", bodies, BodyAnswer.class);
-            contacts = Checks.copy("contacts", contacts, ContactAnswer.class);
-            stopped = Checks.copy("stopped", stopped, String.class);
-            stops = stops == null
-                    ? List.of()
-                    : Checks.copy("stops", stops, StopAnswer.class); // null in messages of before
+        /** Refuses null, but for the reasons: answers of older peers have none. */
+        public Answer(
+                List<BodyAnswer> bodies,
+                List<ContactAnswer> contacts,
+                List<String> stopped,
+                @Nullable List<StopAnswer> stops) {
+            this.bodies = Checks.copy("bodies", bodies, BodyAnswer.class);
+            this.contacts = Checks.copy("contacts", contacts, ContactAnswer.class);
+            this.stopped = Checks.copy("stopped", stopped, String.class);
+            this.stops = stops == null ? List.of() : Checks.copy("stops", stops, StopAnswer.class);
         }
 
         /** An answer without reasons. */

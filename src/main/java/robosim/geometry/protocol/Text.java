@@ -23,6 +23,7 @@ public final class Text {
 
     /** A body that was stopped, and why: {@code "crate" (BLOCKED by "wall")}. */
     public static String of(StopAnswer stop) {
+        Checks.present("stop", stop);
         String by = stop.other() == null ? "" : " by " + quoted(stop.other());
         return quoted(stop.objectName()) + " (" + stop.reason() + by + ")";
     }

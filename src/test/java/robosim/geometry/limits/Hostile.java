@@ -30,6 +30,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.JsonLines;
@@ -237,7 +238,7 @@ final class Hostile {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
             new MessageWriter(bytes).write(bundle);
             assertThat(readJava(bytes.toByteArray())).containsExactly(bundle);
-            if (bundle instanceof BatchAnswerBundle) {
+            if (bundle instanceof BatchAnswerBundle || bundle instanceof StepBundle.Answer) {
                 assertThat(JsonLines.readReply(JsonLines.write(new Reply(bundle)))
                                 .bundle())
                         .isEqualTo(bundle);

@@ -83,17 +83,32 @@ final class Separation {
         put(bodies, pieces, piece, t, bx, bz);
     }
 
-    /** Puts two pieces with the centres of their bodies at given points, turned by given angles since the step began. */
-    void put(
-            ConvexPieces pieces,
-            int a,
-            double x,
-            double z,
-            double angle,
-            int b,
-            double otherX,
-            double otherZ,
-            double other) {
+    /** Where the centres of two bodies are, and by what angles the bodies have turned since the step began. */
+    static final class Places {
+        double ax;
+        double az;
+        double angleA;
+        double bx;
+        double bz;
+        double angleB;
+
+        Places a(double x, double z, double angle) {
+            ax = x;
+            az = z;
+            angleA = angle;
+            return this;
+        }
+
+        Places b(double x, double z, double angle) {
+            bx = x;
+            bz = z;
+            angleB = angle;
+            return this;
+        }
+    }
+
+    /** Puts two pieces where their bodies are. */
+    void put(ConvexPieces pieces, int a, int b, Places places) {
         an = pieces.corners(a);
         bn = pieces.corners(b);
         if (an > ax.length) {
@@ -105,8 +120,8 @@ final class Separation {
             bz = new double[bn];
         }
         radius = pieces.radius[a] + pieces.radius[b];
-        put(pieces, a, x, z, angle, ax, az);
-        put(pieces, b, otherX, otherZ, other, bx, bz);
+        put(pieces, a, places.ax, places.az, places.angleA, ax, az);
+        put(pieces, b, places.bx, places.bz, places.angleB, bx, bz);
     }
 
     private void put(Bodies bodies, ConvexPieces pieces, int piece, double t, double[] toX, double[] toZ) {

@@ -39,6 +39,11 @@ final class SeparationProof {
     private final Separation from = new Separation();
     private final Separation to = new Separation();
     private final SinCos turned = new SinCos();
+    private final Separation.Places begin = new Separation.Places();
+    private final Separation.Places end = new Separation.Places();
+
+    /** By depth, the middles of what has been halved. */
+    private final Separation.Places[] middles = new Separation.Places[MOST_HALVES];
 
     // The bulges of the two that are asked about.
     private double bulgeAx;
@@ -60,6 +65,7 @@ final class SeparationProof {
     SeparationProof(ConvexPieces pieces, Bodies bodies) {
         this.pieces = pieces;
         this.bodies = bodies;
+        Arrays.setAll(middles, k -> new Separation.Places());
     }
 
     /** Lets no body bulge. */
@@ -89,55 +95,35 @@ final class SeparationProof {
         bulgeBx = legB < 0 ? 0 : bulgeX[b];
         bulgeBz = legB < 0 ? 0 : bulgeZ[b];
         double radii = bodies.size[a] + bodies.size[b] + Math.abs(bulgeAx - bulgeBx) + Math.abs(bulgeAz - bulgeBz);
-        double ax = legs.fromX[a];
-        double az = legs.fromZ[a];
-        double angleA = legs.fromAngle[a];
-        double bx = legs.fromX[b];
-        double bz = legs.fromZ[b];
-        double angleB = legs.fromAngle[b];
+        Separation.Places at = begin.a(legs.fromX[a], legs.fromZ[a], legs.fromAngle[a])
+                .b(legs.fromX[b], legs.fromZ[b], legs.fromAngle[b]);
+        Separation.Places next = end;
         double time = 0;
         while (legA >= 0 || legB >= 0) {
             double until = legA < 0 ? legs.time[legB] : legs.time[legA];
             until = legB < 0 ? until : Math.min(until, legs.time[legB]);
             double shareA = share(legs, legA, time, until);
-            double nextAx = shareA == 0 ? ax : ax + shareA * (legs.x[legA] - ax);
-            double nextAz = shareA == 0 ? az : az + shareA * (legs.z[legA] - az);
-            double nextAngleA = shareA == 0 ? angleA : angleA + shareA * (legs.angle[legA] - angleA);
+            next.ax = shareA == 0 ? at.ax : at.ax + shareA * (legs.x[legA] - at.ax);
+            next.az = shareA == 0 ? at.az : at.az + shareA * (legs.z[legA] - at.az);
+            next.angleA = shareA == 0 ? at.angleA : at.angleA + shareA * (legs.angle[legA] - at.angleA);
             double shareB = share(legs, legB, time, until);
-            double nextBx = shareB == 0 ? bx : bx + shareB * (legs.x[legB] - bx);
-            double nextBz = shareB == 0 ? bz : bz + shareB * (legs.z[legB] - bz);
-            double nextAngleB = shareB == 0 ? angleB : angleB + shareB * (legs.angle[legB] - angleB);
-            double far = radii + slack(Math.abs(ax) + Math.abs(az) + Math.abs(nextAx) + Math.abs(nextAz) + radii);
-            if (!ConvexPieces.isFar(ax - bx, az - bz, nextAx - nextBx, nextAz - nextBz, far)) {
+            next.bx = shareB == 0 ? at.bx : at.bx + shareB * (legs.x[legB] - at.bx);
+            next.bz = shareB == 0 ? at.bz : at.bz + shareB * (legs.z[legB] - at.bz);
+            next.angleB = shareB == 0 ? at.angleB : at.angleB + shareB * (legs.angle[legB] - at.angleB);
+            double far =
+                    radii + slack(Math.abs(at.ax) + Math.abs(at.az) + Math.abs(next.ax) + Math.abs(next.az) + radii);
+            if (!ConvexPieces.isFar(at.ax - at.bx, at.az - at.bz, next.ax - next.bx, next.az - next.bz, far)) {
                 for (int p = bodies.firstPiece[a]; p < bodies.firstPiece[a] + bodies.pieces[a]; p++) {
                     for (int q = bodies.firstPiece[b]; q < bodies.firstPiece[b] + bodies.pieces[b]; q++) {
-                        if (!isClear(
-                                p,
-                                ax,
-                                az,
-                                angleA,
-                                nextAx,
-                                nextAz,
-                                nextAngleA,
-                                q,
-                                bx,
-                                bz,
-                                angleB,
-                                nextBx,
-                                nextBz,
-                                nextAngleB,
-                                0)) {
+                        if (!isClear(p, q, at, next, 0)) {
                             return false;
                         }
                     }
                 }
             }
-            ax = nextAx;
-            az = nextAz;
-            angleA = nextAngleA;
-            bx = nextBx;
-            bz = nextBz;
-            angleB = nextAngleB;
+            Separation.Places before = at;
+            at = next;
+            next = before;
             legA = shareA == 1 ? legs.next[legA] : legA;
             legB = shareB == 1 ? legs.next[legB] : legB;
             time = until;
@@ -151,18 +137,16 @@ final class SeparationProof {
         bulgeAz = bulgeZ[body];
         bulgeBx = 0;
         bulgeBz = 0;
-        double x = legs.fromX[body];
-        double z = legs.fromZ[body];
-        double angle = legs.fromAngle[body];
+        Separation.Places at = begin.a(legs.fromX[body], legs.fromZ[body], legs.fromAngle[body])
+                .b(0, 0, 0);
+        Separation.Places next = end.b(0, 0, 0);
         for (int leg = legs.first[body]; leg >= 0; leg = legs.next[leg]) {
             for (int p = bodies.firstPiece[body]; p < bodies.firstPiece[body] + bodies.pieces[body]; p++) {
-                if (!isClear(p, x, z, angle, legs.x[leg], legs.z[leg], legs.angle[leg], still, 0, 0, 0, 0, 0, 0, 0)) {
+                if (!isClear(p, still, at, next.a(legs.x[leg], legs.z[leg], legs.angle[leg]), 0)) {
                     return false;
                 }
             }
-            x = legs.x[leg];
-            z = legs.z[leg];
-            angle = legs.angle[leg];
+            at.a(legs.x[leg], legs.z[leg], legs.angle[leg]);
         }
         return true;
     }
@@ -227,24 +211,10 @@ final class SeparationProof {
         return leg < 0 ? 0 : legs.time[leg] == until ? 1 : (until - time) / (legs.time[leg] - time);
     }
 
-    private boolean isClear(
-            int a,
-            double ax,
-            double az,
-            double angleA,
-            double toAx,
-            double toAz,
-            double toAngleA,
-            int b,
-            double bx,
-            double bz,
-            double angleB,
-            double toBx,
-            double toBz,
-            double toAngleB,
-            int halves) {
-        from.put(pieces, a, ax, az, angleA, b, bx, bz, angleB);
-        to.put(pieces, a, toAx, toAz, toAngleA, b, toBx, toBz, toAngleB);
+    /** Whether two pieces stay apart between two places of their bodies, also in halves of the path. */
+    private boolean isClear(int a, int b, Separation.Places start, Separation.Places stop, int halves) {
+        from.put(pieces, a, b, start);
+        to.put(pieces, a, b, stop);
         double share = 1.0 / (1 << (2 * halves));
         double bulge = share * ((Math.abs(bulgeAx) + Math.abs(bulgeAz)) + (Math.abs(bulgeBx) + Math.abs(bulgeBz)));
         double slack = slack(from.span() + to.span());
@@ -273,14 +243,18 @@ final class SeparationProof {
             }
             return false;
         }
-        double turnA = toAngleA - angleA;
-        double turnB = pieces.body[b] < 0 ? 0 : toAngleB - angleB;
+        double fromX = start.ax - start.bx;
+        double fromZ = start.az - start.bz;
+        double toX = stop.ax - stop.bx;
+        double toZ = stop.az - stop.bz;
+        double turnA = stop.angleA - start.angleA;
+        double turnB = pieces.body[b] < 0 ? 0 : stop.angleB - start.angleB;
         double reachA = pieces.reach[a];
         double reachB = pieces.body[b] < 0 ? 0 : pieces.reach[b];
         double offset = pieces.body[b] < 0
-                ? Math.max(from.farthest(ax, az), to.farthest(toAx, toAz))
-                : Math.max(length(ax - bx, az - bz), length(toAx - toBx, toAz - toBz));
-        double change = length((toAx - toBx) - (ax - bx), (toAz - toBz) - (az - bz)) + 4 * bulge;
+                ? Math.max(from.farthest(start.ax, start.az), to.farthest(stop.ax, stop.az))
+                : Math.max(length(fromX, fromZ), length(toX, toZ));
+        double change = length(toX - fromX, toZ - fromZ) + 4 * bulge;
         double sine = to.nx * from.nz - to.nz * from.nx;
         for (int k = 0; k < 4; k++) {
             double turn = k == 0 ? 0 : k == 1 ? turnA : k == 2 ? turnB : sine;
@@ -296,17 +270,16 @@ final class SeparationProof {
         if (halves == MOST_HALVES) {
             return false;
         }
-        double midAx = 0.5 * (ax + toAx) + share * bulgeAx;
-        double midAz = 0.5 * (az + toAz) + share * bulgeAz;
-        double midAngleA = 0.5 * (angleA + toAngleA);
-        double midBx = 0.5 * (bx + toBx) + share * bulgeBx;
-        double midBz = 0.5 * (bz + toBz) + share * bulgeBz;
-        double midAngleB = 0.5 * (angleB + toAngleB);
-        int next = halves + 1;
-        return isClear(a, ax, az, angleA, midAx, midAz, midAngleA, b, bx, bz, angleB, midBx, midBz, midAngleB, next)
-                && isClear(
-                        a, midAx, midAz, midAngleA, toAx, toAz, toAngleA, b, midBx, midBz, midAngleB, toBx, toBz,
-                        toAngleB, next);
+        Separation.Places middle = middles[halves]
+                .a(
+                        0.5 * (start.ax + stop.ax) + share * bulgeAx,
+                        0.5 * (start.az + stop.az) + share * bulgeAz,
+                        0.5 * (start.angleA + stop.angleA))
+                .b(
+                        0.5 * (start.bx + stop.bx) + share * bulgeBx,
+                        0.5 * (start.bz + stop.bz) + share * bulgeBz,
+                        0.5 * (start.angleB + stop.angleB));
+        return isClear(a, b, start, middle, halves + 1) && isClear(a, b, middle, stop, halves + 1);
     }
 
     /**

@@ -64,18 +64,7 @@ final class ContactDetection {
                 }
                 body.isHeld |= other < 0 || bodies.get(other).isAsleep;
                 int added = contacts.count;
-                meeting.points(
-                        leaf.kind(0),
-                        leaf.rows(),
-                        0,
-                        near.kind[k],
-                        near.rows,
-                        at,
-                        b,
-                        other,
-                        near.object[k],
-                        TOUCH,
-                        contacts);
+                meeting.points(b, other, near.object[k], TOUCH, contacts);
                 Arrays.fill(contacts.piece, added, contacts.count, k);
             }
         }

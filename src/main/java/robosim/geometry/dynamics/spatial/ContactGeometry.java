@@ -46,10 +46,12 @@ final class ContactGeometry {
 
     /** Measures two pieces; false where they touch. */
     boolean measure(LeafKind kind, double[] row, int at, LeafKind otherKind, double[] other, int otherAt) {
+        first.set(kind, row, at);
+        second.set(otherKind, other, otherAt);
         if (otherKind.isBox() && isBesideFace(kind, row, at, otherKind, other, otherAt)) {
             return true;
         }
-        apart = gjk.spatial(first.set(kind, row, at), second.set(otherKind, other, otherAt));
+        apart = gjk.spatial(first, second);
         if (!(apart > 0) && !gjk.isClosed()) {
             apart = gjk.close();
         }
@@ -163,24 +165,13 @@ final class ContactGeometry {
     }
 
     /** Adds the points at which two pieces touch that were measured last, or are nearer than a reach. */
-    void points(
-            LeafKind kind,
-            double[] row,
-            int at,
-            LeafKind otherKind,
-            double[] other,
-            int otherAt,
-            int body,
-            int otherBody,
-            int object,
-            double within,
-            Contacts out) {
+    void points(int body, int otherBody, int object, double within, Contacts out) {
         origin[0] = pointX;
         origin[1] = pointY;
         origin[2] = pointZ;
         makeFrame();
-        mine.find(kind, row, at, origin, frame, -1, within);
-        theirs.find(otherKind, other, otherAt, origin, frame, 1, within);
+        mine.find(first.kind, first.row, first.at, origin, frame, -1, within);
+        theirs.find(second.kind, second.row, second.at, origin, frame, 1, within);
         int m = mine.count;
         int k = theirs.count;
         if (m > 1 && k > 2) {

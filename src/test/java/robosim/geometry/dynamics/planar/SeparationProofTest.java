@@ -95,6 +95,7 @@ class SeparationProofTest {
     /** Moves the second body, at both ends, so near to the first that the ends touch but for a gap. */
     private void bringTogether(double gap) {
         Separation s = new Separation();
+        Separation.Places places = new Separation.Places();
         for (int round = 0; round < 2; round++) {
             int a = legs.last[0];
             int b = legs.last[1];
@@ -102,18 +103,18 @@ class SeparationProofTest {
                 s.put(
                         pieces,
                         0,
-                        legs.fromX[0],
-                        legs.fromZ[0],
-                        legs.fromAngle[0],
                         1,
-                        legs.fromX[1],
-                        legs.fromZ[1],
-                        legs.fromAngle[1]);
+                        places.a(legs.fromX[0], legs.fromZ[0], legs.fromAngle[0])
+                                .b(legs.fromX[1], legs.fromZ[1], legs.fromAngle[1]));
                 double by = s.distance() - gap;
                 legs.fromX[1] += by * s.nx;
                 legs.fromZ[1] += by * s.nz;
             } else {
-                s.put(pieces, 0, legs.x[a], legs.z[a], legs.angle[a], 1, legs.x[b], legs.z[b], legs.angle[b]);
+                s.put(
+                        pieces,
+                        0,
+                        1,
+                        places.a(legs.x[a], legs.z[a], legs.angle[a]).b(legs.x[b], legs.z[b], legs.angle[b]));
                 double by = s.distance() - gap;
                 legs.x[b] += by * s.nx;
                 legs.z[b] += by * s.nz;
