@@ -93,7 +93,7 @@ public final class World {
         return registry.mover(name);
     }
 
-    /** Begins a call that is made of others, as a step is, with one budget of work for all of them, up to {@link #end}. */
+    /** Begins a call that consists of several, such as a step. They share one budget of work, up to {@link #end}. */
     public void begin(String call) {
         registry.open(call);
     }

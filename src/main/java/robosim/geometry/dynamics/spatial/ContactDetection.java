@@ -95,7 +95,7 @@ final class ContactDetection {
         return least;
     }
 
-    /** Whether all but the bodies of its own group are farther from a body than a distance. */
+    /** Whether everything except the bodies of its own group is farther from a body than a distance. */
     boolean isAlone(RigidBody body, double distance) {
         near.find(body, 0, 0, 0, body.reach + distance);
         near.leaf(body, body.place, leaf);

@@ -194,9 +194,10 @@ final class SequentialImpulses {
         int other = c.object[k];
         double before = speed(c, k, c.normal, 3 * k, false);
         double apart = c.apart[k];
-        // What is not there yet, and comes fast enough to bounce, is met on the way; but a rim that lands almost flat
-        // meets the
-        // floor at one point after the other within microseconds, and as the gap grows, all of these are met at once.
+        // A contact that is not closed yet and approaches fast enough to bounce is solved when it closes. But a rim
+        // that
+        // lands almost flat touches the floor at one point after the other within microseconds: as the gap grows, all
+        // contacts within it are solved together.
         boolean isBall = bodies.get(c.body[k]).isBall;
         isOff[k] = before < -BOUNCE && apart > (isBall ? 4 * gap : Math.max(TurningSweep.THERE, gap));
         if (isOff[k]) {

@@ -260,8 +260,11 @@ public final class Motion {
     }
 
     private TranslationFastPath straight() {
-        TranslationFastPath made = straight == null ? new TranslationFastPath(objects, worldBounds, scratch) : straight;
-        straight = made;
+        TranslationFastPath made = straight;
+        if (made == null) { // writing a reference in each move is slow
+            made = new TranslationFastPath(objects, worldBounds, scratch);
+            straight = made;
+        }
         return made;
     }
 
