@@ -121,7 +121,7 @@ final class Connection implements Runnable {
 
     /** Takes a place among the connections of a server; waits for one if need be. */
     void enter(Admissions admissions, InetAddress from) throws InterruptedException {
-        newcomer = admissions.enter(from, options.timeouts().admission().toNanos(), this::hasUnread, this::displace);
+        newcomer = admissions.enter(from, options.timeouts().admission().toNanos(), this::isIdle, this::displace);
     }
 
     /** Gives that place back. */
@@ -507,12 +507,12 @@ final class Connection implements Runnable {
         abort();
     }
 
-    /** Whether the peer has sent bytes that were not read yet. */
-    boolean hasUnread() {
+    /** Whether this connection waits for bytes of its peer and none have come. */
+    private boolean isIdle() {
         try {
-            return socket.getInputStream().available() > 0;
+            return guard.isRunning() && socket.getInputStream().available() == 0;
         } catch (IOException e) {
-            return false; // closed
+            return true; // closed
         }
     }
 

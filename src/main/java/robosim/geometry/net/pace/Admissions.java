@@ -16,8 +16,8 @@ import robosim.geometry.protocol.ProtocolException;
  * the places of peers. A connection is admitted when TLS, its secret and its first message have come.
  *
  * <p>When the budget is used up, the next connection displaces an older one that keeps the server waiting: the oldest from
- * its own address if that has its share, else the oldest from the address that has the most. A peer whose bytes wait for
- * the server is not displaced, so a crowd that dials at once is served.
+ * its own address if that has its share, else the oldest from the address that has the most. A peer that waits for the
+ * server is not displaced, so a crowd that dials at once is served.
  */
 public final class Admissions {
     /** Most connections that are not admitted yet. They need a thread each, and a peer is admitted within milliseconds. */
@@ -29,8 +29,16 @@ public final class Admissions {
     /** No connection is displaced before this time: a handshake needs a few turns of a busy machine. */
     static final long GRACE_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
-    /** The longest wait for a place; after it the oldest connection is displaced even if its bytes wait for the server. */
-    static final long PATIENCE_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+    /**
+     * Nor before this number of ticks, unless it is much older. On a machine that is busy a peer may not run for seconds,
+     * and then a tick takes longer too.
+     */
+    private static final int GRACE_TICKS = 40;
+
+    private static final long LONG_GRACE_NANOS = TimeUnit.SECONDS.toNanos(5);
+
+    /** The longest wait for a place; after it the oldest connection is displaced even if the server keeps it waiting. */
+    static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(2);
 
     private static final long TICK_MILLIS = 5;
 
@@ -41,6 +49,9 @@ public final class Admissions {
     private final Set<Newcomer> waiting = new LinkedHashSet<>();
 
     private int admitted;
+
+    /** How many ticks newcomers have waited for a place. */
+    private int ticks;
 
     /** Takes the maximum number of admitted connections, and a clock like {@link System#nanoTime}. */
     public Admissions(int mostAdmitted, LongSupplier clock) {
@@ -64,16 +75,16 @@ public final class Admissions {
     }
 
     /**
-     * Takes a new connection in, which may displace another one; waits for at most half a second.
+     * Takes a new connection in, which may displace another one; waits for at most two seconds.
      *
      * @param from   the peer's address
      * @param nanos  how long it may take until it is admitted
-     * @param unread whether it has sent bytes that the server has not read yet
+     * @param idle   whether the server waits for it, and not it for the server
      * @param leave  closes it without blocking
      */
-    public Newcomer enter(InetAddress from, long nanos, BooleanSupplier unread, Runnable leave)
+    public Newcomer enter(InetAddress from, long nanos, BooleanSupplier idle, Runnable leave)
             throws InterruptedException {
-        Newcomer newcomer = new Newcomer(this, from, nanos, unread, leave);
+        Newcomer newcomer = new Newcomer(this, from, nanos, idle, leave);
         Newcomer displaced;
         while ((displaced = place(newcomer)) != null) {
             displaced.leave.run();
@@ -92,6 +103,7 @@ public final class Admissions {
                 return victim;
             }
             wait(TICK_MILLIS);
+            ticks++;
             crowd = crowd(newcomer.from);
         }
         waiting.add(newcomer);
@@ -115,12 +127,16 @@ public final class Admissions {
     private @Nullable Newcomer victim(InetAddress address, boolean anyhow) {
         long now = clock.getAsLong();
         for (Newcomer each : waiting) {
-            if (each.from.equals(address)
-                    && (anyhow || (now - each.since >= GRACE_NANOS && !each.unread.getAsBoolean()))) {
+            if (each.from.equals(address) && (anyhow || (isOld(each, now) && each.idle.getAsBoolean()))) {
                 return each;
             }
         }
         return null;
+    }
+
+    private boolean isOld(Newcomer newcomer, long now) {
+        long age = now - newcomer.since;
+        return age >= LONG_GRACE_NANOS || (age >= GRACE_NANOS && ticks - newcomer.tick >= GRACE_TICKS);
     }
 
     private synchronized void admit(Newcomer newcomer) throws ProtocolException {
@@ -149,9 +165,10 @@ public final class Admissions {
     public static final class Newcomer {
         private final @Nullable Admissions admissions;
         private final InetAddress from;
-        private final BooleanSupplier unread;
+        private final BooleanSupplier idle;
         private final Runnable leave;
         private final long since;
+        private final int tick;
         private final long nanos;
         private volatile boolean isAdmitted;
 
@@ -159,12 +176,13 @@ public final class Admissions {
         private long due;
 
         private Newcomer(
-                @Nullable Admissions admissions, InetAddress from, long nanos, BooleanSupplier unread, Runnable leave) {
+                @Nullable Admissions admissions, InetAddress from, long nanos, BooleanSupplier idle, Runnable leave) {
             this.admissions = admissions;
             this.from = from;
-            this.unread = unread;
+            this.idle = idle;
             this.leave = leave;
             this.since = admissions == null ? System.nanoTime() : admissions.clock.getAsLong();
+            this.tick = admissions == null ? 0 : admissions.ticks;
             this.due = since + nanos;
             this.nanos = nanos;
         }

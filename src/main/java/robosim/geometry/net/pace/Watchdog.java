@@ -104,6 +104,11 @@ public final class Watchdog implements AutoCloseable {
             }
         }
 
+        /** Whether an operation has begun and not ended. */
+        public boolean isRunning() {
+            return due.get() > NOTHING;
+        }
+
         /** Whether an operation was aborted. */
         public boolean isBroken() {
             return due.get() == BROKEN;
