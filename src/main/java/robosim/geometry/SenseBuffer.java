@@ -1,8 +1,8 @@
 package robosim.geometry;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.engine.sensing.BeamResults;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 

@@ -1,6 +1,6 @@
 package robosim.geometry;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * How an object slides along what blocks it: how far it stays from everything, and how it walks on ground.

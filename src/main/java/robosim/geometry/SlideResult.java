@@ -3,9 +3,9 @@ package robosim.geometry;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.engine.motion.Slide;
 import robosim.geometry.engine.objects.ObjectTable;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 
 /**
  * From one value to another, with marks at multiples of a round step.

@@ -1,6 +1,6 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Twist;
 

@@ -1,6 +1,6 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;

@@ -1,6 +1,6 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Twist;
 
 /** Checks of physical quantities; each message names the argument and its value. */

@@ -1,6 +1,6 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * How a body moves and turns in space, along and about the axes of the world.

@@ -2,7 +2,7 @@ package robosim.geometry.dynamics;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * What happened in a step.

@@ -1,6 +1,6 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * How a surface bounces and rubs, by Newton's law of restitution and Coulomb's law of friction (Mirtich 1996).

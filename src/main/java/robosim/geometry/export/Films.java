@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.LongConsumer;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;

@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Reads PNG (ISO/IEC 15948): greys, colours and palettes of 1 to 16 bits, with or without opacity, interlaced or not.

@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Writes PNG (ISO/IEC 15948): colour of 8 bits a channel, and greys of 8 or 16 bits, row by row from the top. The pixels

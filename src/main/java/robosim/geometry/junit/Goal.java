@@ -7,7 +7,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;

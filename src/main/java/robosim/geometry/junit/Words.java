@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;

@@ -3,7 +3,7 @@ package robosim.geometry.material;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.HexFormat;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A colour in sRGB, as in picture files and on web pages. Light is added and multiplied in linear components, which

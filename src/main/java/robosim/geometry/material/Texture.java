@@ -2,7 +2,7 @@ package robosim.geometry.material;
 
 import java.io.Serial;
 import java.io.Serializable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A pattern on a surface. It takes the place of the material's colour.

@@ -1,7 +1,7 @@
 package robosim.geometry.material;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Where the corners of a mesh's faces lie in a picture: points (u, v) of the picture, whose left lower corner is (0, 0) and

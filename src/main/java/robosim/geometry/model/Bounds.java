@@ -2,7 +2,7 @@ package robosim.geometry.model;
 
 import java.util.Arrays;
 import java.util.Collection;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.index.cells.PlacedCells;

@@ -4,7 +4,7 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** A solid box, placed by its centre; width along its own X, height along Y, length along Z. */
 public final class BoxObject extends PlacedObject<BoxObject> implements GeometryObject {

@@ -4,7 +4,7 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** A solid cylinder, placed by its centre; its axis is its own Y. */
 public final class CylinderObject extends PlacedObject<CylinderObject> implements GeometryObject {

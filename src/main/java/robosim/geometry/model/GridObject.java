@@ -6,7 +6,7 @@ import java.io.Serial;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Objects;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.index.cells.ClearanceMap;
 import robosim.geometry.index.cells.PlacedCells;
 

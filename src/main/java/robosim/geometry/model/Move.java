@@ -1,7 +1,7 @@
 package robosim.geometry.model;
 
 import java.io.Serializable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A motion: first a straight translation, then in place a turn about the own Y, then about the own X.

@@ -1,8 +1,8 @@
 package robosim.geometry.model;
 
 import java.util.Arrays;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Attitude;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Rotations;
 
 /**

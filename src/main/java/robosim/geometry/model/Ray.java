@@ -1,7 +1,7 @@
 package robosim.geometry.model;
 
 import java.io.Serializable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A half line.

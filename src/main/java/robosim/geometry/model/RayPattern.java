@@ -2,7 +2,7 @@ package robosim.geometry.model;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 
 /**

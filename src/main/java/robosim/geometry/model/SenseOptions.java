@@ -2,7 +2,7 @@ package robosim.geometry.model;
 
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * How the beams of a {@link RayPattern} are asked: their ranges and width, what they ignore, how the

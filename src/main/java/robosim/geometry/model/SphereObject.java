@@ -4,7 +4,7 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** A solid sphere, placed by its centre. It has an attitude too, which defines its forward direction. */
 public final class SphereObject extends PlacedObject<SphereObject> implements GeometryObject {

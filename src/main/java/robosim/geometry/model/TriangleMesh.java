@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.index.boxes.WideTree;
 import robosim.geometry.material.TextureCoordinates;

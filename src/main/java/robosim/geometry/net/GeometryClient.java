@@ -11,7 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.net.pace.Watchdog;
 
 /**

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageTranslator;

@@ -1,7 +1,7 @@
 package robosim.geometry.net;
 
 import java.time.Duration;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.MessageLimits;
 
 /**

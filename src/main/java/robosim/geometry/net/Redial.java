@@ -2,7 +2,7 @@ package robosim.geometry.net;
 
 import java.time.Duration;
 import java.util.random.RandomGenerator;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * How a client dials again after it has lost its environment or could not reach it. The pause doubles with every

@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** A secret that peers must know. Only its digest is kept, and it is never printed. */
 public final class Secret {

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.WorkLimit;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;

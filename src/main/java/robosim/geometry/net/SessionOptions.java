@@ -1,6 +1,6 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.protocol.Beam;

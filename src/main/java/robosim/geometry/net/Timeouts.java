@@ -1,7 +1,7 @@
 package robosim.geometry.net;
 
 import java.time.Duration;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * How long to wait for a peer; each from a millisecond to a day.

@@ -2,7 +2,7 @@ package robosim.geometry.net;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;

@@ -6,7 +6,7 @@ import java.io.InputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** Dials a {@link WatchServer} and reads what it reports. Sends nothing. */
 public final class WatchClient {

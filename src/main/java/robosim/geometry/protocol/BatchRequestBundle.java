@@ -2,7 +2,7 @@ package robosim.geometry.protocol;
 
 import java.io.Serial;
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;

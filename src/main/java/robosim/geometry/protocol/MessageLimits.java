@@ -1,6 +1,6 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.GridObject;
 
 /** Limits on what a peer may send: each with its reason and the size of realistic data. */

@@ -8,7 +8,7 @@ import java.io.ObjectStreamConstants;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Reads bundles from a stream, within the {@link MessageLimits} and from an allow-list of classes. It reads ahead; after an

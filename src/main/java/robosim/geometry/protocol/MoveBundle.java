@@ -2,7 +2,7 @@ package robosim.geometry.protocol;
 
 import java.io.Serial;
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * As a request, moves to make, in order; as an answer, the moves that were made, in the same order.

@@ -2,7 +2,7 @@ package robosim.geometry.protocol;
 
 import java.io.Serial;
 import java.io.Serializable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A move of one object: a straight translation along its own axes, then in place a turn about its own Y, then about its

@@ -2,7 +2,7 @@ package robosim.geometry.protocol;
 
 import java.util.Objects;
 import java.util.function.Supplier;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Why one request of a bundle was refused, in human-readable text. The text is created on demand, so an encoding that

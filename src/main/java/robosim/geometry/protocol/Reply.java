@@ -1,7 +1,7 @@
 package robosim.geometry.protocol;
 
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A session's answer: the bundle, and the reasons of refusals. Java serialization sends the bundle alone, JSON lines

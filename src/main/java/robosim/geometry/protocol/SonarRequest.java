@@ -3,7 +3,7 @@ package robosim.geometry.protocol;
 import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A request for the distance from the centre of an object in direction {@code (xOffset, 0, zOffset)} of its own frame;

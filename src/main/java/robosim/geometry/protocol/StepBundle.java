@@ -3,7 +3,7 @@ package robosim.geometry.protocol;
 import java.io.Serial;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;

@@ -1,6 +1,6 @@
 package robosim.geometry.render;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.model.Point;
 

@@ -2,7 +2,7 @@ package robosim.geometry.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.model.Point;
 

@@ -1,7 +1,7 @@
 package robosim.geometry.render;
 
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Bounds;

@@ -3,7 +3,7 @@ package robosim.geometry.scenario;
 import java.io.IOException;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Reply;

@@ -9,7 +9,7 @@ import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.function.Function;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.scenario.recording.RecordingFile;

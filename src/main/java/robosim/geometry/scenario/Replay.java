@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;

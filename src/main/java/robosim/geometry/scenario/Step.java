@@ -2,7 +2,7 @@ package robosim.geometry.scenario;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;

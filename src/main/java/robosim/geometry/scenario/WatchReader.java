@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.net.WatchClient;
 import robosim.geometry.net.WatchServer;
 

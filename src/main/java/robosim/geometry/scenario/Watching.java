@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;

@@ -1,6 +1,6 @@
 package robosim.geometry.sensor;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.Twist;

@@ -2,7 +2,7 @@ package robosim.geometry.sensor;
 
 import java.util.EnumSet;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 
 /** A turn of a {@link Lidar}: ranges, rings and times, and where they are wanted intensities and objects. */

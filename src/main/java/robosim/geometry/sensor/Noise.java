@@ -3,7 +3,7 @@ package robosim.geometry.sensor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.sensor.effects.Draws;
 import robosim.geometry.sensor.effects.Effect;
 import robosim.geometry.sensor.effects.Measured;

@@ -3,7 +3,7 @@ package robosim.geometry.sensor;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A list of points with fields, which frames fill and files take. It grows as points are added and keeps its memory when it

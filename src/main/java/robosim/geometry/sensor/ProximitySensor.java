@@ -1,7 +1,7 @@
 package robosim.geometry.sensor;
 
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.sensor.effects.Draws;
 import robosim.geometry.sensor.effects.Measured;
 

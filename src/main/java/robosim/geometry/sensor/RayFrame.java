@@ -3,7 +3,7 @@ package robosim.geometry.sensor;
 import java.util.EnumSet;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.SenseBuffer;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;

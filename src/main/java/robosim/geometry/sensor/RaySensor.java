@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.Snapshot;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;

@@ -1,7 +1,7 @@
 package robosim.geometry.sensor;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.sweep.lines.ChecksummedLine;

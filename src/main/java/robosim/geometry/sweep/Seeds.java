@@ -2,7 +2,7 @@ package robosim.geometry.sweep;
 
 import java.util.Map;
 import java.util.SortedMap;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Derives the seed of a replicate from the root seed, the scenario's name, the world's name, the parameters and the

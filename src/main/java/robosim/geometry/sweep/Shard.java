@@ -3,7 +3,7 @@ package robosim.geometry.sweep;
 import java.io.Serializable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A part of a sweep that one machine runs: the shards of one count are disjoint and together contain all replicates.

@@ -17,7 +17,7 @@ import java.util.concurrent.Callable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.WorkLimit;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.sweep.lines.Fingerprint;

@@ -2,7 +2,7 @@ package robosim.geometry.sweep;
 
 import java.util.Map;
 import java.util.TreeMap;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.sweep.lines.Fingerprint;
 
 /**

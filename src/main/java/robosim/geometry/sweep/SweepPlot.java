@@ -13,8 +13,8 @@ import robosim.geometry.chart.Marker;
 import robosim.geometry.chart.Panel;
 import robosim.geometry.chart.Series;
 import robosim.geometry.chart.Style;
-import robosim.geometry.exact.Checks;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.Checks;
+import robosim.geometry.check.NumberText;
 
 /**
  * Results as a picture, SVG: a panel for each number, its mean over the values of the parameter with the most numeric ones,

@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import robosim.geometry.exact.Checks;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.Checks;
+import robosim.geometry.check.NumberText;
 
 /** Averages over the replicates of each cell. Must be given all outcomes by ascending index. */
 public final class SweepSummary implements Consumer<Outcome> {

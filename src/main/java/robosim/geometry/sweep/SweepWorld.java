@@ -8,7 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;

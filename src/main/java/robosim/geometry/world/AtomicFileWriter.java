@@ -14,7 +14,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.concurrent.ThreadLocalRandom;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** Writes a file atomically: an existing file stays as it was until the new one is complete. */
 public final class AtomicFileWriter {

@@ -3,7 +3,7 @@ package robosim.geometry.world;
 import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.rosmap.MapWalls;

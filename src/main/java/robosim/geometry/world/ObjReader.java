@@ -3,7 +3,7 @@ package robosim.geometry.world;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.mesh.ObjSurface;

@@ -3,7 +3,7 @@ package robosim.geometry.world;
 import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;

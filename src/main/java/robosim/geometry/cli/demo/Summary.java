@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Properties;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 
 /** The summary that the demo prints at its end. */
 public final class Summary {

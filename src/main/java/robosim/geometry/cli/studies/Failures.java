@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.sweep.Outcome;
 

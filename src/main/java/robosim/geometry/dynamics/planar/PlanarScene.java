@@ -2,9 +2,9 @@ package robosim.geometry.dynamics.planar;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.objects.ObjectTable;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;

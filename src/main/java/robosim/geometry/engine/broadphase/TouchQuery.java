@@ -1,7 +1,7 @@
 package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;

@@ -1,6 +1,7 @@
 package robosim.geometry.engine.motion;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
@@ -8,7 +9,6 @@ import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Scratch;

@@ -1,12 +1,12 @@
 package robosim.geometry.engine.sensing;
 
+import robosim.geometry.check.Checks;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.BeamSearch;
 import robosim.geometry.engine.broadphase.ConeCandidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Work;
 import robosim.geometry.model.Accuracy;

@@ -1,12 +1,12 @@
 package robosim.geometry.engine.sensing;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ConeCandidates;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.PacketSearch;
 import robosim.geometry.engine.objects.ObjectTable;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.RayPattern;

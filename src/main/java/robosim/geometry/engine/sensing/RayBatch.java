@@ -1,7 +1,7 @@
 package robosim.geometry.engine.sensing;
 
+import robosim.geometry.check.Checks;
 import robosim.geometry.engine.broadphase.AccuracyView;
-import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 
 /** Many rays that begin anywhere: what each meets first, or only whether it meets anything. */

@@ -1,7 +1,7 @@
 package robosim.geometry.engine.sensing;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 
 /**

@@ -2,7 +2,7 @@ package robosim.geometry.net.session;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 

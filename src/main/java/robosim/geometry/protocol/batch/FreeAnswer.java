@@ -3,7 +3,7 @@ package robosim.geometry.protocol.batch;
 import java.io.Serial;
 import java.util.Arrays;
 import java.util.BitSet;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Which poses or edges are free.

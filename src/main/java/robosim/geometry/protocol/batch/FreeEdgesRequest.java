@@ -1,7 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Asks for many edges, each a straight move from one upright pose to another, whether an object would touch nothing on the

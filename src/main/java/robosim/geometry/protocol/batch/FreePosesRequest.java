@@ -1,7 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Asks for many upright poses of an object whether it would touch anything there; answered by a {@link FreeAnswer}.

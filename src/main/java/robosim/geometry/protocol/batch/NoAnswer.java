@@ -1,7 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** In place of an answer where no moveable object has the name, or the world refuses the request. */
 public record NoAnswer() implements BatchAnswer {

@@ -3,7 +3,7 @@ package robosim.geometry.protocol.batch;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.Arrays;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Many numbers in one piece: an array in Java serialization, in JSON the base64 of their bytes. Two are equal if all their

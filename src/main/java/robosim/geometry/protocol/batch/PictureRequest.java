@@ -2,7 +2,7 @@ package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A request for a picture in colour, in a SPATIAL world; answered by a {@link PictureAnswer}. The optical axis is the

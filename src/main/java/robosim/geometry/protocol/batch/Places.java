@@ -1,6 +1,6 @@
 package robosim.geometry.protocol.batch;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /** Checks the numbers of poses. */
 final class Places {

@@ -2,7 +2,7 @@ package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
 import java.io.Serializable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Twist;
 
 /**

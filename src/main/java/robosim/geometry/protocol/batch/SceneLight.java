@@ -3,7 +3,7 @@ package robosim.geometry.protocol.batch;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.model.Point;
 

@@ -2,7 +2,7 @@ package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
 import java.util.List;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * What the beams of a {@link SenseRequest} measured.

@@ -1,7 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * A request for the distances along all beams of a sensor, on an object or at a place of the world, and for what else a

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.material.Color;
 import robosim.geometry.model.GeometryObject;

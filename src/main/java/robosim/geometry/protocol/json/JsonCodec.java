@@ -12,7 +12,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;

@@ -9,7 +9,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;

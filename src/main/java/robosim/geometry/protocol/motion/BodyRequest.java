@@ -3,7 +3,7 @@ package robosim.geometry.protocol.motion;
 import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * Gives a moveable object a body, or another one; or a static object a surface, which is all that one has. A body that an

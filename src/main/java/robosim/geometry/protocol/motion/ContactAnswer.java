@@ -3,7 +3,7 @@ package robosim.geometry.protocol.motion;
 import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Point;
 
 /**

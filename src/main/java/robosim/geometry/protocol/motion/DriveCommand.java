@@ -2,7 +2,7 @@ package robosim.geometry.protocol.motion;
 
 import java.io.Serial;
 import java.io.Serializable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 
 /**
  * What a robot is told to do from now on; the limits of its drive say how soon it does. A moveable object without a body gets

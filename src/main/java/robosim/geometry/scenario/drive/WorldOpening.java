@@ -3,7 +3,7 @@ package robosim.geometry.scenario.drive;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.net.Session;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;

@@ -3,7 +3,7 @@ package robosim.geometry.sensor.file;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.sensor.PointCloud;
 import robosim.geometry.world.AtomicFileWriter;
 

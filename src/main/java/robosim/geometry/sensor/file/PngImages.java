@@ -2,7 +2,7 @@ package robosim.geometry.sensor.file;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.NormalFrame;

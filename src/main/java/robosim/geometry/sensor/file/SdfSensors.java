@@ -2,7 +2,7 @@ package robosim.geometry.sensor.file;
 
 import java.util.Map;
 import java.util.TreeMap;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;

@@ -2,7 +2,7 @@ package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;

@@ -1,6 +1,6 @@
 package robosim.geometry.viewer.draw;
 
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 

@@ -1,7 +1,7 @@
 package robosim.geometry.viewer.draw;
 
 import java.util.List;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 

@@ -2,7 +2,7 @@ package robosim.geometry.viewer.scene;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;

@@ -1,7 +1,7 @@
 package robosim.geometry.viewer.space;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;

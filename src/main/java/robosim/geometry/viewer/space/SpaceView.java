@@ -1,6 +1,6 @@
 package robosim.geometry.viewer.space;
 
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;

@@ -9,7 +9,7 @@ import java.util.concurrent.Executor;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.model.SenseOptions.Carrier;
 import robosim.geometry.render.ColorCamera;

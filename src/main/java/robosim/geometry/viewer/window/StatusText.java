@@ -3,7 +3,7 @@ package robosim.geometry.viewer.window;
 import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Timing;

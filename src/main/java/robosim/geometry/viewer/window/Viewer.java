@@ -11,7 +11,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.scenario.StepReader;
 import robosim.geometry.scenario.WatchReader;
 import robosim.geometry.viewer.draw.Theme;

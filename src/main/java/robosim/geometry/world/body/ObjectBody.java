@@ -1,10 +1,10 @@
 package robosim.geometry.world.body;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.Drive;
 import robosim.geometry.dynamics.Surface;
-import robosim.geometry.exact.Checks;
 
 /**
  * What a world file says about the body of an object; of a static object its surface alone.

@@ -5,7 +5,7 @@ import java.util.BitSet;
 import java.util.Objects;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;

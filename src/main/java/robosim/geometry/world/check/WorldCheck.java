@@ -12,7 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.WorkLimit;
-import robosim.geometry.exact.Checks;
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;

@@ -2,7 +2,7 @@ package robosim.geometry.world.shared;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 
 /** Doubles in decimal notation: the fewest digits that read back to the same bits, the same on every JDK. */
 public final class Decimal {

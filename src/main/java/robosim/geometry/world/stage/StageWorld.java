@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import robosim.geometry.exact.NumberText;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;

@@ -1,4 +1,4 @@
-package robosim.geometry.exact;
+package robosim.geometry.check;
 
 import java.math.BigDecimal;
 import java.math.MathContext;

@@ -1,4 +1,4 @@
-package robosim.geometry.exact;
+package robosim.geometry.check;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;

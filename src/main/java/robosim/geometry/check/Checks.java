@@ -1,4 +1,4 @@
-package robosim.geometry.exact;
+package robosim.geometry.check;
 
 import java.time.Duration;
 import java.util.List;
