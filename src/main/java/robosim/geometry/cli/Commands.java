@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
 import robosim.geometry.cli.demo.DemoCommand;
 import robosim.geometry.cli.network.ConnectCommand;
 import robosim.geometry.cli.network.ServeCommand;
@@ -78,7 +79,7 @@ public final class Commands implements Terminal.Program {
     }
 
     static int run(String... arguments) {
-        CommandLine line = line(true, needed(arguments));
+        CommandLine line = isOverview(arguments) ? overview(true) : line(true, needed(arguments));
         // A file's name must not control the terminal; only help has colors.
         if (arguments.length > 0 && Arrays.stream(arguments).noneMatch(HELPS::contains)) {
             line.setOut(new PlainPrinter(System.out, charset("sun.stdout.encoding")));
@@ -94,7 +95,7 @@ public final class Commands implements Terminal.Program {
 
     /** Runs a command with its output redirected, and returns its exit code. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        CommandLine line = line(false, needed(arguments));
+        CommandLine line = isOverview(arguments) ? overview(false) : line(false, needed(arguments));
         line.setOut(out);
         line.setErr(err);
         return run(line, arguments);
@@ -110,6 +111,23 @@ public final class Commands implements Terminal.Program {
         commands.forEach(line::addSubcommand);
         line.setCaseInsensitiveEnumValuesAllowed(true);
         Numbers.register(line);
+        return line;
+    }
+
+    /** Whether only the list of all commands is wanted. */
+    private static boolean isOverview(String... arguments) {
+        return arguments.length == 0 || (arguments.length == 1 && HELPS.contains(arguments[0]));
+    }
+
+    /** The command line with the names and descriptions of its commands, without their options: those take most of the time. */
+    private static CommandLine overview(boolean standard) {
+        CommandLine line = line(standard, List.of());
+        for (Class<?> command : COMMANDS) {
+            Command described = command.getAnnotation(Command.class);
+            CommandSpec name = CommandSpec.create().name(described.name());
+            name.usageMessage().description(described.description());
+            line.addSubcommand(described.name(), name);
+        }
         return line;
     }
 

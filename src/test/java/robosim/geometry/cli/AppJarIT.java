@@ -6,14 +6,18 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.jar.JarFile;
 import java.util.jar.Manifest;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Version;
@@ -47,16 +51,22 @@ class AppJarIT {
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.add("-XX:TieredStopAtLevel=1");
         command.addAll(how);
+        return run(Map.of(), command, arguments);
+    }
+
+    private Run run(Map<String, String> environment, List<String> program, Object... arguments) throws Exception {
+        List<String> command = new ArrayList<>(program);
         for (Object argument : arguments) {
             command.add(argument.toString());
         }
         Path out = temporary.resolve("out");
         Path err = temporary.resolve("err");
-        Process process = new ProcessBuilder(command)
+        ProcessBuilder builder = new ProcessBuilder(command)
                 .directory(folder.toFile())
                 .redirectOutput(out.toFile())
-                .redirectError(err.toFile())
-                .start();
+                .redirectError(err.toFile());
+        builder.environment().putAll(environment);
+        Process process = builder.start();
         try {
             process.getOutputStream().close();
             assertThat(process.waitFor(120, TimeUnit.SECONDS)).isTrue();
@@ -77,6 +87,35 @@ class AppJarIT {
         assertThat(app("--version").out()).startsWith("robosim-geometry " + Version.NUMBER);
         assertThat(app().code()).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(app("completion").out()).startsWith("#!/usr/bin/env bash");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void theLauncherRunsTheSameAndMapsItsArchive() throws Exception {
+        Path home = Files.createDirectory(
+                temporary.resolve("home")); // JDK 17 maps no class of a jar whose path has a space
+        Path launcher = home.resolve("robosim-geometry");
+        Files.copy(Path.of("src/app/robosim-geometry"), launcher, StandardCopyOption.COPY_ATTRIBUTES);
+        Map<String, String> environment = Map.of(
+                "JAVA_HOME", System.getProperty("java.home"),
+                "ROBOSIM_CACHE", temporary.resolve("a cache").toString(),
+                "ROBOSIM_JAVA_OPTIONS", "-Xlog:class+load:file=loaded.txt");
+        List<String> program = List.of(launcher.toString());
+        Run none = run(environment, program, "--version");
+        assertThat(none.err()).contains("robosim-geometry-*-app.jar must lie beside");
+        assertThat(none.code()).isEqualTo(ExitCodes.UNUSABLE);
+
+        Files.copy(APP, home.resolve(APP.getFileName()));
+        Run before = run(environment, program, "--help");
+        assertThat(before.out()).isEqualTo(app("--help").out());
+        assertThat(folder.resolve("loaded.txt")).content().doesNotContain("cli.Commands source: shared objects file");
+
+        Run prepared = run(environment, program, "--prepare");
+        assertThat(prepared.code()).as(prepared.err()).isZero();
+        Run after = run(environment, program, "--help");
+        assertThat(after.err()).isEmpty();
+        assertThat(after.out()).isEqualTo(before.out());
+        assertThat(folder.resolve("loaded.txt")).content().contains("cli.Commands source: shared objects file");
     }
 
     @Test
