@@ -46,6 +46,28 @@ final class GlbShape {
         return Arrays.copyOf(indices, corners);
     }
 
+    /** A shape that is no group, by its own kind. */
+    static GlbShape of(robosim.geometry.model.GeometryObject object) { // TEMP
+        return switch (object.kind()) {
+            case BOX -> {
+                var b = (robosim.geometry.model.BoxObject) object;
+                yield box(b.width(), b.height(), b.length());
+            }
+            case CYLINDER -> {
+                var b = (robosim.geometry.model.CylinderObject) object;
+                yield cylinder(b.radius(), b.height());
+            }
+            case SPHERE -> capsule(((robosim.geometry.model.SphereObject) object).radius(), 0);
+            case CAPSULE -> {
+                var b = (robosim.geometry.model.CapsuleObject) object;
+                yield capsule(b.radius(), b.segment());
+            }
+            case MESH -> mesh(((robosim.geometry.model.MeshObject) object).triangles());
+            case GRID -> grid((GridObject) object);
+            case GROUP -> throw new IllegalArgumentException();
+        };
+    }
+
     static GlbShape box(double width, double height, double length) {
         GlbShape shape = new GlbShape(true);
         double[] half = {width / 2, height / 2, length / 2};

@@ -1,0 +1,209 @@
+package robosim.geometry.export;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Messages of ROS 2: their definitions, and values in the encoding that they describe, CDR, least significant byte first.
+ *
+ * <p>A value is a list of the values of its fields, in order. A field is a number, a Boolean, a text, a list of values, or an
+ * array of bytes, floats or doubles.
+ */
+final class RosTypes {
+    private static final String SEPARATOR = "=".repeat(80);
+
+    /**
+     * A field of a message.
+     *
+     * @param type  a primitive type, or a message's
+     * @param count of an array: how many elements it has, or 0 for any number; -1 for a single value
+     */
+    private record Field(String type, int count, String name) {}
+
+    /** The text of each definition, by its name without {@code /msg/}. */
+    private final Map<String, String> texts = new LinkedHashMap<>();
+
+    private final Map<String, List<Field>> fields = new LinkedHashMap<>();
+
+    RosTypes() {
+        for (String section : resource().split("=== ")) {
+            int end = section.indexOf('\n');
+            if (end > 0) {
+                texts.put(section.substring(0, end), section.substring(end + 1).strip());
+            }
+        }
+        texts.forEach((name, text) -> fields.put(name, parse(text)));
+    }
+
+    private static String resource() {
+        try (InputStream in = RosTypes.class.getResourceAsStream("/robosim/geometry/export/ros2.msg")) {
+            if (in == null) {
+                throw new IllegalStateException("the jar must contain robosim/geometry/export/ros2.msg (got: none)");
+            }
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static List<Field> parse(String text) {
+        List<Field> parsed = new ArrayList<>();
+        for (String line : text.split("\n")) {
+            if (line.contains("=")) {
+                continue; // a constant
+            }
+            String[] parts = line.split(" ");
+            int bracket = parts[0].indexOf('[');
+            String count = bracket < 0 ? "" : parts[0].substring(bracket + 1, parts[0].length() - 1);
+            parsed.add(new Field(
+                    bracket < 0 ? parts[0] : parts[0].substring(0, bracket),
+                    bracket < 0 ? -1 : count.isEmpty() ? 0 : Integer.parseInt(count),
+                    parts[1]));
+        }
+        return List.copyOf(parsed);
+    }
+
+    /** A definition, followed by those of all messages that it contains. */
+    String schema(String type) {
+        List<String> needed = new ArrayList<>(List.of(type));
+        for (int k = 0; k < needed.size(); k++) {
+            for (Field field : definition(needed.get(k))) {
+                if (texts.containsKey(field.type) && !needed.contains(field.type)) {
+                    needed.add(field.type);
+                }
+            }
+        }
+        StringBuilder schema = new StringBuilder(texts.get(type));
+        for (String other : needed.subList(1, needed.size())) {
+            schema.append('\n')
+                    .append(SEPARATOR)
+                    .append("\nMSG: ")
+                    .append(other)
+                    .append('\n');
+            schema.append(texts.get(other));
+        }
+        return schema.append('\n').toString();
+    }
+
+    private List<Field> definition(String type) {
+        List<Field> found = fields.get(type);
+        if (found == null) {
+            throw new IllegalArgumentException("type must be a message of ros2.msg (got: " + type + ")");
+        }
+        return found;
+    }
+
+    /** A value of a type as bytes. */
+    byte[] encode(String type, List<?> value) {
+        Bytes out = new Bytes();
+        message(type, value, out);
+        return out.finished();
+    }
+
+    private void message(String type, List<?> value, Bytes out) {
+        List<Field> all = definition(type);
+        if (value.size() != all.size()) {
+            throw new IllegalArgumentException(
+                    type + " must have " + all.size() + " values (got: " + value.size() + ")");
+        }
+        for (int k = 0; k < all.size(); k++) {
+            Field field = all.get(k);
+            if (field.count < 0) {
+                single(field.type, value.get(k), out);
+            } else {
+                array(field, value.get(k), out);
+            }
+        }
+    }
+
+    private void array(Field field, Object value, Bytes out) {
+        int size = size(value);
+        if (field.count == 0) {
+            out.number(size, 4);
+        } else if (size != field.count) {
+            throw new IllegalArgumentException(
+                    field.name + " must have " + field.count + " elements (got: " + size + ")");
+        }
+        if (value instanceof byte[] bytes) {
+            out.bytes(bytes);
+        } else if (value instanceof float[] floats) {
+            for (float each : floats) {
+                single(field.type, each, out);
+            }
+        } else if (value instanceof double[] doubles) {
+            for (double each : doubles) {
+                single(field.type, each, out);
+            }
+        } else {
+            for (Object each : (List<?>) value) {
+                single(field.type, each, out);
+            }
+        }
+    }
+
+    private static int size(Object array) {
+        if (array instanceof byte[] bytes) {
+            return bytes.length;
+        }
+        if (array instanceof float[] floats) {
+            return floats.length;
+        }
+        return array instanceof double[] doubles ? doubles.length : ((List<?>) array).size();
+    }
+
+    private void single(String type, Object value, Bytes out) {
+        switch (type) {
+            case "bool" -> out.number((Boolean) value ? 1 : 0, 1);
+            case "int8", "uint8" -> out.number(((Number) value).longValue(), 1);
+            case "int16", "uint16" -> out.number(((Number) value).longValue(), 2);
+            case "int32", "uint32" -> out.number(((Number) value).longValue(), 4);
+            case "float32" -> out.number(Float.floatToRawIntBits(((Number) value).floatValue()), 4);
+            case "float64" -> out.number(Double.doubleToRawLongBits(((Number) value).doubleValue()), 8);
+            case "string" -> out.text((String) value);
+            default -> message(type, (List<?>) value, out);
+        }
+    }
+
+    /** Each number is aligned to its own size, counted from after the four bytes that begin a message. */
+    private static final class Bytes {
+        private static final byte[] BEGIN = {0, 1, 0, 0};
+
+        private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+
+        private Bytes() {
+            out.writeBytes(BEGIN);
+        }
+
+        private void number(long bits, int size) {
+            while ((out.size() - BEGIN.length) % size != 0) {
+                out.write(0);
+            }
+            for (int k = 0; k < size; k++) {
+                out.write((int) (bits >>> 8 * k));
+            }
+        }
+
+        private void bytes(byte[] more) {
+            out.writeBytes(more);
+        }
+
+        /** A text's length counts the zero at its end. */
+        private void text(String text) {
+            byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
+            number(utf8.length + 1L, 4);
+            out.writeBytes(utf8);
+            out.write(0);
+        }
+
+        private byte[] finished() {
+            return out.toByteArray();
+        }
+    }
+}
