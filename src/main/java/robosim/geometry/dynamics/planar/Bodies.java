@@ -121,6 +121,61 @@ final class Bodies {
         return lightness[b] == 0 ? 0 : 0.5 * ((vx[b] * vx[b] + vz[b] * vz[b]) / lightness[b] + w[b] * w[b] / ease[b]);
     }
 
+    /**
+     * Gives bodies an angular momentum in addition to what they have, about any point, without changing their momentum. They
+     * turn about their common centre as if they were one rigid body, which changes no speed at which two of them approach; if
+     * that takes energy, their other motions are slowed to provide it. If these have less, they get what they can provide.
+     *
+     * @param list  of free bodies
+     * @param extra kg m^2/s
+     */
+    void turnTogether(int[] list, int listed, double extra) {
+        double mass = 0;
+        double centreX = 0;
+        double centreZ = 0;
+        double driftX = 0;
+        double driftZ = 0;
+        for (int k = 0; k < listed; k++) {
+            int b = list[k];
+            double m = 1 / lightness[b];
+            mass += m;
+            centreX += m * x[b];
+            centreZ += m * z[b];
+            driftX += m * vx[b];
+            driftZ += m * vz[b];
+        }
+        centreX /= mass;
+        centreZ /= mass;
+        driftX /= mass;
+        driftZ /= mass;
+        double inertia = 0;
+        double spin = 0;
+        double moving = 0;
+        for (int k = 0; k < listed; k++) {
+            int b = list[k];
+            double m = 1 / lightness[b];
+            double atX = x[b] - centreX;
+            double atZ = z[b] - centreZ;
+            double ownX = vx[b] - driftX;
+            double ownZ = vz[b] - driftZ;
+            inertia += m * (atX * atX + atZ * atZ) + 1 / ease[b];
+            spin += m * (atZ * ownX - atX * ownZ) + w[b] / ease[b];
+            moving += 0.5 * (m * (ownX * ownX + ownZ * ownZ) + w[b] * w[b] / ease[b]);
+        }
+        double most = Math.sqrt(2 * inertia * moving);
+        double wanted = Math.max(-most, Math.min(most, spin + extra));
+        double inner = moving - 0.5 * spin * spin / inertia;
+        double left = moving - 0.5 * wanted * wanted / inertia;
+        double share = inner > 0 && left < inner ? Math.sqrt(Math.max(0, left) / inner) : 1;
+        double turn = (wanted - share * spin) / inertia;
+        for (int k = 0; k < listed; k++) {
+            int b = list[k];
+            vx[b] = driftX + share * (vx[b] - driftX) + turn * (z[b] - centreZ);
+            vz[b] = driftZ + share * (vz[b] - driftZ) - turn * (x[b] - centreX);
+            w[b] = share * w[b] + turn;
+        }
+    }
+
     /** The sum of a number and its rest, and another number; the rest goes to {@code rests[at]}. */
     static double add(double[] sums, double[] rests, int at, double by) {
         double sum = sums[at] + by;

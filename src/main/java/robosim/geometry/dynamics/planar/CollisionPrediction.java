@@ -41,6 +41,7 @@ final class CollisionPrediction {
     private final ConvexPieces pieces;
     private final Pairs pairs;
     private final Manifold manifold = new Manifold();
+    private final int[] both = new int[2];
     private double gap;
     private double end;
 
@@ -253,8 +254,7 @@ final class CollisionPrediction {
     /**
      * Puts two free bodies apart such that their angular momentum stays as it is: by turns, on which it does not depend, and
      * by shifts in opposite directions along the velocity of the one as seen from the other. Where that hardly parts them, as
-     * where the one slides along the other, they are shifted along the normal, and slide more slowly by as much as their
-     * centres are farther apart; so energy does not grow.
+     * where the one slides along the other, they are shifted along the normal, and turn together by what that changes.
      */
     private void putApart(int pair, double distance, double missing) {
         int pa = pairs.a[pair];
@@ -282,17 +282,12 @@ final class CollisionPrediction {
             bodies.angle[b] -= by * bodies.ease[b] * leverB;
             return;
         }
-        double before = (bodies.x[a] - bodies.x[b]) * vz - (bodies.z[a] - bodies.z[b]) * vx;
+        double before = (bodies.z[a] - bodies.z[b]) * vx - (bodies.x[a] - bodies.x[b]) * vz;
         shift(a, b, missing / light * nx, missing / light * nz);
-        double after = (bodies.x[a] - bodies.x[b]) * vz - (bodies.z[a] - bodies.z[b]) * vx;
-        double kept = before / after;
-        if (kept < 1 && kept > 0.5) {
-            double share = (1 - kept) / light;
-            bodies.vx[a] -= share * bodies.lightness[a] * vx;
-            bodies.vz[a] -= share * bodies.lightness[a] * vz;
-            bodies.vx[b] += share * bodies.lightness[b] * vx;
-            bodies.vz[b] += share * bodies.lightness[b] * vz;
-        }
+        double after = (bodies.z[a] - bodies.z[b]) * vx - (bodies.x[a] - bodies.x[b]) * vz;
+        both[0] = a;
+        both[1] = b;
+        bodies.turnTogether(both, 2, (before - after) / light);
     }
 
     /** Shifts two bodies in opposite directions, by their lightness. */

@@ -5,6 +5,9 @@ final class Collisions {
     /** So often drives make up for what a collision has cost them. */
     private static final int MOST_PUSHES = 16;
 
+    /** Angular momentum smaller than this share of its parts is rounding. */
+    private static final double ROUNDING = 0x1p-48;
+
     /** What drives do. */
     PlanarStepper.Pushes pushes = (body, angle, round) -> false;
 
@@ -38,14 +41,18 @@ final class Collisions {
         solver = meetings.solver;
     }
 
-    /** Makes a collision an island, with all that touch there, and what these touch. */
-    void gather(int hit, double now) {
+    private void begin() {
         mark++;
         if (bodyMark.length < bodies.count) {
             bodyMark = new int[2 * bodies.count];
         }
-        pairs.mark[hit] = 0;
         island.begin();
+    }
+
+    /** Makes a collision an island, with all that touch there, and what these touch. */
+    void gather(int hit, double now) {
+        begin();
+        pairs.mark[hit] = 0;
         join(pieces.body[pairs.a[hit]], now);
         int other = pieces.body[pairs.b[hit]];
         if (other >= 0) {
@@ -127,6 +134,59 @@ final class Collisions {
     boolean isChanged(int pair) {
         int other = pieces.body[pairs.b[pair]];
         return solver.isChanged(pieces.body[pairs.a[pair]]) || (other >= 0 && solver.isChanged(other));
+    }
+
+    /**
+     * Gives free bodies that touched nothing but each other the angular momentum back that they have lost or gained because some of them are not
+     * where they were to be, with the velocities that they were to have there.
+     */
+    void keepAngularMomentum(MotionOrder carrying) {
+        begin();
+        int lastMark = mark;
+        for (int b = 0; b < bodies.count; b++) {
+            boolean isElsewhere = carrying.atX[b] != bodies.x[b] || carrying.atZ[b] != bodies.z[b];
+            if (isElsewhere && bodyMark[b] <= lastMark && gatherFree(b, carrying)) {
+                double extra = 0;
+                double most = 0;
+                for (int k = 0; k < island.bodyCount; k++) {
+                    int body = island.bodyList[k];
+                    double vx = bodies.vx[body] / bodies.lightness[body];
+                    double vz = bodies.vz[body] / bodies.lightness[body];
+                    extra += (bodies.z[body] - carrying.atZ[body]) * vx - (bodies.x[body] - carrying.atX[body]) * vz;
+                    most += Math.abs(bodies.z[body] * vx) + Math.abs(bodies.x[body] * vz);
+                    bodies.x[body] = carrying.atX[body];
+                    bodies.z[body] = carrying.atZ[body];
+                }
+                if (Math.abs(extra) > ROUNDING * most) {
+                    bodies.turnTogether(island.bodyList, island.bodyCount, extra);
+                }
+            }
+        }
+    }
+
+    /** Makes a body an island with all that it has met or waited for since the run began, and so on; whether all of them are
+     * free. */
+    private boolean gatherFree(int first, MotionOrder carrying) {
+        begin();
+        join(first, bodies.time[first]);
+        boolean areFree = true;
+        for (int k = 0; k < island.bodyCount; k++) {
+            int body = island.bodyList[k];
+            boolean isStopped = carrying.isBlocked[body] && bodies.isStill(body);
+            areFree &= bodies.lightness[body] > 0 && !bodies.isDriven[body] && !isStopped;
+            for (int link = pairs.heads[body]; link >= 0; link = pairs.links[link]) {
+                int pair = link >> 1;
+                int one = pieces.body[pairs.a[pair]];
+                int other = pieces.body[pairs.b[pair]];
+                boolean haveMet = pairs.isNear[pair] || pairs.solved[pair] >= 0;
+                areFree &= other >= 0 || !haveMet;
+                if (other >= 0 && (haveMet || (carrying.hasWaited[one] && carrying.hasWaited[other]))) {
+                    join(one, bodies.time[one]);
+                    join(other, bodies.time[other]);
+                }
+            }
+        }
+        return areFree;
     }
 
     private void join(int body, double now) {

@@ -67,6 +67,9 @@ final class MotionOrder {
 
     private boolean[] isOnWay = new boolean[FIRST];
 
+    /** Whether a body could not go all of its way at once. */
+    boolean[] hasWaited = new boolean[FIRST];
+
     /** Whether a body waits until all others have gone. */
     private boolean[] isLate = new boolean[FIRST];
 
@@ -119,6 +122,7 @@ final class MotionOrder {
             fromAngle = new double[room];
             fromLeg = new int[room];
             isOnWay = new boolean[room];
+            hasWaited = new boolean[room];
             isLate = new boolean[room];
             isBlocked = new boolean[room];
             blocker = new int[room];
@@ -174,6 +178,7 @@ final class MotionOrder {
                 put(b, legs, end);
             }
         }
+        noteWaiting();
         double most = end;
         for (int round = 0; round < PARTS && isLeft(); round++) {
             shortened.makeRoom(bodies.count);
@@ -200,6 +205,12 @@ final class MotionOrder {
         }
     }
 
+    private void noteWaiting() {
+        for (int b = 0; b < bodies.count; b++) {
+            hasWaited[b] = firstLeg[b] >= 0;
+        }
+    }
+
     private boolean isLeft() {
         for (int b = 0; b < bodies.count; b++) {
             if (firstLeg[b] >= 0) {
@@ -223,6 +234,7 @@ final class MotionOrder {
     /** Carries all one after the other. */
     private void carryInTurns(int[] order) {
         carryStraight(order);
+        noteWaiting();
         for (int leg = 0; leg < legs.count; leg++) {
             int b = legs.body[leg];
             if (!isLate[b] && !isBlocked[b] && done[b] < legs.time[leg]) {
@@ -412,7 +424,11 @@ final class MotionOrder {
         isBehind[b] = other >= 0 && bodies.lightness[other] > 0 && !bodies.isStill(other);
         double[] places = world.objects.places();
         int at = world.objects.place(id);
-        double lacking = length(dx - (places[at] - fromX), dz - (places[at + 2] - fromZ));
+        double madeX = places[at] - fromX;
+        double madeZ = places[at + 2] - fromZ;
+        atX[b] += madeX;
+        atZ[b] += madeZ;
+        double lacking = length(dx - madeX, dz - madeZ);
         double turning = Math.abs(by) * bodies.size[b];
         double least = MOST_GAPS * Math.max(gap, 0x1p-42 * (Math.abs(fromX) + Math.abs(fromZ)));
         isBlocked[b] = !isThere && lacking + turning > Math.max(least, (1 - LEAST_SHARE) * (length(dx, dz) + turning));

@@ -383,5 +383,6 @@ public final class PlanarStepper {
                 touches.stop(b, bodies.id[b], carrying.blocker[b], ContactLog.Cause.BLOCKED);
             }
         }
+        met.keepAngularMomentum(carrying);
     }
 }
