@@ -9,6 +9,7 @@ import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
 import robosim.geometry.cli.demo.DemoCommand;
 import robosim.geometry.cli.network.ConnectCommand;
 import robosim.geometry.cli.network.ServeCommand;
@@ -17,9 +18,10 @@ import robosim.geometry.cli.studies.ReplayCommand;
 import robosim.geometry.cli.studies.SweepCommand;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.FailureText;
-import robosim.geometry.cli.terminal.Numbers;
 import robosim.geometry.cli.terminal.PlainPrinter;
 import robosim.geometry.cli.terminal.Terminal;
+import robosim.geometry.cli.terminal.UsageException;
+import robosim.geometry.cli.terminal.Values;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.worlds.AddCommand;
 import robosim.geometry.cli.worlds.CheckCommand;
@@ -36,7 +38,6 @@ import robosim.geometry.cli.worlds.ViewCommand;
         synopsisSubcommandLabel = "COMMAND",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.DONE,
             ExitCodes.FINDINGS + ":done, with findings: answers differ, or a world has findings",
@@ -109,8 +110,8 @@ public final class Commands implements Terminal.Program {
     private static CommandLine line(boolean standard, List<Class<?>> commands) {
         CommandLine line = new CommandLine(new Commands(standard));
         commands.forEach(line::addSubcommand);
-        line.setCaseInsensitiveEnumValuesAllowed(true);
-        Numbers.register(line);
+        Values.register(line);
+        describe(line);
         return line;
     }
 
@@ -129,6 +130,20 @@ public final class Commands implements Terminal.Program {
             line.addSubcommand(described.name(), name);
         }
         return line;
+    }
+
+    /** What the help of all commands has in common. */
+    private static void describe(CommandLine line) {
+        CommandSpec spec = line.getCommandSpec().versionProvider(new Version());
+        spec.mixinStandardHelpOptions(true);
+        UsageMessageSpec help = spec.usageMessage().exitCodeListHeading("%nExit codes:%n");
+        if (help.exitCodeList().isEmpty()) {
+            help.exitCodeList(UsageMessageSpec.keyValuesMap(ExitCodes.DONE, ExitCodes.REFUSED));
+        }
+        if (help.footerHeading().isEmpty()) {
+            help.footerHeading("%nExamples:%n");
+        }
+        line.getSubcommands().values().forEach(Commands::describe);
     }
 
     /** The command that is called, if one is: to describe all of them takes a third of the time of a short one. */
@@ -153,21 +168,25 @@ public final class Commands implements Terminal.Program {
     private static int run(CommandLine line, String... arguments) {
         line.setExecutionExceptionHandler((failure, command, parsed) -> {
             command.getErr().println(FailureText.of(failure));
-            return ExitCodes.UNUSABLE;
+            return failure instanceof UsageException ? pointToHelp(command) : ExitCodes.UNUSABLE;
         });
         // Only what is wrong; the full help is printed on request.
         line.setParameterExceptionHandler((refused, given) -> {
             CommandLine command = refused.getCommandLine();
             command.getErr().println(refused.getMessage());
             CommandLine.UnmatchedArgumentException.printSuggestions(refused, command.getErr());
-            command.getErr().println("See: " + command.getCommandSpec().qualifiedName() + " --help");
-            return ExitCodes.UNUSABLE;
+            return pointToHelp(command);
         });
         if (arguments.length == 0) {
             line.usage(line.getErr());
             return ExitCodes.UNUSABLE;
         }
         return line.execute(arguments[0].equals(HELP) ? asked(line, arguments) : arguments);
+    }
+
+    private static int pointToHelp(CommandLine command) {
+        command.getErr().println("See: " + command.getCommandSpec().qualifiedName() + " --help");
+        return ExitCodes.UNUSABLE;
     }
 
     /** {@code help sweep} is turned into {@code sweep --help}; an unknown command stays as it is and is refused. */

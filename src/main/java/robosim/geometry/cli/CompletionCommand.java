@@ -4,18 +4,12 @@ import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
-import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Version;
 
 /** Prints a shell completion script for these commands. */
 @Command(
         name = "completion",
         description = "Prints a script that makes bash or zsh complete the commands and their options.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
-        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
-        footerHeading = "%nExamples:%n",
         footer = {
             "  alias robosim-geometry='java -jar /path/to/robosim-geometry-app.jar'",
             "  source <(robosim-geometry completion)",
@@ -25,10 +19,7 @@ import robosim.geometry.cli.terminal.Version;
         })
 final class CompletionCommand implements Runnable {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before run()
     private CommandSpec spec;
-
-    private CompletionCommand() {}
 
     @Override
     public void run() {

@@ -13,12 +13,11 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Terminal;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.net.GeometryClient;
@@ -41,16 +40,12 @@ import robosim.geometry.world.WorldWriter;
                 "Lets the robots of a world wander. The reference environment and this module run as two processes over"
                         + " TCP. Writes a picture, the recording and a summary, and fails if the audit of the recording finds"
                         + " anything wrong.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
         showDefaultValues = true,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.FINE + ":the audit found nothing wrong",
             ExitCodes.FINDINGS + ":the audit found something wrong",
             ExitCodes.REFUSED
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry demo",
             "  robosim-geometry demo --world worlds/warehouse.xml --steps 500 --seed 7 -o warehouse",
@@ -58,7 +53,6 @@ import robosim.geometry.world.WorldWriter;
         })
 public final class DemoCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Option(
@@ -108,13 +102,10 @@ public final class DemoCommand implements Callable<Integer> {
     private @Nullable Path examples;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     private final Timings timings = new Timings();
     private Path output = Path.of("");
-
-    private DemoCommand() {}
 
     @Override
     public Integer call() throws Exception {
@@ -124,7 +115,7 @@ public final class DemoCommand implements Callable<Integer> {
         List<String> environment = program("ReferenceEnvironment");
         List<String> audit = program("ConversationAudit");
         output = place != null ? place : Path.of(Files.isDirectory(Path.of("target")) ? "target/demo" : "robosim-demo");
-        Path given = world == null ? null : Inputs.file(spec, "--world", world);
+        Path given = world == null ? null : Arguments.input("--world", world);
         Files.createDirectories(output);
         Path worldFile = given != null ? given : rooms();
         World loaded = files.world(worldFile);
@@ -163,7 +154,7 @@ public final class DemoCommand implements Callable<Integer> {
 
     private void check(boolean good, String message) {
         if (!good) {
-            throw new ParameterException(spec.commandLine(), message);
+            throw new UsageException(message);
         }
     }
 
@@ -184,8 +175,7 @@ public final class DemoCommand implements Callable<Integer> {
     private Path projectFile(String option, String name) {
         Path file = Program.projectFile(name);
         if (file == null || !Files.isRegularFile(file)) {
-            throw new ParameterException(
-                    spec.commandLine(),
+            throw new UsageException(
                     option + " must name a file that exists; start this in the project's folder, or name another (got: "
                             + name + ")");
         }

@@ -11,9 +11,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Ports;
-import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
@@ -27,9 +26,6 @@ import robosim.geometry.scenario.drive.WorldLoading;
 @Command(
         name = "connect",
         description = "Dials RoboSim's environment module and answers its requests; dials again after a disconnect.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.FINE + ":with --once, the environment was served until it hung up",
             ExitCodes.FINDINGS + ":with --once, the environment hung up before its first request",
@@ -38,14 +34,12 @@ import robosim.geometry.scenario.drive.WorldLoading;
                     + " failed (TLS, the secret, the protocol)",
             ExitCodes.ENDED
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry connect localhost 5555",
             "  robosim-geometry connect localhost 5555 --once --record session.scenario.jsonl"
         })
 public final class ConnectCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(index = "0", paramLabel = "HOST", description = "the environment's name or address")
@@ -58,22 +52,17 @@ public final class ConnectCommand implements Callable<Integer> {
     private boolean once;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private ConnectionOptions common;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private RecordOptions record;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WatchOptions watch;
-
-    private ConnectCommand() {}
 
     @Override
     public Integer call() {
-        Ports.check(spec, port, 1);
+        Arguments.port(port, 1);
         NetOptions options = record.inFile(common.options(
                         Quotas.DEFAULT.connections(),
                         Timeouts.DEFAULT.admission().toSeconds()))

@@ -11,10 +11,8 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.net.Access;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
@@ -24,10 +22,6 @@ import robosim.geometry.net.Tls;
 
 /** Options that {@code serve} and {@code connect} share. Passwords and secrets are never arguments. */
 public final class ConnectionOptions {
-    @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli
-    private CommandSpec spec;
-
     @Option(
             names = "--stall",
             paramLabel = "SECONDS",
@@ -98,8 +92,6 @@ public final class ConnectionOptions {
             description = "form of the log's lines: text or json (default: ${DEFAULT-VALUE})")
     private String log = "text";
 
-    private ConnectionOptions() {}
-
     /** The options for TLS: all of them or none. */
     private static final class Stores {
         @Option(
@@ -163,13 +155,13 @@ public final class ConnectionOptions {
                             .withRequestLimit(Duration.ofNanos((long) (requestTime * 1e9)), requestWork))
                     .withAccess(access());
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+            throw new UsageException(String.valueOf(e.getMessage()), e);
         }
     }
 
     private void useLog() {
         if (!log.equals("text") && !log.equals("json")) {
-            throw new ParameterException(spec.commandLine(), "--log must be text or json (got: " + log + ")");
+            throw new UsageException("--log must be text or json (got: " + log + ")");
         }
         LogLines.use(log.equals("json") ? LogLines.Form.JSON : LogLines.Form.TEXT);
     }
@@ -190,7 +182,7 @@ public final class ConnectionOptions {
     /** 0 for never. */
     int figuresSeconds() {
         if (figures < 0) {
-            throw new ParameterException(spec.commandLine(), "--figures must be at least 0 (got: " + figures + ")");
+            throw new UsageException("--figures must be at least 0 (got: " + figures + ")");
         }
         return figures;
     }

@@ -4,20 +4,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
-import robosim.geometry.cli.terminal.Outputs;
+import robosim.geometry.cli.terminal.Arguments;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.scenario.Recordings;
 
 /** How {@code serve} and {@code connect} record their sessions. */
 public final class RecordOptions {
-    @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli
-    private CommandSpec spec;
-
     @Option(
             names = "--record",
             paramLabel = "PLACE",
@@ -32,8 +26,6 @@ public final class RecordOptions {
                     "largest size of a file; at that size recording stops and the session goes on (default: 1 GiB)")
     private long bytes = Recordings.DEFAULT_BYTES;
 
-    private RecordOptions() {}
-
     /** Records into a folder, which is created if it does not exist. */
     NetOptions inFolder(NetOptions options) {
         Path folder = place;
@@ -43,10 +35,11 @@ public final class RecordOptions {
         try {
             Files.createDirectories(folder);
         } catch (IOException e) {
-            throw refused("--record must be a folder, or a path where one can be created (got: " + folder + ")");
+            throw new UsageException(
+                    "--record must be a folder, or a path where one can be created (got: " + folder + ")");
         }
         if (!Files.isWritable(folder)) {
-            throw refused("--record must be a folder that can be written to (got: " + folder + ")");
+            throw new UsageException("--record must be a folder that can be written to (got: " + folder + ")");
         }
         return options.withListeners(limited(Recordings.inFolder(folder, options.session())));
     }
@@ -58,17 +51,13 @@ public final class RecordOptions {
             return options;
         }
         return options.withListeners(
-                limited(Recordings.inFile(Outputs.newFile(spec, "--record", file), options.session())));
+                limited(Recordings.inFile(Arguments.newFile("--record", file), options.session())));
     }
 
     private Recordings limited(Recordings recordings) {
         if (bytes < 1) {
-            throw refused("--record-bytes must be at least 1 (got: " + bytes + ")");
+            throw new UsageException("--record-bytes must be at least 1 (got: " + bytes + ")");
         }
         return recordings.atMost(bytes);
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
     }
 }

@@ -11,14 +11,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Ports;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
@@ -36,11 +34,7 @@ import robosim.geometry.world.WorldException;
             "Each connection sends its own world, as robosim.load of examples/robosim.py does with a file, or begins"
                     + " with that of --world, which is its own from then on."
         },
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {ExitCodes.REFUSED, ExitCodes.ENDED},
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry serve 5555",
             "  robosim-geometry serve 5555 --world worlds/rooms.xml",
@@ -50,7 +44,6 @@ import robosim.geometry.world.WorldException;
         })
 public final class ServeCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(paramLabel = "PORT", description = "1 to 65535, or 0 for any free port")
@@ -112,35 +105,29 @@ public final class ServeCommand implements Callable<Integer> {
     private @Nullable Path worlds;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private ConnectionOptions common;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private RecordOptions record;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WatchOptions watch;
-
-    private ServeCommand() {}
 
     @Override
     public Integer call() throws Exception {
-        Ports.check(spec, port, 0);
+        Arguments.port(port, 0);
         WorldLoading loading = loading();
         NetOptions options = common.options(connections, admission).withWorlds(loading);
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
         if (drain < 0) {
-            throw new ParameterException(spec.commandLine(), "--drain must be at least 0 (got: " + drain + ")");
+            throw new UsageException("--drain must be at least 0 (got: " + drain + ")");
         }
         if (admin != null) {
-            Ports.check(spec, admin, 0);
+            Arguments.port(admin, 0);
         }
         WatchOptions.Watch watched = watch.begin(record.inFolder(options.withOpening(opening)));
         GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, watched.options());
@@ -175,8 +162,7 @@ public final class ServeCommand implements Callable<Integer> {
             return port;
         } catch (NoClassDefFoundError e) {
             server.close();
-            throw new ParameterException(
-                    spec.commandLine(), "--admin needs the JDK's module jdk.httpserver (got: a Java without it)", e);
+            throw new UsageException("--admin needs the JDK's module jdk.httpserver (got: a Java without it)", e);
         } catch (RuntimeException e) {
             server.close();
             throw e;
@@ -185,7 +171,7 @@ public final class ServeCommand implements Callable<Integer> {
 
     private WorldLoading loading() {
         if (worlds != null) {
-            Inputs.folders(spec, "--worlds", List.of(worlds));
+            Arguments.folders("--worlds", List.of(worlds));
         }
         return WorldLoading.of(worlds, files.folders());
     }
@@ -196,14 +182,11 @@ public final class ServeCommand implements Callable<Integer> {
         if (world == null) {
             return List.of();
         }
-        Inputs.file(spec, "--world", world);
+        Arguments.input("--world", world);
         try {
             return WorldOpening.of(files.world(world));
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--world must be a world that can be (got: " + world + "): " + e.getMessage(),
-                    e);
+            throw new UsageException("--world must be a world that can be (got: " + world + "): " + e.getMessage(), e);
         }
     }
 }

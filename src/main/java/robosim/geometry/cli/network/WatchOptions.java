@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import robosim.geometry.cli.terminal.Ports;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.WatchServer;
@@ -15,7 +15,6 @@ import robosim.geometry.scenario.Watching;
 /** How {@code serve} and {@code connect} let a session be watched. */
 public final class WatchOptions {
     @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli
     private CommandSpec spec;
 
     @Option(
@@ -24,8 +23,6 @@ public final class WatchOptions {
             description = "open a second, read-only port on this machine that reports what happens, for"
                     + " `view --watch`; 0 for any free port")
     private @Nullable Integer port;
-
-    private WatchOptions() {}
 
     /**
      * The server for watchers, null if none was asked for, and the options that report to it. Closing it closes that
@@ -45,7 +42,7 @@ public final class WatchOptions {
         if (port == null) {
             return new Watch(options, null);
         }
-        Ports.check(spec, port, 0);
+        Arguments.port(port, 0);
         Watching watching = new Watching(options.session());
         WatchServer server = new WatchServer(port, watching);
         PrintWriter out = spec.commandLine().getOut();

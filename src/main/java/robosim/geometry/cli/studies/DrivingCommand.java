@@ -19,15 +19,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Bounds;
@@ -52,15 +50,11 @@ import robosim.geometry.world.WorldObject;
         name = "drive",
         description =
                 "Drives robots through a world for a time: they slide, push and bounce, and never overlap anything.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.DONE,
             ExitCodes.FINDINGS + ":a body was stopped because its motion could not be decided",
             ExitCodes.REFUSED
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry drive worlds/pushing.xml --robot cart --speed 0.5 --turn 10 --seconds 10",
             "  robosim-geometry drive worlds/pushing.xml --tell cart=0.8,5 --tell mule=0.5 --record out.scenario.jsonl",
@@ -75,14 +69,12 @@ public final class DrivingCommand implements Callable<Integer> {
     private static final String WEIGHED = "NAME=KG, as in crate=8";
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(paramLabel = "WORLD", description = "a world in any format that convert reads")
     private Path world = Path.of("");
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     @Option(
@@ -135,12 +127,10 @@ public final class DrivingCommand implements Callable<Integer> {
             description = "a new scenario that repeats the drive: for replay, view, export and sweep")
     private @Nullable Path record;
 
-    private DrivingCommand() {}
-
     @Override
     public Integer call() throws Exception {
         check();
-        World read = files.world(Inputs.file(spec, "WORLD", world));
+        World read = files.world(Arguments.input("WORLD", world));
         if (planar) {
             read = read.planar();
         }
@@ -165,11 +155,12 @@ public final class DrivingCommand implements Callable<Integer> {
 
     private void check() {
         if (!(seconds > 0 && step > 0 && step <= 3600 && seconds / step <= MOST_STEPS)) {
-            throw refused("--seconds and --step must be above 0, a step at most an hour, and there must be at most "
-                    + MOST_STEPS + " steps (got: " + seconds + " in steps of " + step + ")");
+            throw new UsageException(
+                    "--seconds and --step must be above 0, a step at most an hour, and there must be at most "
+                            + MOST_STEPS + " steps (got: " + seconds + " in steps of " + step + ")");
         }
         if (record != null) {
-            Outputs.newFile(spec, "--record", record);
+            Arguments.newFile("--record", record);
         }
     }
 
@@ -179,7 +170,7 @@ public final class DrivingCommand implements Callable<Integer> {
         try {
             run = new DriveRun(read, bodies(read), commands, writer);
         } catch (IllegalArgumentException e) {
-            throw refused(String.valueOf(e.getMessage()));
+            throw new UsageException(String.valueOf(e.getMessage()));
         }
         long whole = (long) Math.floor(seconds / step * (1 + 1e-12));
         try (Progress progress = Progress.of(spec.commandLine(), "driving", whole)) {
@@ -214,7 +205,7 @@ public final class DrivingCommand implements Callable<Integer> {
             once(named, pair[0], "--tell=" + text);
             String[] numbers = pair[1].split(",", -1);
             if (numbers.length > 2) {
-                throw refused("--tell must be " + TOLD + " (got: " + text + ")");
+                throw new UsageException("--tell must be " + TOLD + " (got: " + text + ")");
             }
             double forward = number("--tell", TOLD, text, numbers[0]);
             double turns = numbers.length == 1 ? 0 : number("--tell", TOLD, text, numbers[1]);
@@ -252,7 +243,7 @@ public final class DrivingCommand implements Callable<Integer> {
     /** Refuses a robot that is given two commands, of which only one could hold. */
     private void once(Set<String> named, String name, String given) {
         if (!named.add(name)) {
-            throw refused("--robot and --tell must name each robot once; " + Text.quoted(name)
+            throw new UsageException("--robot and --tell must name each robot once; " + Text.quoted(name)
                     + " has a command already (got: " + given + ")");
         }
     }
@@ -261,7 +252,7 @@ public final class DrivingCommand implements Callable<Integer> {
     private String[] pair(String option, String form, String text) {
         int equals = text.lastIndexOf('=');
         if (equals < 1) {
-            throw refused(option + " must be " + form + " (got: " + text + ")");
+            throw new UsageException(option + " must be " + form + " (got: " + text + ")");
         }
         return new String[] {text.substring(0, equals), text.substring(equals + 1)};
     }
@@ -270,14 +261,14 @@ public final class DrivingCommand implements Callable<Integer> {
         try {
             return Double.parseDouble(number);
         } catch (NumberFormatException e) {
-            throw refused(option + " must be " + form + " (got: " + text + ")");
+            throw new UsageException(option + " must be " + form + " (got: " + text + ")");
         }
     }
 
     /** What a {@link DriveCommand} takes; the message names the option. */
     private double quantity(String option, double value) {
         if (!(Math.abs(value) <= MOST)) { // written so that NaN fails it
-            throw refused(option + " must be from -10^9 to 10^9 (got: " + value + ")");
+            throw new UsageException(option + " must be from -10^9 to 10^9 (got: " + value + ")");
         }
         return value;
     }
@@ -290,8 +281,8 @@ public final class DrivingCommand implements Callable<Integer> {
             }
         }
         if (!moveable.contains(name)) {
-            throw refused(option + " must name a moveable object of the world, " + Text.choice(name, moveable)
-                    + " (got: " + Text.quoted(name) + ")");
+            throw new UsageException(option + " must name a moveable object of the world, "
+                    + Text.choice(name, moveable) + " (got: " + Text.quoted(name) + ")");
         }
     }
 
@@ -316,12 +307,13 @@ public final class DrivingCommand implements Callable<Integer> {
                     .orElse(BodyRequest.of(name));
             double mass = number("--mass", WEIGHED, text, pair[1]);
             if (mass == 0) { // which would ask for the mass of the shape
-                throw refused("--mass must be above 0; leave it out for the mass of the shape (got: " + text + ")");
+                throw new UsageException(
+                        "--mass must be above 0; leave it out for the mass of the shape (got: " + text + ")");
             }
             try {
                 all.put(name, known.withMass(mass));
             } catch (IllegalArgumentException e) {
-                throw refused("--mass: " + e.getMessage());
+                throw new UsageException("--mass: " + e.getMessage());
             }
         }
         return List.copyOf(all.values());
@@ -392,9 +384,5 @@ public final class DrivingCommand implements Callable<Integer> {
 
     private static String number(double value) {
         return NumberText.digits(Math.abs(value) < 1e-9 ? 0 : value, DIGITS);
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
     }
 }

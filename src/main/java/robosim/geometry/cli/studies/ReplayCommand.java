@@ -13,15 +13,14 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.FailureText;
-import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
@@ -33,16 +32,12 @@ import robosim.geometry.scenario.StepReader;
 @Command(
         name = "replay",
         description = "Replays recorded conversations, without sockets, and compares the answers bit for bit.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.FINE + ":every answer is as recorded",
             ExitCodes.FINDINGS
                     + ":an answer differs, a recording was altered or lacks answers, or nothing could be compared",
             ExitCodes.REFUSED
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry serve 5555 --record recordings",
             "  robosim-geometry replay recordings",
@@ -51,7 +46,6 @@ import robosim.geometry.scenario.StepReader;
         })
 public final class ReplayCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(
@@ -84,8 +78,6 @@ public final class ReplayCommand implements Callable<Integer> {
     private int incomplete;
     private int lacking;
     private long unanswered;
-
-    private ReplayCommand() {}
 
     @Override
     public Integer call() throws Exception {
@@ -141,10 +133,10 @@ public final class ReplayCommand implements Callable<Integer> {
                 continue;
             }
             if (Files.exists(place) && !Files.isDirectory(place)) {
-                Inputs.file(spec, "FILE|FOLDER", place); // which refuses it
+                Arguments.input("FILE|FOLDER", place); // which refuses it
             }
             if (!Files.isDirectory(place)) {
-                throw new ParameterException(spec.commandLine(), "FILE|FOLDER must exist (got: " + place + ")");
+                throw new UsageException("FILE|FOLDER must exist (got: " + place + ")");
             }
             int before = files.size();
             try (Stream<Path> tree = Files.walk(place)) {
@@ -153,10 +145,8 @@ public final class ReplayCommand implements Callable<Integer> {
                         .forEach(files::add);
             }
             if (files.size() == before) {
-                throw new ParameterException(
-                        spec.commandLine(),
-                        "FOLDER must contain a *" + ScenarioReader.ENDING + " or the demo's " + WireFiles.TO_MODULE
-                                + ", directly or in a subfolder (got: " + place + ")");
+                throw new UsageException("FOLDER must contain a *" + ScenarioReader.ENDING + " or the demo's "
+                        + WireFiles.TO_MODULE + ", directly or in a subfolder (got: " + place + ")");
             }
         }
         return files;

@@ -21,14 +21,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.scenario.ScenarioReader;
@@ -45,10 +44,7 @@ import robosim.geometry.sweep.SweepWorld;
         name = "sweep",
         description = "Runs a scenario over worlds, parameters and seeds, on any number of threads and machines,"
                 + " with results that are the same to the bit.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
         subcommands = SweepMergeCommand.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {ExitCodes.DONE, ExitCodes.FINDINGS + ":replicates failed", ExitCodes.REFUSED, ExitCodes.ENDED},
         footerHeading = "%nParameters of a scenario file, each 0 unless given:%n",
         footer = {
@@ -67,7 +63,6 @@ import robosim.geometry.sweep.SweepWorld;
         })
 public final class SweepCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(
@@ -126,28 +121,22 @@ public final class SweepCommand implements Callable<Integer> {
     private @Nullable Path target;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private SweepOutput output;
 
     private static final String NUMBER = "[-+]?[0-9]*\\.?[0-9]+(?:[eE][-+]?[0-9]{1,3})?";
     private static final Pattern GOAL = Pattern.compile("(.+)@(" + NUMBER + "),(" + NUMBER + "),(" + NUMBER + ")");
 
-    private SweepCommand() {}
-
     @Override
     public Integer call() throws Exception {
         Shard part = shard == null ? Shard.ALL : Shard.parse(shard);
         Path file = target != null ? target : Path.of(part.count() == 1 ? "sweep.jsonl" : name(part));
-        Outputs.file(spec, "--out", file);
+        Arguments.output("--out", file);
         if (!resumed && Files.exists(file)) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--out must be a new file, or --resume must be given to go on with one (got: " + file
-                            + ", which exists)");
+            throw new UsageException("--out must be a new file, or --resume must be given to go on with one (got: "
+                    + file + ", which exists)");
         }
         output.check();
         Sweep sweep = sweep();
@@ -235,11 +224,11 @@ public final class SweepCommand implements Callable<Integer> {
 
     private Sweep sweep() throws IOException {
         if (scenario == null) {
-            throw new ParameterException(spec.commandLine(), "SCENARIO must be given (got: none)");
+            throw new UsageException("SCENARIO must be given (got: none)");
         }
         Sweep sweep;
         if (scenario.endsWith(ScenarioReader.ENDING) || Files.isRegularFile(Path.of(scenario))) {
-            Path conversationFile = Inputs.file(spec, "SCENARIO", Path.of(scenario));
+            Path conversationFile = Arguments.input("SCENARIO", Path.of(scenario));
             files.opened(conversationFile);
             ScenarioSweep conversation = withGoals(ScenarioSweep.read(conversationFile));
             sweep = Sweep.of(conversation);
@@ -251,14 +240,12 @@ public final class SweepCommand implements Callable<Integer> {
             }
         } else {
             if (!goals.isEmpty()) {
-                throw new ParameterException(
-                        spec.commandLine(),
+                throw new UsageException(
                         "--goal is for a scenario file; a class measures what it wants (got: " + goals.get(0) + ")");
             }
             sweep = Sweep.of(made(scenario));
             if (worlds.isEmpty()) {
-                throw new ParameterException(
-                        spec.commandLine(), "WORLD must be given for a class; a scenario file has its own (got: none)");
+                throw new UsageException("WORLD must be given for a class; a scenario file has its own (got: none)");
             }
             for (Path world : worlds) {
                 sweep = sweep.over(world(world));
@@ -268,13 +255,11 @@ public final class SweepCommand implements Callable<Integer> {
         for (String parameter : parameters) {
             int end = parameter.indexOf('=');
             if (end < 1) {
-                throw new ParameterException(
-                        spec.commandLine(), "--parameter must be NAME=VALUE[,VALUE...] (got: " + parameter + ")");
+                throw new UsageException("--parameter must be NAME=VALUE[,VALUE...] (got: " + parameter + ")");
             }
             String name = parameter.substring(0, end);
             if (!names.add(name)) {
-                throw new ParameterException(
-                        spec.commandLine(),
+                throw new UsageException(
                         "--parameter must name each parameter once, with commas between its values (got: " + name
                                 + " again)");
             }
@@ -288,8 +273,7 @@ public final class SweepCommand implements Callable<Integer> {
         for (String goal : goals) {
             Matcher words = GOAL.matcher(goal);
             if (!words.matches()) {
-                throw new ParameterException(
-                        spec.commandLine(), "--goal must be ROBOT@X,Z,RADIUS, as in cart@4,-2,0.5 (got: " + goal + ")");
+                throw new UsageException("--goal must be ROBOT@X,Z,RADIUS, as in cart@4,-2,0.5 (got: " + goal + ")");
             }
             try {
                 sweep = sweep.toGoal(
@@ -298,14 +282,14 @@ public final class SweepCommand implements Callable<Integer> {
                         Double.parseDouble(words.group(3)),
                         Double.parseDouble(words.group(4)));
             } catch (IllegalArgumentException e) {
-                throw new ParameterException(spec.commandLine(), "--goal: " + e.getMessage(), e);
+                throw new UsageException("--goal: " + e.getMessage(), e);
             }
         }
         return sweep;
     }
 
     private SweepWorld world(Path file) throws IOException {
-        return SweepWorld.of(file, files.world(Inputs.file(spec, "WORLD", file)));
+        return SweepWorld.of(file, files.world(Arguments.input("WORLD", file)));
     }
 
     private SweepScenario made(String name) {
@@ -314,26 +298,21 @@ public final class SweepCommand implements Callable<Integer> {
             if (made instanceof SweepScenario found) {
                 return found;
             }
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "SCENARIO must be a class that implements " + SweepScenario.class.getName() + " (got: " + name
-                            + ")");
+            throw new UsageException("SCENARIO must be a class that implements " + SweepScenario.class.getName()
+                    + " (got: " + name + ")");
         } catch (ClassNotFoundException e) {
-            throw new ParameterException(
-                    spec.commandLine(),
+            throw new UsageException(
                     "SCENARIO must be a *" + ScenarioReader.ENDING
                             + " or a class on the class path, for which start this as java -cp JAR:FOLDER"
                             + " robosim.geometry.cli.Main; there is none of that name (got: " + name + ")",
                     e);
         } catch (InvocationTargetException | ExceptionInInitializerError e) {
-            throw new ParameterException(
-                    spec.commandLine(),
+            throw new UsageException(
                     "SCENARIO must be a class that can be instantiated (got: " + name + ", which failed with "
                             + e.getCause() + ")",
                     e);
         } catch (ReflectiveOperationException | LinkageError e) {
-            throw new ParameterException(
-                    spec.commandLine(),
+            throw new UsageException(
                     "SCENARIO must be a public class with a public constructor without arguments (got: " + name + ", "
                             + e + ")",
                     e);

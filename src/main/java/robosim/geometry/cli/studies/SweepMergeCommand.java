@@ -12,25 +12,18 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Outputs;
-import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.sweep.SweepResults;
 
 /** Merges the results of shards. */
 @Command(
         name = "merge",
         description = "Merges the results of a sweep's shards and reports them as one.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {ExitCodes.DONE, ExitCodes.FINDINGS + ":replicates are missing, or failed", ExitCodes.REFUSED},
-        footerHeading = "%nExamples:%n",
         footer = {"  robosim-geometry sweep merge sweep-*-of-4.jsonl --out sweep.jsonl --digest"})
 public final class SweepMergeCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(arity = "1..*", paramLabel = "FILE", description = "results of shards")
@@ -43,19 +36,16 @@ public final class SweepMergeCommand implements Callable<Integer> {
     private @Nullable Path target;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private SweepOutput output;
-
-    private SweepMergeCommand() {}
 
     @Override
     public Integer call() throws Exception {
         List<Path> present = new ArrayList<>();
         for (Path file : files) {
-            present.add(Inputs.file(spec, "FILE", file));
+            present.add(Arguments.input("FILE", file));
         }
         if (target != null) {
-            Outputs.newFile(spec, "--out", target);
+            Arguments.newFile("--out", target);
         }
         output.check();
         PrintWriter out = spec.commandLine().getOut();

@@ -5,11 +5,9 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.sweep.SweepCsv;
 import robosim.geometry.sweep.SweepPlot;
@@ -18,10 +16,6 @@ import robosim.geometry.sweep.SweepSummary;
 
 /** The options for how the results of a sweep are reported. */
 public final class SweepOutput {
-    @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli before the command is called
-    private CommandSpec spec;
-
     @Option(names = "--table", paramLabel = "FILE.md", description = "also write the table to a Markdown file")
     private @Nullable Path table;
 
@@ -39,18 +33,16 @@ public final class SweepOutput {
             description = "print a digest of all results: the same on any number of threads, shards and machines")
     private boolean digest;
 
-    private SweepOutput() {}
-
     /** Refuses files that cannot be written, or of another kind, such as a world. */
     void check() {
         if (csv != null) {
-            Outputs.file(spec, "--csv", csv, ".csv");
+            Arguments.output("--csv", csv, ".csv");
         }
         if (table != null) {
-            Outputs.file(spec, "--table", table, ".md");
+            Arguments.output("--table", table, ".md");
         }
         if (plot != null) {
-            Outputs.file(spec, "--plot", plot, ".svg");
+            Arguments.output("--plot", plot, ".svg");
         }
     }
 

@@ -14,8 +14,6 @@ public final class ExitCodes {
     /** Done, but not with all of the input: parts of it were left out, and each was named. */
     public static final int PARTIAL = 3;
 
-    public static final String HEADING = "%nExit codes:%n";
-
     public static final String DONE = FINE + ":done, and nothing is wrong";
 
     public static final String REFUSED = UNUSABLE + ":not done: bad usage, or something that cannot be read or written";

@@ -10,8 +10,6 @@ public final class Version implements IVersionProvider {
     /** The version in the pom; a test compares the two. */
     public static final String NUMBER = "1.0.0-rc.1";
 
-    private Version() {}
-
     @Override
     public String[] getVersion() {
         return new String[] {

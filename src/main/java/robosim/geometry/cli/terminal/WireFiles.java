@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.StepReader;
 import robosim.geometry.scenario.WireReader;
 
 /** The two files in which the demo records its conversation: the bytes sent to the module, and those it sent. */
@@ -24,8 +26,14 @@ public final class WireFiles {
         return name.equals(TO_MODULE) || name.equals(FROM_MODULE) ? place.resolveSibling(TO_MODULE) : null;
     }
 
-    /** Opens a conversation, given the first of its files. */
+    /** Opens the two files. */
     public static WireReader open(Path toModule) throws IOException {
         return WireReader.open(toModule, toModule.resolveSibling(FROM_MODULE));
+    }
+
+    /** Opens a recording: the two files, given as to {@link #at}, or a scenario. */
+    public static StepReader recording(Path place) throws IOException {
+        Path toModule = at(place);
+        return toModule == null ? ScenarioReader.open(place) : open(toModule);
     }
 }

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Set;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.Skipped;
@@ -24,7 +23,6 @@ public final class WorldFiles {
     private static final int MOST_SKIPPED = 10;
 
     @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli before the command is called
     private CommandSpec spec;
 
     @Option(
@@ -36,12 +34,9 @@ public final class WorldFiles {
 
     private final Set<Path> opened = new LinkedHashSet<>();
 
-    /** Made by picocli. */
-    private WorldFiles() {}
-
     /** Refuses a folder of models that does not exist. */
     public void check() {
-        Inputs.folders(spec, "--models", models);
+        Arguments.folders("--models", models);
     }
 
     /** The folders given, which must exist, and those of the environment. */
@@ -102,11 +97,9 @@ public final class WorldFiles {
         if (Files.exists(file)) {
             for (Path input : opened) {
                 if (Files.exists(input) && Files.isSameFile(file, input)) {
-                    throw new ParameterException(
-                            spec.commandLine(),
-                            parameter
-                                    + " must not be a file that is read, which it would overwrite; name another (got: "
-                                    + file + ")");
+                    throw new UsageException(parameter
+                            + " must not be a file that is read, which it would overwrite; name another (got: "
+                            + file + ")");
                 }
             }
         }

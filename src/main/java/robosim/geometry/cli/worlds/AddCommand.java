@@ -9,18 +9,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Outputs;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
@@ -38,11 +35,6 @@ import robosim.geometry.world.WorldWriter;
             "",
             "X and Z are those of the world; a point (x, y) of a ROS map is X = x, Z = -y."
         },
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
-        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry add arena.xml with-robots.xml disc:0.3@1,2 box:0.6x0.4@-2,0,90",
             "  robosim-geometry add map.yaml world.xml disc:0.3@1,2#ff8000 --sonars 16",
@@ -55,7 +47,6 @@ public final class AddCommand implements Callable<Integer> {
     private static final int MOST_SONARS = 10_000;
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(index = "0", paramLabel = "IN", description = "a world, or any file that convert reads")
@@ -80,19 +71,16 @@ public final class AddCommand implements Callable<Integer> {
     private int sonars;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     private String note = "";
 
-    private AddCommand() {}
-
     @Override
     public Integer call() throws IOException {
-        Inputs.file(spec, "IN", in);
-        Outputs.file(spec, "OUT", out, ".xml");
+        Arguments.input("IN", in);
+        Arguments.output("OUT", out, ".xml");
         if (sonars < 0 || sonars > MOST_SONARS) {
-            throw refused("--sonars must be from 0 to " + MOST_SONARS + " (got: " + sonars + ")", null);
+            throw new UsageException("--sonars must be from 0 to " + MOST_SONARS + " (got: " + sonars + ")", null);
         }
         World world = files.world(in);
         files.output("OUT", out);
@@ -103,7 +91,7 @@ public final class AddCommand implements Callable<Integer> {
                 RobotSpec.warn(world, spec.commandLine().getErr());
             }
         } catch (IllegalArgumentException e) {
-            throw refused(String.valueOf(e.getMessage()), e);
+            throw new UsageException(String.valueOf(e.getMessage()), e);
         }
         List<WorldObject> added =
                 world.objects().subList(before, world.objects().size());
@@ -113,10 +101,6 @@ public final class AddCommand implements Callable<Integer> {
         added.forEach(each -> printer.println("Added " + each.object()));
         printer.println("Wrote " + out + note);
         return ExitCodes.FINE;
-    }
-
-    private ParameterException refused(String message, @Nullable Throwable cause) {
-        return new ParameterException(spec.commandLine(), message, cause);
     }
 
     /** The text of the new file. */

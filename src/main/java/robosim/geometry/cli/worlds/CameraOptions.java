@@ -3,10 +3,9 @@ package robosim.geometry.cli.worlds;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -31,10 +30,6 @@ public final class CameraOptions {
 
     private static final double AZIMUTH = -62;
     private static final double ELEVATION = 38;
-
-    @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
-    private CommandSpec spec;
 
     @Option(
             names = "--camera",
@@ -93,8 +88,6 @@ public final class CameraOptions {
 
     private SdfReader.@Nullable Sensor sensor;
 
-    private CameraOptions() {}
-
     /** A camera, and where its picture stands in the whole. */
     record Shot(ColorCamera camera, int left, int top) {}
 
@@ -115,7 +108,7 @@ public final class CameraOptions {
         if (camera.startsWith(SENSOR)) {
             SdfReader.Sensor found = world.sensor("--camera sensor:NAME", camera.substring(SENSOR.length()));
             if (!SdfSensors.kind(found).isCamera()) {
-                throw refused("--camera sensor:NAME must name a camera (got: " + found.name() + " of type "
+                throw new UsageException("--camera sensor:NAME must name a camera (got: " + found.name() + " of type "
                         + found.type() + ")");
             }
             try {
@@ -123,7 +116,7 @@ public final class CameraOptions {
                 size = size == null ? own.width() + "x" + own.height() : size;
                 fieldOfView = fieldOfView(SdfSensors.fieldOfView(found));
             } catch (IllegalArgumentException e) {
-                throw refused(String.valueOf(e.getMessage()));
+                throw new UsageException(String.valueOf(e.getMessage()));
             }
             sensor = found;
         }
@@ -141,22 +134,18 @@ public final class CameraOptions {
                 // told below
             }
         }
-        throw refused("--size must be WxH, two numbers of pixels above 0 (got: " + size + ")");
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
+        throw new UsageException("--size must be WxH, two numbers of pixels above 0 (got: " + size + ")");
     }
 
     /** The pictures to take, each made of one shot or of four. */
     List<List<Shot>> pictures(Studio studio) {
         try {
             if (frames < 1 || frames > 10_000) {
-                throw refused("--frames must be from 1 to 10000 (got: " + frames + ")");
+                throw new UsageException("--frames must be from 1 to 10000 (got: " + frames + ")");
             }
             return shots(studio);
         } catch (IllegalArgumentException e) {
-            throw refused(String.valueOf(e.getMessage()));
+            throw new UsageException(String.valueOf(e.getMessage()));
         }
     }
 
@@ -243,27 +232,17 @@ public final class CameraOptions {
     private ColorCamera onRobot(Studio studio, String name) {
         GeometryObject robot = studio.find(name);
         if (robot == null || !robot.isMoveable()) {
-            throw refused("--camera robot:NAME must name a moveable object of the world, " + studio.choice(name)
-                    + " (got: " + name + ")");
+            throw new UsageException("--camera robot:NAME must name a moveable object of the world, "
+                    + studio.choice(name) + " (got: " + name + ")");
         }
         Point place = mount == null ? new Point(0, studio.top(name), 0) : point("--mount", mount);
         return camera(studio, width(), height(), 80).on(name, Pose.of(place, 0));
     }
 
-    private Point point(String option, String text) {
-        String[] numbers = text.split(",", -1);
-        try {
-            if (numbers.length == 3) {
-                return new Point(
-                        Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1]), Double.parseDouble(numbers[2]));
-            }
-        } catch (NumberFormatException e) {
-            // told below
-        }
-        throw refused(option + " must be "
-                + (option.equals("--camera")
-                        ? "overview, top, front, side, four, orbit, robot:NAME, sensor:NAME or X,Y,Z"
-                        : "X,Y,Z, three numbers")
-                + " (got: " + text + ")");
+    private static Point point(String option, String text) {
+        String form = option.equals("--camera")
+                ? "overview, top, front, side, four, orbit, robot:NAME, sensor:NAME or X,Y,Z"
+                : "X,Y,Z, three numbers";
+        return Arguments.point(option, form, text);
     }
 }

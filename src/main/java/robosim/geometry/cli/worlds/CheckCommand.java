@@ -11,11 +11,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Json;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.WorldException;
@@ -48,9 +47,6 @@ import robosim.geometry.world.check.WorldCheck;
             "",
             "Static objects may overlap, as the walls of a plan do; such overlaps are listed but are not findings."
         },
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.FINE + ":the world is fine",
             ExitCodes.FINDINGS
@@ -60,7 +56,6 @@ import robosim.geometry.world.check.WorldCheck;
                     + ":not done: bad usage, or a file that is missing or is not a world; every error in it is"
                     + " reported with its line"
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry check worlds/rooms.xml",
             "  robosim-geometry check --json worlds/maze.xml",
@@ -68,14 +63,12 @@ import robosim.geometry.world.check.WorldCheck;
         })
 public final class CheckCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(paramLabel = "WORLD", description = "a world file")
     private Path file = Path.of("");
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     @Option(names = "--json", description = "print one JSON object for scripts instead of text")
@@ -84,11 +77,9 @@ public final class CheckCommand implements Callable<Integer> {
     private @Nullable Progress progress;
     private String work = "";
 
-    private CheckCommand() {}
-
     @Override
     public Integer call() {
-        Inputs.file(spec, "WORLD", file);
+        Arguments.input("WORLD", file);
         ImportOptions options = ImportOptions.DEFAULT.withModels(files.folders());
         WorldImport read;
         try {

@@ -3,11 +3,10 @@ package robosim.geometry.cli.worlds;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
+import robosim.geometry.cli.terminal.Arguments;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
@@ -25,16 +24,10 @@ public final class CloudOptions {
     /** The share of points that may be lower than the first colour, or higher than the last one. */
     private static final double BEYOND = 0.01;
 
-    @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
-    private CommandSpec spec;
-
     @Option(
             names = "--lidar",
             paramLabel = "MODEL",
             defaultValue = "os1-128",
-            completionCandidates = LidarModel.Names.class,
-            converter = LidarModel.Converter.class,
             description = "of --show points: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
     private LidarModel model = LidarModel.OS1_128;
 
@@ -44,8 +37,6 @@ public final class CloudOptions {
             description =
                     "of --show points: where the lidar is, robot:NAME or X,Y,Z; may be repeated (default: all robots)")
     private List<String> places = new ArrayList<>();
-
-    private CloudOptions() {}
 
     /** All points that lidars at the given places see, drawn as a camera sees them; the higher, the lighter. */
     int[] picture(ColorCamera camera, Studio studio, Snapshot world, double metres) {
@@ -119,7 +110,7 @@ public final class CloudOptions {
             studio.carriers().forEach(name -> all.add(CameraOptions.ROBOT + name));
         }
         if (all.isEmpty()) {
-            throw refused("--from must be given for a world without moveable objects (got: none)");
+            throw new UsageException("--from must be given for a world without moveable objects (got: none)");
         }
         for (String place : all) {
             placed(lidar, place, studio).read(world, 0, frame);
@@ -130,29 +121,13 @@ public final class CloudOptions {
 
     private Lidar placed(Lidar lidar, String place, Studio studio) {
         if (!place.startsWith(CameraOptions.ROBOT)) {
-            String[] numbers = place.split(",", -1);
-            try {
-                if (numbers.length == 3) {
-                    Point at = new Point(
-                            Double.parseDouble(numbers[0]),
-                            Double.parseDouble(numbers[1]),
-                            Double.parseDouble(numbers[2]));
-                    return lidar.at(Pose.of(at, 0));
-                }
-            } catch (IllegalArgumentException e) {
-                // told below
-            }
-            throw refused("--from must be robot:NAME or X,Y,Z, three numbers (got: " + place + ")");
+            return lidar.at(Pose.of(Arguments.point("--from", "robot:NAME or X,Y,Z, three numbers", place), 0));
         }
         String name = place.substring(CameraOptions.ROBOT.length());
         if (!studio.carriers().contains(name)) {
-            throw refused("--from robot:NAME must name a moveable object of the world, " + studio.choice(name)
-                    + " (got: " + name + ")");
+            throw new UsageException("--from robot:NAME must name a moveable object of the world, "
+                    + studio.choice(name) + " (got: " + name + ")");
         }
         return lidar.on(name, Pose.of(new Point(0, studio.top(name), 0), 0));
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
     }
 }

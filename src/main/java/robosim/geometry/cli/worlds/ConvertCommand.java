@@ -4,26 +4,22 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.export.GlbWriter;
 import robosim.geometry.model.Bounds;
@@ -41,16 +37,12 @@ import robosim.geometry.world.WorldWriter;
         description =
                 "Reads a world, a ROS map, an SDFormat file or a mesh, and writes it as a world, or as a mesh for other viewers."
                         + " Reports what was read, what was left out and why, and what was written.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.DONE,
             ExitCodes.FINDINGS + ":with --strict: something of IN would be left out, and OUT was not written",
             ExitCodes.REFUSED,
             ExitCodes.PARTIAL + ":OUT was written, without the parts of IN that were left out"
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry convert map.yaml --wall-height 0.5 map.xml",
             "  robosim-geometry convert map.yaml world.xml --robot disc:0.3@1,2 --unknown edge",
@@ -69,7 +61,6 @@ public final class ConvertCommand implements Callable<Integer> {
     private static final int DIGITS = 6;
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(
@@ -107,19 +98,16 @@ public final class ConvertCommand implements Callable<Integer> {
             names = "--up",
             paramLabel = "AXIS",
             defaultValue = "y",
-            completionCandidates = Axes.class,
             description = "which axis of an OBJ, STL or PLY mesh points up: y or z (default: ${DEFAULT-VALUE})")
     private ImportOptions.Up up = ImportOptions.Up.Y;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     @Option(
             names = "--unknown",
             paramLabel = "KIND",
             defaultValue = "free",
-            completionCandidates = Kinds.class,
             description =
                     "what a map's unknown cells are: free, occupied, or edge, an object of their own that ends the"
                             + " map (default: ${DEFAULT-VALUE})")
@@ -134,7 +122,6 @@ public final class ConvertCommand implements Callable<Integer> {
     @Option(
             names = "--dimension",
             paramLabel = "KIND",
-            completionCandidates = Dimensions.class,
             description = "planar, where heights do not count, or spatial (default: as in IN; a ROS map is planar)")
     private @Nullable Dimension dimension;
 
@@ -150,43 +137,11 @@ public final class ConvertCommand implements Callable<Integer> {
     @Option(names = "--all", description = "list everything that is left out, instead of the first " + MOST_LINES)
     private boolean all;
 
-    /** The values that a shell's completion offers for {@code --up}, as the help writes them. */
-    static final class Axes implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return Stream.of(ImportOptions.Up.values())
-                    .map(axis -> axis.name().toLowerCase(Locale.ROOT))
-                    .iterator();
-        }
-    }
-
-    /** The values that a shell's completion offers for {@code --dimension}, as the help writes them. */
-    static final class Dimensions implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return Stream.of(Dimension.values())
-                    .map(kind -> kind.name().toLowerCase(Locale.ROOT))
-                    .iterator();
-        }
-    }
-
-    /** The values that a shell's completion offers for {@code --unknown}, as the help writes them. */
-    static final class Kinds implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return Stream.of(ImportOptions.Unknown.values())
-                    .map(kind -> kind.name().toLowerCase(Locale.ROOT))
-                    .iterator();
-        }
-    }
-
-    private ConvertCommand() {}
-
     @Override
     public Integer call() throws Exception {
         String ending = ending();
         if (!Files.isDirectory(in)) {
-            Inputs.file(spec, "IN", in);
+            Arguments.input("IN", in);
         }
         WorldImport read = files.read(in, options());
         files.output("OUT", out);
@@ -242,14 +197,14 @@ public final class ConvertCommand implements Callable<Integer> {
             }
             return world;
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), "--robot: " + e.getMessage(), e);
+            throw new UsageException("--robot: " + e.getMessage(), e);
         }
     }
 
     /** How OUT ends. */
     private String ending() {
         String name = out.toString().toLowerCase(Locale.ROOT);
-        Outputs.file(spec, "OUT", out, ".xml", ".glb", ".obj");
+        Arguments.output("OUT", out, ".xml", ".glb", ".obj");
         return name.substring(name.length() - 4);
     }
 
@@ -257,7 +212,7 @@ public final class ConvertCommand implements Callable<Integer> {
         try {
             return new ImportOptions(wallHeight, scale, up, List.of(), unknown, centred, dimension);
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+            throw new UsageException(String.valueOf(e.getMessage()), e);
         }
     }
 

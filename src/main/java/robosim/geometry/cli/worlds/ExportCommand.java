@@ -7,22 +7,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.export.Films;
@@ -39,21 +35,13 @@ import robosim.geometry.world.World;
         name = "export",
         description = "Writes a world or a recording as one HTML file that shows and plays it in three dimensions, in"
                 + " any browser, without a server and without a network.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
-        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry export worlds/rooms.xml rooms.html",
             "  robosim-geometry export recordings/session.scenario.jsonl session.html",
             "  robosim-geometry export robosim-demo --world robosim-demo/rooms.xml --steps 1-500 demo.html"
         })
 public final class ExportCommand implements Callable<Integer> {
-    private static final Pattern STEPS = Pattern.compile("(\\d{1,9})-(\\d{1,9})");
-
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(
@@ -73,7 +61,6 @@ public final class ExportCommand implements Callable<Integer> {
     private @Nullable Path colours;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     @Option(
@@ -85,38 +72,27 @@ public final class ExportCommand implements Callable<Integer> {
     @Option(names = "--title", paramLabel = "TEXT", description = "the page's title (default: the name of FILE)")
     private @Nullable String title;
 
-    private ExportCommand() {}
-
     @Override
     public Integer call() throws Exception {
-        Outputs.file(spec, "PAGE", page, ".html");
-        Matcher range = STEPS.matcher(steps == null ? "" : steps);
-        if (steps != null && !range.matches()) {
-            throw refused("--steps must be FIRST-LAST, such as 1-500 (got: " + steps + ")");
-        }
+        Arguments.output("PAGE", page, ".html");
+        StepRange range = StepRange.of(steps);
         if (!Files.exists(file)) {
-            throw refused("FILE must exist; check the path (got: " + file + ")");
+            throw new UsageException("FILE must exist; check the path (got: " + file + ")");
         }
         files.check();
-        Path toModule = WireFiles.at(file);
-        if (toModule == null) {
-            Inputs.file(spec, "FILE", file);
+        boolean isDemo = WireFiles.at(file) != null;
+        if (!isDemo) {
+            Arguments.input("FILE", file);
         }
-        World lender = colours == null ? null : files.world(Inputs.file(spec, "--world", colours));
-        if (toModule != null) {
-            try (StepReader reader = WireFiles.open(toModule)) {
-                recording(reader, lender, range);
-            }
-        } else if (file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl")) {
-            try (StepReader reader = ScenarioReader.open(file)) {
-                recording(reader, lender, range);
-            }
+        World lender = colours == null ? null : files.world(Arguments.input("--world", colours));
+        if (isDemo || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl")) {
+            recording(lender, range);
         } else {
             if (steps != null) {
-                throw refused("--steps is for a recording, and FILE is a world (got: " + steps + ")");
+                throw new UsageException("--steps is for a recording, and FILE is a world (got: " + steps + ")");
             }
             if (colours != null) {
-                throw refused("--world is for a recording, and FILE is a world (got: " + colours + ")");
+                throw new UsageException("--world is for a recording, and FILE is a world (got: " + colours + ")");
             }
             World world = files.world(file);
             write(new PageWriter(Films.of(world)).described("", Pictures.unit(world)), 0);
@@ -124,13 +100,14 @@ public final class ExportCommand implements Callable<Integer> {
         return ExitCodes.FINE;
     }
 
-    private void recording(StepReader reader, @Nullable World lender, Matcher range) throws IOException {
+    private void recording(@Nullable World lender, StepRange range) throws IOException {
         StateHistory film;
-        try (Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
+        try (StepReader reader = WireFiles.recording(file);
+                Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
             film = Films.of(reader, lender == null ? Colours.NONE : Colours.of(lender), progress::at);
         }
         if (film.size() == 0) {
-            throw refused("FILE must have a step (got: none in " + file + ")");
+            throw new UsageException("FILE must have a step (got: none in " + file + ")");
         }
         if (film.first() > 0) {
             spec.commandLine()
@@ -138,18 +115,11 @@ public final class ExportCommand implements Callable<Integer> {
                     .println("The recording is too long for a page; its first " + NumberText.count(film.first(), "step")
                             + " are left out");
         }
-        int first = film.first();
-        int end = film.size();
-        if (steps != null) {
-            first = Integer.parseInt(range.group(1)) - 1;
-            end = Integer.parseInt(range.group(2));
-            if (first < film.first() || first >= end || end > film.size()) {
-                throw refused(
-                        "--steps must be within " + (film.first() + 1) + "-" + film.size() + " (got: " + steps + ")");
-            }
-        }
+        StepRange shown = range.within(film.first(), film.size());
+        int first = shown.first();
+        int end = shown.end();
         if (film.world(first) < 0) {
-            throw refused("FILE must begin with a world (got: none before its step " + (first + 1) + ")");
+            throw new UsageException("FILE must begin with a world (got: none before its step " + (first + 1) + ")");
         }
         String words = NumberText.count(end - first, "step");
         write(
@@ -164,9 +134,5 @@ public final class ExportCommand implements Callable<Integer> {
         coarse.forEach(out::println);
         out.println("Wrote " + page + ": " + (count > 0 ? NumberText.count(count, "step") + ", " : "")
                 + NumberText.count(Files.size(page), "byte"));
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
     }
 }

@@ -1,11 +1,6 @@
 package robosim.geometry.cli.worlds;
 
 import java.util.Arrays;
-import java.util.Iterator;
-import java.util.Locale;
-import java.util.stream.Stream;
-import picocli.CommandLine.ITypeConverter;
-import picocli.CommandLine.TypeConversionException;
 import robosim.geometry.Snapshot;
 import robosim.geometry.material.Color;
 import robosim.geometry.render.ColorCamera;
@@ -48,30 +43,6 @@ enum PictureStyle {
 
     /** How much lighter or darker the colours are each time around. */
     private static final double[] ROUNDS = {1, 0.62, 1.3, 0.8};
-
-    private String label() {
-        return name().toLowerCase(Locale.ROOT);
-    }
-
-    /** The names of what can be shown. */
-    static final class Names implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return Stream.of(values()).map(PictureStyle::label).iterator();
-        }
-    }
-
-    /** Finds one by its name. */
-    static final class Converter implements ITypeConverter<PictureStyle> {
-        @Override
-        public PictureStyle convert(String value) {
-            return Stream.of(values())
-                    .filter(each -> each.label().equals(value.toLowerCase(Locale.ROOT)))
-                    .findFirst()
-                    .orElseThrow(() -> new TypeConversionException(
-                            "must be one of " + String.join(", ", new Names()) + " (got: " + value + ")"));
-        }
-    }
 
     /** The picture of a sensor in a camera's place, as colours row by row: each is the mean of several samples. */
     int[] picture(ColorCamera camera, Studio studio, Snapshot world) {

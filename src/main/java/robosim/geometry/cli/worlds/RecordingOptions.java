@@ -3,14 +3,12 @@ package robosim.geometry.cli.worlds;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.export.Films;
 import robosim.geometry.scenario.ScenarioReader;
@@ -21,10 +19,7 @@ import robosim.geometry.world.World;
 
 /** Which steps of a recording are pictures. */
 public final class RecordingOptions {
-    private static final Pattern STEPS = Pattern.compile("(\\d{1,9})-(\\d{1,9})");
-
     @Spec(Spec.Target.MIXEE)
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Option(
@@ -40,8 +35,6 @@ public final class RecordingOptions {
             description = "for a recording: only every N-th of these steps (default: ${DEFAULT-VALUE})")
     private int every;
 
-    private RecordingOptions() {}
-
     /** Whether a file is a recording, by its name. */
     static boolean isRecording(Path file) {
         return WireFiles.at(file) != null
@@ -51,7 +44,7 @@ public final class RecordingOptions {
     /** Refuses the options of recordings where there is none. */
     void refuse() {
         if (steps != null) {
-            throw refused("--steps is for a recording, and WORLD is a world (got: " + steps + ")");
+            throw new UsageException("--steps is for a recording, and WORLD is a world (got: " + steps + ")");
         }
     }
 
@@ -61,9 +54,8 @@ public final class RecordingOptions {
      * @param lender lends the colours of its objects; null for none
      */
     StateHistory read(Path file, @Nullable World lender) throws IOException {
-        Path toModule = WireFiles.at(file);
         Colours colours = lender == null ? Colours.NONE : Colours.of(lender);
-        try (StepReader reader = toModule == null ? ScenarioReader.open(file) : WireFiles.open(toModule);
+        try (StepReader reader = WireFiles.recording(file);
                 Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
             return Films.of(reader, colours, progress::at);
         }
@@ -71,29 +63,20 @@ public final class RecordingOptions {
 
     /** The numbers of the frames to show, in order; each has a world. */
     int[] frames(StateHistory film, Path file) {
-        Matcher range = STEPS.matcher(steps == null ? "" : steps);
-        if (steps != null && !range.matches()) {
-            throw refused("--steps must be FIRST-LAST, such as 1-500 (got: " + steps + ")");
-        }
+        StepRange range = StepRange.of(steps);
         if (every < 1) {
-            throw refused("--every must be at least 1 (got: " + every + ")");
+            throw new UsageException("--every must be at least 1 (got: " + every + ")");
         }
         int first = film.first();
         while (first < film.size() && film.world(first) < 0) {
             first++;
         }
         if (first >= film.size()) {
-            throw refused("WORLD must be a recording with a world (got: none in " + file + ")");
+            throw new UsageException("WORLD must be a recording with a world (got: none in " + file + ")");
         }
-        int end = film.size();
-        if (steps != null) {
-            int from = Integer.parseInt(range.group(1)) - 1;
-            end = Integer.parseInt(range.group(2));
-            if (from < first || from >= end || end > film.size()) {
-                throw refused("--steps must be within " + (first + 1) + "-" + film.size() + " (got: " + steps + ")");
-            }
-            first = from;
-        }
+        StepRange shown = range.within(first, film.size());
+        first = shown.first();
+        int end = shown.end();
         int[] frames = new int[(end - first + every - 1) / every];
         for (int k = 0; k < frames.length; k++) {
             frames[k] = first + k * every;
@@ -108,9 +91,5 @@ public final class RecordingOptions {
         return shown.length == 1
                 ? ": step " + first
                 : ": steps " + first + " to " + last + (every == 1 ? "" : ", every " + every);
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
     }
 }

@@ -12,14 +12,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.render.ColorFrame;
 import robosim.geometry.viewer.draw.Painter;
@@ -46,11 +45,6 @@ import robosim.geometry.world.WorldException;
                     + " picture of each step, FILE with a number before its ending, of which other programs"
                     + " make a video: ffmpeg -i frame-%%03d.png film.mp4"
         },
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
-        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry render worlds/rooms.xml -o rooms.svg",
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
@@ -66,11 +60,9 @@ import robosim.geometry.world.WorldException;
         })
 public final class RenderCommand implements Callable<Integer> {
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldOptions world;
 
     @Option(
@@ -98,23 +90,18 @@ public final class RenderCommand implements Callable<Integer> {
             names = "--show",
             paramLabel = "WHAT",
             defaultValue = "colour",
-            completionCandidates = PictureStyle.Names.class,
-            converter = PictureStyle.Converter.class,
             description = "${COMPLETION-CANDIDATES}: the world in its light, how far away surfaces are, which way they"
                     + " face, which object or label each pixel shows, or what a lidar measures (default:"
                     + " ${DEFAULT-VALUE})")
     private PictureStyle show = PictureStyle.COLOUR;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CameraOptions cameras;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CloudOptions clouds;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private RecordingOptions recording;
 
     @Option(
@@ -141,11 +128,9 @@ public final class RenderCommand implements Callable<Integer> {
     /** Of a height in a title. */
     private static final int DIGITS = 6;
 
-    private RenderCommand() {}
-
     @Override
     public Integer call() throws Exception {
-        Outputs.file(spec, "FILE", output, ".svg", ".png");
+        Arguments.output("FILE", output, ".svg", ".png");
         boolean isPlan = plan
                 || dark
                 || slice != null
@@ -159,8 +144,7 @@ public final class RenderCommand implements Callable<Integer> {
         }
         recording.refuse();
         if (colours != null) {
-            throw new ParameterException(
-                    spec.commandLine(), "--world is for a recording, and WORLD is a world (got: " + colours + ")");
+            throw new UsageException("--world is for a recording, and WORLD is a world (got: " + colours + ")");
         }
         World read = world.read();
         world.keep("FILE", output);
@@ -182,8 +166,7 @@ public final class RenderCommand implements Callable<Integer> {
         CommandLine.ParseResult given = spec.commandLine().getParseResult();
         for (String option : OF_CAMERAS) {
             if (given.hasMatchedOption(option)) {
-                throw new ParameterException(
-                        spec.commandLine(),
+                throw new UsageException(
                         option + " is for a picture by a camera; leave it out for a plan, which has a size of its own"
                                 + " (got: " + option + " with "
                                 + (plan ? "--plan" : dark ? "--dark" : slice != null ? "--slice" : output) + ")");
@@ -203,10 +186,8 @@ public final class RenderCommand implements Callable<Integer> {
      */
     private void checkSlice(double tall, double height) {
         if (!(Math.abs(height) <= tall / 2)) { // written so that NaN fails it
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--slice must be a height within the world, from " + -tall / 2 + " to " + tall / 2 + " (got: "
-                            + height + ")");
+            throw new UsageException("--slice must be a height within the world, from " + -tall / 2 + " to " + tall / 2
+                    + " (got: " + height + ")");
         }
     }
 

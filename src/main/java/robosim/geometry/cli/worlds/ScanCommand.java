@@ -12,14 +12,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
@@ -51,11 +50,6 @@ import robosim.geometry.world.WorldObject;
         description =
                 "Scans a world with a lidar or a depth camera and writes what it sees as a point cloud, or its ranges or"
                         + " depths as an array.",
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
-        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry scan worlds/rooms.xml -o cloud.ply",
             "  robosim-geometry scan worlds/warehouse.xml --lidar os1-128 --at 0,2,0 --in-world -o cloud.pcd",
@@ -68,11 +62,9 @@ public final class ScanCommand implements Callable<Integer> {
     private static final int PHASES = 4;
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldOptions world;
 
     @Option(
@@ -86,8 +78,6 @@ public final class ScanCommand implements Callable<Integer> {
             names = "--lidar",
             paramLabel = "MODEL",
             defaultValue = "vlp16",
-            completionCandidates = LidarModel.Names.class,
-            converter = LidarModel.Converter.class,
             description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
     private LidarModel model = LidarModel.VLP16;
 
@@ -163,20 +153,19 @@ public final class ScanCommand implements Callable<Integer> {
     /** The field of view of a depth camera: those that robots carry have 70 to 90 degrees. */
     private static final double USUAL_DEGREES = 80;
 
-    private ScanCommand() {}
-
     @Override
     public Integer call() throws Exception {
         String name = output.toString().toLowerCase(Locale.ROOT);
-        Outputs.file(spec, "FILE", output, ".ply", ".pcd", ".npy");
+        Arguments.output("FILE", output, ".ply", ".pcd", ".npy");
         if (!(noise >= 0 && noise <= 1000)) { // written so that NaN fails it
-            throw refused("--noise must be from 0 to 1000 (got: " + noise + ")");
+            throw new UsageException("--noise must be from 0 to 1000 (got: " + noise + ")");
         }
         if (sensor != null && (carrier != null || at != null)) {
-            throw refused("--on and --at must not be given with --sensor, which is where WORLD says");
+            throw new UsageException("--on and --at must not be given with --sensor, which is where WORLD says");
         }
         if (sensor != null && depth != null) {
-            throw refused("--depth must not be given with --sensor, which is what WORLD says (got: " + depth + ")");
+            throw new UsageException(
+                    "--depth must not be given with --sensor, which is what WORLD says (got: " + depth + ")");
         }
         Intrinsics pixels = depth == null ? null : pixels(depth);
         String what;
@@ -218,11 +207,11 @@ public final class ScanCommand implements Callable<Integer> {
                 case DEPTH ->
                     scan(snapshot, SdfSensors.depthCamera(found).withNoise(its, seed, found.name()), name, progress);
                 case SEGMENTATION, NORMALS, COLOR, OTHER ->
-                    throw refused("--sensor must be a lidar or a depth camera (got: " + found.name() + " of type "
-                            + found.type() + ")");
+                    throw new UsageException("--sensor must be a lidar or a depth camera (got: " + found.name()
+                            + " of type " + found.type() + ")");
             };
         } catch (IllegalArgumentException e) {
-            throw refused(String.valueOf(e.getMessage()));
+            throw new UsageException(String.valueOf(e.getMessage()));
         }
     }
 
@@ -283,10 +272,10 @@ public final class ScanCommand implements Callable<Integer> {
                 return Intrinsics.fieldOfView(
                         Integer.parseInt(match.group(1)), Integer.parseInt(match.group(2)), degrees);
             } catch (IllegalArgumentException e) {
-                throw refused("--depth: " + e.getMessage());
+                throw new UsageException("--depth: " + e.getMessage());
             }
         }
-        throw refused("--depth must be WxH or WxH,DEGREES, such as 640x480,70 (got: " + text + ")");
+        throw new UsageException("--depth must be WxH or WxH,DEGREES, such as 640x480,70 (got: " + text + ")");
     }
 
     private static <S extends RaySensor<S, F>, F extends RayFrame> void read(
@@ -351,35 +340,26 @@ public final class ScanCommand implements Callable<Integer> {
                 .toList();
         if (on == null) {
             if (moveable.isEmpty()) {
-                throw refused("--at must be given for a world without moveable objects (got: none)");
+                throw new UsageException("--at must be given for a world without moveable objects (got: none)");
             }
             on = moveable.get(0);
         } else if (!moveable.contains(on)) {
-            throw refused("--on must be the name of a moveable object of WORLD, "
+            throw new UsageException("--on must be the name of a moveable object of WORLD, "
                     + (moveable.isEmpty() ? "which has none" : Text.choice(on, moveable)) + " (got: " + on
                     + ")");
         }
         return by.on(on, pose);
     }
 
-    private Pose pose(String text) {
-        String[] numbers = text.split(",", -1);
-        if (numbers.length == 3 || numbers.length == 4) {
-            try {
-                Point place = new Point(number(numbers[0]), number(numbers[1]), number(numbers[2]));
-                return Pose.of(place, numbers.length == 4 ? number(numbers[3]) : 0);
-            } catch (IllegalArgumentException e) {
-                // told below
+    private static Pose pose(String text) {
+        double[] at = Arguments.numbers(text, 3, 4);
+        try {
+            if (at != null) {
+                return Pose.of(new Point(at[0], at[1], at[2]), at.length == 4 ? at[3] : 0);
             }
+        } catch (IllegalArgumentException e) {
+            // refused below
         }
-        throw refused("--at must be X,Y,Z or X,Y,Z,HEADING, all of them numbers (got: " + text + ")");
-    }
-
-    private static double number(String text) {
-        return Double.parseDouble(text.strip());
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
+        throw new UsageException("--at must be X,Y,Z or X,Y,Z,HEADING, all of them numbers (got: " + text + ")");
     }
 }

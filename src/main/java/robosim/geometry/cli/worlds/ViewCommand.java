@@ -10,12 +10,11 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Inputs;
-import robosim.geometry.cli.terminal.Ports;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
@@ -34,11 +33,7 @@ import robosim.geometry.world.World;
             "Keys there: V for the plan, three dimensions or both, C for more cameras, R for what a robot sees, I K J L O U"
                     + " to fly, F to see everything, Space to play or pause; docs/viewer.md has them all."
         },
-        mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
-        exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {ExitCodes.DONE, ExitCodes.UNUSABLE + ":not shown: there is no display, or no such file"},
-        footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry view worlds/rooms.xml",
             "  robosim-geometry view recordings/session.scenario.jsonl",
@@ -49,7 +44,6 @@ public final class ViewCommand implements Callable<Integer> {
     public static final String NAME = "view";
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(
@@ -72,25 +66,23 @@ public final class ViewCommand implements Callable<Integer> {
     private @Nullable Path colours;
 
     @Mixin
-    @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private WorldFiles files;
 
     @Option(names = "--dark", description = "use a dark background; D toggles it in the window")
     private boolean dark;
 
-    private ViewCommand() {}
-
     @Override
     public Integer call() throws Exception {
         Path shown = file;
         if ((shown == null) == (watched == null)) {
-            throw refused("either FILE or --watch must be given (got: " + (shown == null ? "neither" : "both") + ")");
+            throw new UsageException(
+                    "either FILE or --watch must be given (got: " + (shown == null ? "neither" : "both") + ")");
         }
         if (shown != null && !Files.exists(shown)) {
-            throw refused("FILE must exist; check the path (got: " + shown + ")");
+            throw new UsageException("FILE must exist; check the path (got: " + shown + ")");
         }
         if (shown != null && !Files.isDirectory(shown)) {
-            Inputs.file(spec, "FILE", shown);
+            Arguments.input("FILE", shown);
         }
         files.check();
         if (!Viewer.hasDisplay()) {
@@ -111,10 +103,10 @@ public final class ViewCommand implements Callable<Integer> {
     private void watch(String place) throws IOException, InterruptedException {
         int colon = place.lastIndexOf(':');
         if (colon < 1 || !place.substring(colon + 1).matches("[0-9]{1,5}")) {
-            throw refused("--watch must be HOST:PORT, such as localhost:5556 (got: " + place + ")");
+            throw new UsageException("--watch must be HOST:PORT, such as localhost:5556 (got: " + place + ")");
         }
         int port = Integer.parseInt(place.substring(colon + 1));
-        Ports.check(spec, port, 1);
+        Arguments.port(port, 1);
         String host = place.substring(0, colon).replaceAll("^\\[|]$", "");
         World lender = lender();
         Viewer.live(WatchReader.dial(host, port), place, lender, theme());
@@ -123,25 +115,18 @@ public final class ViewCommand implements Callable<Integer> {
     private void view(Path shown) throws IOException, InterruptedException {
         String name = shown.toString().toLowerCase(Locale.ROOT);
         String title = Pictures.title(shown);
-        Path toModule = WireFiles.at(shown);
-        if (toModule != null) {
-            Viewer.recording(WireFiles.open(toModule), title, lender(), theme());
-        } else if (name.endsWith(".jsonl")) {
-            Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
+        if (WireFiles.at(shown) != null || name.endsWith(".jsonl")) {
+            Viewer.recording(WireFiles.recording(shown), title, lender(), theme());
         } else {
             Viewer.world(files.world(shown), title, theme());
         }
     }
 
     private @Nullable World lender() throws IOException {
-        return colours == null ? null : files.world(Inputs.file(spec, "--world", colours));
+        return colours == null ? null : files.world(Arguments.input("--world", colours));
     }
 
     private Theme theme() {
         return dark ? Theme.DARK : Theme.LIGHT;
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
     }
 }

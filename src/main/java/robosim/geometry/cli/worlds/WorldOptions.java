@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Arguments;
+import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.world.SdfReader;
@@ -37,7 +37,7 @@ public final class WorldOptions {
 
     /** Reads the world. */
     World read() throws WorldException {
-        Inputs.file(spec, "WORLD", world);
+        Arguments.input("WORLD", world);
         return files.world(world);
     }
 
@@ -47,7 +47,7 @@ public final class WorldOptions {
      * @param parameter its name in the help
      */
     World other(String parameter, Path file) throws WorldException {
-        return files.world(Inputs.file(spec, parameter, file));
+        return files.world(Arguments.input(parameter, file));
     }
 
     /** Refuses a file to write that is one of those that the world was read from. */
@@ -64,7 +64,7 @@ public final class WorldOptions {
     SdfReader.Sensor sensor(String option, String name) throws WorldException {
         String file = world.toString().toLowerCase(Locale.ROOT);
         if (!file.endsWith(".sdf") && !file.endsWith(".world")) {
-            throw refused(option + " must be for a WORLD in SDFormat (got: " + world + ")");
+            throw new UsageException(option + " must be for a WORLD in SDFormat (got: " + world + ")");
         }
         List<SdfReader.Sensor> all = SdfReader.sensors(world, files.folders());
         List<SdfReader.Sensor> found = all.stream()
@@ -78,7 +78,7 @@ public final class WorldOptions {
         if (found.size() != 1) {
             List<String> names = (found.isEmpty() ? all : found)
                     .stream().map(SdfReader.Sensor::name).toList();
-            throw refused(option + " must name a sensor of WORLD, "
+            throw new UsageException(option + " must name a sensor of WORLD, "
                     + (names.isEmpty() ? "which has none" : Text.choice(name, names)) + " (got: " + name
                     + ")");
         }
@@ -88,9 +88,5 @@ public final class WorldOptions {
     private SdfReader.Sensor warned(SdfReader.Sensor found) {
         found.ignored().ifPresent(what -> spec.commandLine().getErr().println("warning: " + what));
         return found;
-    }
-
-    private ParameterException refused(String message) {
-        return new ParameterException(spec.commandLine(), message);
     }
 }
