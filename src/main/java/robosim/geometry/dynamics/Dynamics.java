@@ -314,15 +314,24 @@ public final class Dynamics {
      * is ended, the world and all bodies are as they were before.
      */
     public StepResult step(double seconds) {
-        return asOne(() -> {
+        if (isGuarded()) {
+            return asOne(() -> {
+                go(seconds);
+                return tellLast();
+            });
+        }
+        engine.begin("a step");
+        try {
             go(seconds);
             return tellLast();
-        });
+        } finally {
+            engine.end();
+        }
     }
 
     /** Moves everything by a time in seconds, and tells nothing; {@link #last} tells it. */
     public void advance(double seconds) {
-        if (isKept || isPausing || engine.isLimited()) {
+        if (isGuarded()) {
             asOne(() -> {
                 go(seconds);
                 return null;
@@ -362,23 +371,20 @@ public final class Dynamics {
         }
     }
 
-    /** Makes a step, or leaves all as it was. */
+    /** Whether a step may be ended, and then has to leave all as it was. */
+    private boolean isGuarded() {
+        return isKept || isPausing || engine.isLimited();
+    }
+
+    /** Makes a step that may be ended, or leaves all as it was. */
     private <T extends @Nullable Object> T asOne(Supplier<T> step) {
-        if (isKept) {
-            if (hasBegun) {
-                throw new IllegalStateException("changes must make at most one step (got: a second)");
-            }
-            return step.get();
-        }
-        if (isPausing || engine.isLimited()) {
+        if (!isKept) {
             return together(step);
         }
-        engine.begin("a step");
-        try {
-            return step.get();
-        } finally {
-            engine.end();
+        if (hasBegun) {
+            throw new IllegalStateException("changes must make at most one step (got: a second)");
         }
+        return step.get();
     }
 
     /** What was before a step that may be ended. */

@@ -169,7 +169,7 @@ public final class World {
     /** Makes a straight move along the object's own axes if all of it is free. */
     public boolean translateOwn(int id, double x, double y, double z) {
         objects.toWorld(id, x, y, z, vector);
-        return translate(id, vector[0], vector[1], vector[2]);
+        return motion.allows(view, id, vector[0], vector[1], vector[2]) && motion.commit();
     }
 
     /** Makes a straight move along the world's axes if all of it is free. */

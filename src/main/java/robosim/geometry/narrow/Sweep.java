@@ -487,37 +487,29 @@ public final class Sweep {
     }
 
     private double convex(Leaf a, Leaf b) {
+        boolean isFlat = dimension == Dimension.PLANAR;
         Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
         double y = isLevel() ? 0 : turns ? turn.py : dy;
         double largest = turns ? VectorMath.largest(turn.px, y, turn.pz) : VectorMath.largest(dx, y, dz);
-        boolean isTakenUp = largest < UnderflowScaling.SMALL && s.leaf.scaling.take(counted, largest, a, b);
-        return turns ? turned(y, isTakenUp, a, b) : moved(y, isTakenUp, a, b);
+        UnderflowScaling m = s.leaf.scaling;
+        boolean isTakenUp = largest < UnderflowScaling.SMALL && m.take(counted, largest, a, b);
+        Leaf one = isTakenUp ? m.first : a;
+        Leaf two = isTakenUp ? m.second : b;
+        if (turns) {
+            kernelTurn.about(turn.px, y, turn.pz).by(turn.wx, turn.wy, turn.wz, turn.degrees);
+            Turn by = isTakenUp ? m.up(kernelTurn) : kernelTurn;
+            return isFlat ? PlanarSweep.turn(one, by, two, s.sweep) : SpatialSweep.turn(one, by, two, s.sweep);
+        }
+        double x = isTakenUp ? m.up(dx) : dx;
+        double z = isTakenUp ? m.up(dz) : dz;
+        y = isTakenUp ? m.up(y) : y;
+        return isFlat
+                ? PlanarSweep.translation(one, x, y, z, two, s.sweep)
+                : SpatialSweep.translation(one, x, y, z, two, s.sweep);
     }
 
     /** Whether the motion is horizontal. */
     private boolean isLevel() {
         return dimension == Dimension.PLANAR && !(turns && !turn.isLevel());
-    }
-
-    private double turned(double y, boolean isTakenUp, Leaf a, Leaf b) {
-        UnderflowScaling m = s.leaf.scaling;
-        kernelTurn.about(turn.px, y, turn.pz).by(turn.wx, turn.wy, turn.wz, turn.degrees);
-        Turn by = isTakenUp ? m.up(kernelTurn) : kernelTurn;
-        Leaf one = isTakenUp ? m.first : a;
-        Leaf two = isTakenUp ? m.second : b;
-        return dimension == Dimension.PLANAR
-                ? PlanarSweep.turn(one, by, two, s.sweep)
-                : SpatialSweep.turn(one, by, two, s.sweep);
-    }
-
-    private double moved(double y, boolean isTakenUp, Leaf a, Leaf b) {
-        UnderflowScaling m = s.leaf.scaling;
-        return isTakenUp ? moved(m.up(dx), m.up(y), m.up(dz), m.first, m.second) : moved(dx, y, dz, a, b);
-    }
-
-    private double moved(double x, double y, double z, Leaf a, Leaf b) {
-        return dimension == Dimension.PLANAR
-                ? PlanarSweep.translation(a, x, y, z, b, s.sweep)
-                : SpatialSweep.translation(a, x, y, z, b, s.sweep);
     }
 }

@@ -183,7 +183,10 @@ public final class Motion {
      */
     public boolean attempt(
             AccuracyView inView, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
-        if (gap == 0 && turnX == 0 && turnY == 0 && ask(inView, mover, x, y, z) == TranslationFastPath.FREE) {
+        if (gap == 0
+                && turnX == 0
+                && turnY == 0
+                && goesStraight(mover, straight().find(inView, mover, x, y, z))) {
             return true;
         }
         begin(inView, mover, gap, true);
@@ -202,7 +205,7 @@ public final class Motion {
     public boolean attemptOwn(AccuracyView inView, int mover, Move move, double gap) {
         if (gap == 0 && move.rx() == 0 && move.ry() == 0) {
             objects.toWorld(mover, move.x(), move.y(), move.z(), vector);
-            if (ask(inView, mover, vector[0], vector[1], vector[2]) == TranslationFastPath.FREE) {
+            if (goesStraight(mover, straight().find(inView, mover, vector[0], vector[1], vector[2]))) {
                 return true;
             }
         }
@@ -239,16 +242,16 @@ public final class Motion {
 
     /** Whether a displacement in the world's axes is free, and no more: {@link #end()} is only set where it is. */
     public boolean allows(AccuracyView inView, int mover, double x, double y, double z) {
-        int verdict = ask(inView, mover, x, y, z);
-        if (verdict != TranslationFastPath.UNKNOWN) {
+        int verdict = straight().find(inView, mover, x, y, z);
+        if (goesStraight(mover, verdict) || verdict == TranslationFastPath.BLOCKED) {
             return verdict == TranslationFastPath.FREE;
         }
         begin(inView, mover, 0, false);
         return isFree(x, y, z, MotionSegment.NO_TURN, 0);
     }
 
-    private int ask(AccuracyView inView, int mover, double x, double y, double z) {
-        int verdict = straight().ask(inView, mover, x, y, z);
+    /** Notes what was found about a straight move; whether it is free. */
+    private boolean goesStraight(int mover, int verdict) {
         isStraight = verdict == TranslationFastPath.FREE;
         if (isStraight) {
             id = mover;
@@ -256,7 +259,7 @@ public final class Motion {
             fraction = 1;
             turnFraction = 1;
         }
-        return verdict;
+        return isStraight;
     }
 
     private TranslationFastPath straight() {

@@ -55,7 +55,6 @@ final class TranslationFastPath {
     private double dz;
     private boolean hasProbe;
     private boolean isUnsure;
-    private boolean isCertain;
 
     // The disc around the object, and by how much it may be off.
     private double ownX;
@@ -82,8 +81,8 @@ final class TranslationFastPath {
         return end;
     }
 
-    /** Whether an object may go by a displacement in the world's axes. */
-    int ask(AccuracyView inView, int mover, double x, double y, double z) {
+    /** Whether an object may go by a displacement in the world's axes: {@link #FREE}, {@link #BLOCKED} or {@link #UNKNOWN}. */
+    int find(AccuracyView inView, int mover, double x, double y, double z) {
         view = inView;
         own = inView.table(mover);
         id = mover;
@@ -100,17 +99,25 @@ final class TranslationFastPath {
         }
         hasProbe = false;
         isUnsure = false;
-        isCertain = false;
         enclose();
         takeSweptBox(places, at);
         if (!worldBounds.clearlyHolds(box) && !endsInside()) {
             return BLOCKED;
         }
-        if (!isStopped()) {
-            return FREE;
+        int count = query.gather(view, box, id);
+        for (int k = 0; k < count; k++) {
+            int other = query.gathered(k);
+            LeafTable table = view.table(other);
+            int quick = isGrid(table, other) ? pastCells(table, other) : quickly(table, other);
+            if (quick == DiscSweepFilter.MET) {
+                return BLOCKED;
+            }
+            if (quick == DiscSweepFilter.UNSURE && table.meets(other, box) && !passes(table, other)) {
+                // What it stands on may have a say, if not where the insides meet: see Standing.
+                return isUnsure || touches() ? UNKNOWN : BLOCKED;
+            }
         }
-        // What it stands on may have a say, if not where the insides meet: see Standing.
-        return !isCertain && (isUnsure || touches()) ? UNKNOWN : BLOCKED;
+        return FREE;
     }
 
     /** Whether the object touches another one where it is, and does not overlap it so deeply that it has no say. */
@@ -169,24 +176,6 @@ final class TranslationFastPath {
         box[3] = b[k + 3] + Math.max(0, dx) + slack;
         box[4] = b[k + 4] + Math.max(0, dy) + slack;
         box[5] = b[k + 5] + Math.max(0, dz) + slack;
-    }
-
-    private boolean isStopped() {
-        int count = query.gather(view, box, id);
-        for (int k = 0; k < count; k++) {
-            int other = query.gathered(k);
-            if (stops(view.table(other), other)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Whether another object stops this one. */
-    private boolean stops(LeafTable table, int other) {
-        int quick = isGrid(table, other) ? pastCells(table, other) : quickly(table, other);
-        isCertain = quick == DiscSweepFilter.MET;
-        return isCertain || (quick == DiscSweepFilter.UNSURE && table.meets(other, box) && !passes(table, other));
     }
 
     private static boolean isGrid(LeafTable table, int other) {
