@@ -11,8 +11,7 @@ import robosim.geometry.cases.HardCase;
 
 /**
  * Runs the hard cases against this module and, where they have words for a question, against JTS and dyn4j, and writes a
- * table as {@code hard-cases.md} and {@code hard-cases.html} into {@code target}, or into the folder that the system
- * property {@code report} names.
+ * table as {@code hard-cases.md} into {@code target}, or into the folder that the system property {@code report} names.
  *
  * <p>{@code mvn -q test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=robosim.geometry.report.HardCases
  * -Dreport=docs/report}
@@ -38,9 +37,8 @@ public final class HardCases {
         Summary summary = Summary.of(rows, peers);
         Files.createDirectories(folder);
         Files.writeString(folder.resolve("hard-cases.md"), MarkdownTable.write(rows, peers, summary));
-        Files.writeString(folder.resolve("hard-cases.html"), HtmlTable.write(rows, peers, summary));
         System.out.println(summary.line());
-        System.out.println(folder.resolve("hard-cases.md") + ", " + folder.resolve("hard-cases.html"));
+        System.out.println(folder.resolve("hard-cases.md"));
         if (summary.wrong() > 0) {
             List<Finding> wrong = rows.stream()
                     .flatMap(row -> row.findings().stream())

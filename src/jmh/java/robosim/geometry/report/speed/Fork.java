@@ -14,8 +14,10 @@ import robosim.geometry.bench.ClassPath;
 import robosim.geometry.exact.Filter;
 
 /** Runs a study in a JVM of its own. */
-final class Fork {
+public final class Fork {
     private Fork() {}
+
+    private static final String PROGRESS = "@";
 
     /** Options of every JVM that measures: one collector that no core of its own is needed for. */
     static final List<String> OPTIONS = List.of("-Xmx5g", "-XX:+UseSerialGC");
@@ -32,16 +34,16 @@ final class Fork {
         command.addAll(OPTIONS);
         command.add("-D" + Filter.PROPERTY + "=" + filter);
         command.add("-Dpeers=" + System.getProperty("peers", ""));
-        command.addAll(List.of(StudyRun.class.getName(), study, form));
+        command.addAll(List.of(Fork.class.getName(), study, form));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         StringBuilder said = new StringBuilder();
         try (BufferedReader lines =
                 new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                if (line.startsWith(StudyRun.PROGRESS)) {
+                if (line.startsWith(PROGRESS)) {
                     progress.at(Double.parseDouble(line.substring(1)));
                 } else if (line.startsWith(study + ",")) {
-                    into.add(Measure.of(line));
+                    Measure.of(line).forEach(into::add);
                 } else {
                     said.append(line).append('\n');
                 }
@@ -57,6 +59,22 @@ final class Fork {
             Thread.currentThread().interrupt();
             throw new IOException(study + " was interrupted", e);
         }
+    }
+
+    /**
+     * Runs a study in this JVM and prints its figures as lines, and how far it is behind at signs.
+     *
+     * @param args the study's name and the form's
+     */
+    public static void main(String[] args) throws IOException {
+        Study.of(args[0])
+                .run(
+                        Form.of(args[1]),
+                        (subject, scene, query, metric, value) -> {
+                            Measure measure = new Measure(args[0], subject, scene, query, metric, value);
+                            System.out.println(measure.question() + "," + metric + "," + measure.number());
+                        },
+                        share -> System.out.println(PROGRESS + share));
     }
 
     static String classPath() {

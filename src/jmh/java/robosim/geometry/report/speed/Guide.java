@@ -54,7 +54,7 @@ final class Guide {
     }
 
     private static String figures(String name, Results results) {
-        Page page = new Page();
+        Page page = new Page("report/");
         switch (name) {
             case "levels" -> levels(results, page);
             case "dimensions" -> dimensions(results, page);
@@ -67,7 +67,7 @@ final class Guide {
             case "summary" -> Summary.add(results, page);
             default -> throw new IllegalArgumentException("no figures of this name (got: " + name + ")");
         }
-        return Markdown.write(page, "report/").stripTrailing();
+        return page.text().stripTrailing();
     }
 
     static String machine(Results results) {

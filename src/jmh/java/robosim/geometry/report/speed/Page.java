@@ -4,57 +4,60 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.chart.Figure;
 
-/** What a report says, part by part, whatever it is written as. Text may hold {@code code} between back quotes. */
+/** A page as Markdown, part by part; its pictures are files beside it or in a folder. */
 final class Page {
-    /** A part of a page. */
-    sealed interface Block {}
+    private final StringBuilder out = new StringBuilder();
+    private final List<Figure> figures = new ArrayList<>();
+    private final String folder;
 
-    record Heading(int level, String text) implements Block {}
-
-    record Paragraph(String text) implements Block {}
-
-    record Picture(Figure figure) implements Block {}
-
-    /** Cells that begin with a digit stand on the right. */
-    record Table(List<String> head, List<List<String>> rows) implements Block {
-        Table {
-            head = List.copyOf(head);
-            rows = List.copyOf(rows);
-        }
-    }
-
-    record Code(String text) implements Block {}
-
-    private final List<Block> blocks = new ArrayList<>();
-
-    List<Block> blocks() {
-        return blocks;
+    /** Takes the folder of the pictures as seen from the page: empty, or ending in a slash. */
+    Page(String folder) {
+        this.folder = folder;
     }
 
     List<Figure> figures() {
-        return blocks.stream()
-                .filter(Picture.class::isInstance)
-                .map(block -> ((Picture) block).figure())
-                .toList();
+        return figures;
+    }
+
+    String text() {
+        return out.toString().stripTrailing() + "\n";
     }
 
     void heading(int level, String text) {
-        blocks.add(new Heading(level, text));
+        paragraph("#".repeat(level) + " " + text);
     }
 
     void paragraph(String text) {
-        blocks.add(new Paragraph(text));
+        out.append(text).append("\n\n");
     }
 
     void picture(Figure figure) {
-        blocks.add(new Picture(figure));
-    }
-
-    void table(List<String> head, List<List<String>> rows) {
-        blocks.add(new Table(head, rows));
+        figures.add(figure);
+        paragraph("![" + figure.title() + "](" + folder + figure.name() + ".svg)");
     }
 
     void code(String text) {
-        blocks.add(new Code(text));
+        paragraph("```\n" + text + "\n```");
+    }
+
+    /** Columns of numbers are aligned to the right. */
+    void table(List<String> head, List<List<String>> rows) {
+        row(head);
+        for (int k = 0; k < head.size(); k++) {
+            int column = k;
+            out.append(rows.stream().allMatch(row -> isNumber(row.get(column))) ? "|--:" : "|---");
+        }
+        out.append("|\n");
+        rows.forEach(this::row);
+        out.append('\n');
+    }
+
+    private void row(List<String> cells) {
+        cells.forEach(cell -> out.append("| ").append(cell.replace("|", "\\|")).append(' '));
+        out.append("|\n");
+    }
+
+    private static boolean isNumber(String cell) {
+        return cell.isEmpty() || cell.matches("(\\*\\*)?[\\-\u2013\u2212\u2264<>]?\\s?[0-9].*|\u2013");
     }
 }

@@ -4,24 +4,43 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
 import robosim.geometry.chart.Figure;
 
 /** The pages of a run, from its figures alone. */
 final class Report {
+    /** What each part of the page needs to have been measured, in the order of the parts. */
+    private static final Map<List<String>, BiConsumer<Results, Page>> SECTIONS = new LinkedHashMap<>();
+
+    static {
+        SECTIONS.put(List.of("robots"), RobotsSection::add);
+        SECTIONS.put(List.of("sizes", "verdicts", "cones"), TradeSection::add);
+        SECTIONS.put(List.of("verdicts"), VerdictsSection::add);
+        SECTIONS.put(List.of("distances"), DistancesSection::add);
+        SECTIONS.put(List.of("cones"), ConesSection::add);
+        SECTIONS.put(List.of("moves"), MovesSection::add);
+        SECTIONS.put(List.of("worlds"), WorldsSection::add);
+        SECTIONS.put(List.of("sizes"), SizesSection::add);
+        SECTIONS.put(List.of("latency"), LatencySection::add);
+        SECTIONS.put(List.of("sensors"), SensorsSection::add);
+        SECTIONS.put(List.of("filter"), FilterSection::add);
+    }
+
     private Report() {}
 
     static void write(Results results, Path folder) throws IOException {
         Page page = page(results);
-        Files.writeString(folder.resolve("speed-against-error.md"), Markdown.write(page, ""));
-        Files.writeString(folder.resolve("speed-against-error.html"), Html.write(page));
+        Files.writeString(folder.resolve("speed-against-error.md"), page.text());
         for (Figure figure : page.figures()) {
             Files.writeString(folder.resolve(figure.name() + ".svg"), figure.svg());
         }
     }
 
     static Page page(Results results) {
-        Page page = new Page();
+        Page page = new Page("");
         page.heading(1, "Speed against error");
         page.paragraph(
                 "How fast this module answers, and how far from the truth: every level of accuracy, both dimensions,"
@@ -29,45 +48,13 @@ final class Report {
                         + " from the stored numbers in exact arithmetic that shares no code with the module. All that is compared took"
                         + " turns on one machine; only ratios within a run carry over to another.");
         head(results, page);
-        if (has(results, "robots")) {
-            RobotsSection.add(results, page);
-        }
-        if (has(results, "sizes") && has(results, "verdicts") && has(results, "cones")) {
-            TradeSection.add(results, page);
-        }
-        if (has(results, "verdicts")) {
-            VerdictsSection.add(results, page);
-        }
-        if (has(results, "distances")) {
-            DistancesSection.add(results, page);
-        }
-        if (has(results, "cones")) {
-            ConesSection.add(results, page);
-        }
-        if (has(results, "moves")) {
-            MovesSection.add(results, page);
-        }
-        if (has(results, "worlds")) {
-            WorldsSection.add(results, page);
-        }
-        if (has(results, "sizes")) {
-            SizesSection.add(results, page);
-        }
-        if (has(results, "latency")) {
-            LatencySection.add(results, page);
-        }
-        if (has(results, "sensors")) {
-            SensorsSection.add(results, page);
-        }
-        if (has(results, "filter")) {
-            FilterSection.add(results, page);
-        }
+        SECTIONS.forEach((studies, section) -> {
+            if (studies.stream().noneMatch(study -> results.of(study).isEmpty())) {
+                section.accept(results, page);
+            }
+        });
         PeersSection.add(results, page);
         return page;
-    }
-
-    private static boolean has(Results results, String study) {
-        return !results.of(study).isEmpty();
     }
 
     private static void head(Results results, Page page) {

@@ -3,7 +3,6 @@ package robosim.geometry.report.speed;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,9 +32,8 @@ final class Results {
     }
 
     void add(Measure measure) {
-        String line = measure.line();
         measures.merge(
-                line.substring(0, line.lastIndexOf(',')),
+                measure.question() + "," + measure.metric(),
                 measure,
                 (old, now) -> old.metric().equals(NANOS) && old.value() < now.value() ? old : now);
     }
@@ -56,13 +54,9 @@ final class Results {
 
     /** One figure; empty where it was not measured. */
     OptionalDouble value(String study, Subject subject, String scene, String query, String metric) {
-        Measure measure = measures.get(key(study, subject, scene, query, metric));
+        Measure asked = new Measure(study, subject, scene, query, metric, 0);
+        Measure measure = measures.get(asked.question() + "," + metric);
         return measure == null ? OptionalDouble.empty() : OptionalDouble.of(measure.value());
-    }
-
-    private static String key(String study, Subject subject, String scene, String query, String metric) {
-        String line = new Measure(study, subject, scene, query, metric, 0).line();
-        return line.substring(0, line.lastIndexOf(','));
     }
 
     /** The different values of something in a study, in the order of their first appearance. */
@@ -71,11 +65,16 @@ final class Results {
     }
 
     void write(Path file) throws IOException {
-        List<String> lines = new ArrayList<>();
-        head.forEach((key, value) -> lines.add("# " + key + ": " + value));
-        lines.add(Measure.HEAD);
-        measures.values().forEach(measure -> lines.add(measure.line()));
-        Files.writeString(file, String.join("\n", lines) + "\n");
+        StringBuilder out = new StringBuilder();
+        head.forEach((key, value) -> out.append("# " + key + ": " + value + "\n"));
+        out.append(Measure.HEAD);
+        String question = "";
+        for (Measure measure : measures.values()) {
+            out.append(measure.question().equals(question) ? "" : "\n" + measure.question());
+            out.append("," + measure.metric() + "," + measure.number());
+            question = measure.question();
+        }
+        Files.writeString(file, out.append("\n"));
     }
 
     static Results read(Path file) throws IOException {
@@ -85,7 +84,7 @@ final class Results {
             if (line.startsWith("# ") && colon > 0) {
                 results.head(line.substring(2, colon), line.substring(colon + 2));
             } else if (!line.isEmpty() && !line.equals(Measure.HEAD)) {
-                results.add(Measure.of(line));
+                Measure.of(line).forEach(results::add);
             }
         }
         return results;

@@ -10,8 +10,8 @@ import java.util.List;
 
 /**
  * Measures speed against error, of this module at every level, dimension and with filters alone, beside JTS and dyn4j, and
- * writes a report: {@code speed-against-error.csv}, and from that alone {@code .md}, one self-contained {@code .html} and a
- * picture in SVG for each plot, into {@code target/report}.
+ * writes a report: {@code speed-against-error.csv}, and from that alone {@code .md} and a picture in SVG for each
+ * plot, into {@code target/report}.
  *
  * <p>{@code mvn -q test-compile exec:java -Dexec.classpathScope=test
  * -Dexec.mainClass=robosim.geometry.report.speed.SpeedAgainstError}
@@ -66,7 +66,7 @@ public final class SpeedAgainstError {
         Files.createDirectories(folder);
         results.write(folder.resolve("speed-against-error.csv"));
         Report.write(results, folder);
-        System.out.println(folder.resolve("speed-against-error.html"));
+        System.out.println(folder.resolve("speed-against-error.md"));
         Guide.write(results, isPublished ? Path.of("docs") : folder, isPublished);
     }
 

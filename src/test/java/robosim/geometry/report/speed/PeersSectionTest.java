@@ -18,7 +18,7 @@ class PeersSectionTest {
             results.add(measure("flat-" + flat, "W1b"));
             results.add(measure("flat-" + flat, "W1a"));
         }
-        Page page = new Page();
+        Page page = new Page("");
         PeersSection.add(results, page);
         assertThat(page.figures()).hasSize(1);
         for (Panel panel : page.figures().get(0).panels()) {
@@ -41,9 +41,9 @@ class PeersSectionTest {
             };
             results.add(new Measure(PeerLines.STUDY, engine, "100", "W5", metric, value));
         }
-        Page page = new Page();
+        Page page = new Page("");
         PeersSection.add(results, page);
-        assertThat(Markdown.write(page, "")).contains("| 82 | – | 71 to 93 | 207 |");
+        assertThat(page.text()).contains("| 82 | – | 71 to 93 | 207 |");
     }
 
     @Test
@@ -52,9 +52,9 @@ class PeersSectionTest {
         Subject engine = new Subject("engine", "", "", "");
         results.add(new Measure(PeerLines.STUDY, engine, "1000", "W5", PeerLines.BUILD, 18.04));
         results.add(new Measure(PeerLines.STUDY, engine, "1000", "W5", PeerLines.BYTES, 303.8));
-        Page page = new Page();
+        Page page = new Page("");
         PeersSection.add(results, page);
-        assertThat(Markdown.write(page, "")).contains("| ray among solids in space | 1,000 | engine | 18 | 304 |");
+        assertThat(page.text()).contains("| ray among solids in space | 1,000 | engine | 18 | 304 |");
     }
 
     private static Measure measure(String engine, String work) {

@@ -26,7 +26,7 @@ class ResultsTest {
         results.head("machine", "two: cores");
         results.add(new Measure("sizes", EXACT, "100", "ray", "ns", 12.5));
         results.add(new Measure("sizes", Subject.peer("JTS"), "100", "ray", "ns", Double.POSITIVE_INFINITY));
-        results.add(new Measure("moves", EXACT, "a", "move", "early q0.5", 0x1p-60));
+        results.add(new Measure("moves", EXACT, "a", "move", "early q0.5", 9.5e-19));
         results.write(folder.resolve("r.csv"));
         Results read = Results.read(folder.resolve("r.csv"));
         assertThat(read.head()).isEqualTo(results.head());
