@@ -39,6 +39,26 @@ class ExportCommandTest extends CommandRun {
         assertThat(Files.size(page)).isLessThan(whole);
     }
 
+    @Test
+    void aRecordingBecomesMessagesOfRos() throws IOException {
+        Path messages = folder.resolve("a.mcap");
+        assertThat(run("export", TALK, messages)).isZero();
+        assertThat(out.toString()).startsWith("Wrote " + messages + ": 17 steps, ");
+        byte[] first = Files.readAllBytes(messages);
+        assertThat(run("convert", TALK, messages)).isZero();
+        assertThat(Files.readAllBytes(messages)).isEqualTo(first);
+        assertThat(run("export", TALK, messages, "--tick", "2")).isZero();
+        assertThat(Files.readAllBytes(messages)).isNotEqualTo(first);
+        assertThat(run("export", TALK, messages, "--tick", "0")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--tick must be above 0 and at most 3600 (got: 0.0)");
+        assertThat(run("export", TALK, folder.resolve("a.html"), "--tick", "1")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--tick is for an .mcap");
+        assertThat(run("export", Path.of("worlds/rooms.xml"), messages)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("an .mcap is written of a whole recording");
+        assertThat(run("convert", TALK, folder.resolve("a.xml"))).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("OUT, of a recording, must end in .mcap");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

@@ -223,7 +223,8 @@ class RosRecordingTest {
         Map<String, Object> depth = of(mcap, "/robot_1/depth_2").get(0);
         assertThat(at(depth, "encoding")).isEqualTo("32FC1");
         assertThat(at(depth, "header", "frame_id")).isEqualTo("robot_1/sensor_2_optical");
-        assertThat(floats(depth).subList(0, 3)).allSatisfy(each -> assertThat(each).isEqualTo(2.8f, within(1e-6f)));
+        assertThat(floats(depth).subList(0, 3))
+                .allSatisfy(each -> assertThat(each).isEqualTo(2.8f, within(1e-6f)));
         assertThat(floats(depth).get(3)).isInfinite(); // past the wall's right end
         Map<String, Object> info = of(mcap, "/robot_1/depth_info_2").get(0);
         assertThat(number(info, "k", 0)).isEqualTo(2 / Math.tan(0.5), within(1e-12));
@@ -275,8 +276,8 @@ class RosRecordingTest {
             double angle = k * 0.1;
             requests.add(new SonarRequestBundle(
                     List.of(new SonarRequest("robot 1", StrictMath.cos(angle), StrictMath.sin(angle)))));
-            requests.add(
-                    new BatchRequestBundle(List.of(new SenseRequest("robot 1", new BeamPattern.Fan(0, 0.001, 10_000)))));
+            requests.add(new BatchRequestBundle(
+                    List.of(new SenseRequest("robot 1", new BeamPattern.Fan(0, 0.001, 10_000)))));
         }
         DecodedMcap mcap = write(0.1, requests.toArray(new Bundle[0]));
         byte[] first = Files.readAllBytes(folder.resolve("a.mcap"));

@@ -22,8 +22,10 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.export.GlbWriter;
+import robosim.geometry.export.RosRecording;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjWriter;
@@ -48,7 +50,8 @@ import robosim.geometry.world.WorldWriter;
             "  robosim-geometry convert map.yaml world.xml --robot disc:0.3@1,2 --unknown edge",
             "  robosim-geometry convert arena.world --models ~/.gazebo/models arena.xml",
             "  robosim-geometry convert part.stl --scale 0.001 --up z part.xml",
-            "  robosim-geometry convert worlds/rooms.xml rooms.glb"
+            "  robosim-geometry convert worlds/rooms.xml rooms.glb",
+            "  robosim-geometry convert recordings/session.scenario.jsonl session.mcap"
         })
 public final class ConvertCommand implements Callable<Integer> {
     private static final int MOST_LINES = 20;
@@ -68,7 +71,8 @@ public final class ConvertCommand implements Callable<Integer> {
             paramLabel = "IN",
             description =
                     "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), Stage (.world), a robot (.urdf),"
-                            + " or a mesh (.obj, .stl, .dae, .ply, .glb, .gltf)")
+                            + " a mesh (.obj, .stl, .dae, .ply, .glb, .gltf), or a recording (*" + ScenarioReader.ENDING
+                            + ")")
     private Path in = Path.of("");
 
     @Parameters(
@@ -76,7 +80,7 @@ public final class ConvertCommand implements Callable<Integer> {
             paramLabel = "OUT",
             description =
                     "the file to write: a world (.xml), or for other viewers glTF (.glb) or the triangles of all its"
-                            + " objects (.obj)")
+                            + " objects (.obj); of a recording ROS 2 messages (.mcap)")
     private Path out = Path.of("");
 
     @Option(
@@ -139,6 +143,12 @@ public final class ConvertCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        if (in.toString().toLowerCase(Locale.ROOT).endsWith(ScenarioReader.ENDING)) {
+            Arguments.input("IN", in);
+            Arguments.output("OUT, of a recording,", out, ExportCommand.MCAP);
+            ExportCommand.writeMessages(spec, in, out, RosRecording.TICK);
+            return ExitCodes.FINE;
+        }
         String ending = ending();
         if (!Files.isDirectory(in)) {
             Arguments.input("IN", in);

@@ -23,6 +23,8 @@ import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.export.Films;
 import robosim.geometry.export.PageWriter;
+import robosim.geometry.export.RosRecording;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.StepReader;
 import robosim.geometry.viewer.playback.Colours;
@@ -33,14 +35,18 @@ import robosim.geometry.world.World;
 /** Writes a world or a recording as a page for browsers. */
 @Command(
         name = "export",
-        description = "Writes a world or a recording as one HTML file that shows and plays it in three dimensions, in"
-                + " any browser, without a server and without a network.",
+        description =
+                "Writes a world or a recording as one HTML file that shows and plays it in three dimensions, in"
+                        + " any browser, without a server and without a network; or a recording as an MCAP file of ROS 2 messages.",
         footer = {
             "  robosim-geometry export worlds/rooms.xml rooms.html",
             "  robosim-geometry export recordings/session.scenario.jsonl session.html",
+            "  robosim-geometry export recordings/session.scenario.jsonl session.mcap",
             "  robosim-geometry export robosim-demo --world robosim-demo/rooms.xml --steps 1-500 demo.html"
         })
 public final class ExportCommand implements Callable<Integer> {
+    static final String MCAP = ".mcap";
+
     @Spec
     private CommandSpec spec;
 
@@ -51,7 +57,7 @@ public final class ExportCommand implements Callable<Integer> {
                     + "), or a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE)
     private Path file = Path.of("");
 
-    @Parameters(index = "1", paramLabel = "PAGE", description = "the page to write: .html")
+    @Parameters(index = "1", paramLabel = "PAGE", description = "the page to write: .html; or .mcap")
     private Path page = Path.of("");
 
     @Option(
@@ -69,12 +75,22 @@ public final class ExportCommand implements Callable<Integer> {
             description = "for a recording: only these steps, counted from 1")
     private @Nullable String steps;
 
+    @Option(
+            names = "--tick",
+            paramLabel = "SECONDS",
+            description = "for an .mcap of a recording without steps: how long a bundle of moves takes (default: "
+                    + RosRecording.TICK + ")")
+    private @Nullable Double tick;
+
     @Option(names = "--title", paramLabel = "TEXT", description = "the page's title (default: the name of FILE)")
     private @Nullable String title;
 
     @Override
     public Integer call() throws Exception {
-        Arguments.output("PAGE", page, ".html");
+        boolean isMcap = Arguments.output("PAGE", page, ".html", MCAP)
+                .toString()
+                .toLowerCase(Locale.ROOT)
+                .endsWith(MCAP);
         StepRange range = StepRange.of(steps);
         if (!Files.exists(file)) {
             throw new UsageException("FILE must exist; check the path (got: " + file + ")");
@@ -84,8 +100,21 @@ public final class ExportCommand implements Callable<Integer> {
         if (!isDemo) {
             Arguments.input("FILE", file);
         }
+        boolean isRecording = isDemo || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl");
+        if (tick != null && !isMcap) {
+            throw new UsageException("--tick is for an .mcap (got: " + page + ")");
+        }
+        if (isMcap) {
+            if (!isRecording || steps != null || colours != null || title != null) {
+                throw new UsageException(
+                        "an .mcap is written of a whole recording, without --steps, --world and --title" + " (got: "
+                                + file + ")");
+            }
+            writeMessages(spec, file, page, tick == null ? RosRecording.TICK : tick);
+            return ExitCodes.FINE;
+        }
         World lender = colours == null ? null : files.world(Arguments.input("--world", colours));
-        if (isDemo || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl")) {
+        if (isRecording) {
             recording(lender, range);
         } else {
             if (steps != null) {
@@ -98,6 +127,23 @@ public final class ExportCommand implements Callable<Integer> {
             write(new PageWriter(Films.of(world)).described("", Pictures.unit(world)), 0);
         }
         return ExitCodes.FINE;
+    }
+
+    /** Writes a recording as ROS 2 messages. */
+    static void writeMessages(CommandSpec spec, Path recording, Path out, double tick) throws IOException {
+        if (!(tick > 0 && tick <= StepBundle.MAX_SECONDS)) {
+            throw new UsageException(
+                    "--tick must be above 0 and at most " + (int) StepBundle.MAX_SECONDS + " (got: " + tick + ")");
+        }
+        long count;
+        try (StepReader reader = WireFiles.recording(recording);
+                Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
+            count = RosRecording.write(reader, tick, out, progress::at);
+        }
+        spec.commandLine()
+                .getOut()
+                .println("Wrote " + out + ": " + NumberText.count(count, "step") + ", "
+                        + NumberText.count(Files.size(out), "byte"));
     }
 
     private void recording(@Nullable World lender, StepRange range) throws IOException {
