@@ -49,8 +49,8 @@ final class McapWriter {
     private final List<byte[]> channelRecords = new ArrayList<>();
     private final List<byte[]> chunkRecords = new ArrayList<>();
 
-    private Record chunk = new Record();
-    private final Map<Integer, Record> index = new TreeMap<>();
+    private Content chunk = new Content();
+    private final Map<Integer, Content> index = new TreeMap<>();
     private long chunkFrom;
     private long chunkTo;
     private long first;
@@ -74,7 +74,7 @@ final class McapWriter {
         this.out = out;
         this.types = types;
         data(MAGIC);
-        data(new Record().text("ros2").text(library).as(HEADER));
+        data(new Content().text("ros2").text(library).as(HEADER));
     }
 
     /**
@@ -94,10 +94,10 @@ final class McapWriter {
         }
         chunkTo = nanos;
         last = nanos;
-        index.computeIfAbsent(channel.id, unseen -> new Record())
+        index.computeIfAbsent(channel.id, unseen -> new Content())
                 .number(nanos, 8)
                 .number(chunk.size(), 8);
-        chunk.bytes(new Record()
+        chunk.bytes(new Content()
                 .number(channel.id, 2)
                 .number(channel.messages, 4)
                 .number(nanos, 8)
@@ -124,7 +124,7 @@ final class McapWriter {
         if (schema == null) {
             schema = schemas.size() + 1;
             schemas.put(type, schema);
-            byte[] record = new Record()
+            byte[] record = new Content()
                     .number(schema, 2)
                     .text(type.replace("/", "/msg/"))
                     .text("ros2msg")
@@ -139,7 +139,7 @@ final class McapWriter {
         }
         Channel made = new Channel(channels.size() + 1, type);
         channels.put(topic, made);
-        byte[] record = new Record()
+        byte[] record = new Content()
                 .number(made.id, 2)
                 .number(schema, 2)
                 .text(topic)
@@ -157,7 +157,7 @@ final class McapWriter {
         }
         byte[] records = chunk.content();
         long start = written;
-        byte[] record = new Record()
+        byte[] record = new Content()
                 .number(chunkFrom, 8)
                 .number(chunkTo, 8)
                 .number(records.length, 8)
@@ -167,18 +167,18 @@ final class McapWriter {
                 .bytes(records)
                 .as(CHUNK);
         data(record);
-        Record offsets = new Record();
+        Content offsets = new Content();
         long indexFrom = written;
-        for (Map.Entry<Integer, Record> each : index.entrySet()) {
+        for (Map.Entry<Integer, Content> each : index.entrySet()) {
             offsets.number(each.getKey(), 2).number(written, 8);
             byte[] entries = each.getValue().content();
-            data(new Record()
+            data(new Content()
                     .number(each.getKey(), 2)
                     .number(entries.length, 4)
                     .bytes(entries)
                     .as(MESSAGE_INDEX));
         }
-        chunkRecords.add(new Record()
+        chunkRecords.add(new Content()
                 .number(chunkFrom, 8)
                 .number(chunkTo, 8)
                 .number(start, 8)
@@ -190,41 +190,41 @@ final class McapWriter {
                 .number(records.length, 8)
                 .number(records.length, 8)
                 .as(CHUNK_INDEX));
-        chunk = new Record();
+        chunk = new Content();
         index.clear();
     }
 
     /** Writes what is left and the summary. The stream stays open. */
     void finish() throws IOException {
         endChunk();
-        plain(new Record().number(dataCrc.getValue(), 4).as(DATA_END));
+        plain(new Content().number(dataCrc.getValue(), 4).as(DATA_END));
         long summary = written;
-        Record all = new Record();
-        Record groups = new Record();
+        Content all = new Content();
+        Content groups = new Content();
         group(SCHEMA, schemaRecords, summary, all, groups);
         group(CHANNEL, channelRecords, summary, all, groups);
         group(STATISTICS, List.of(statistics()), summary, all, groups);
         group(CHUNK_INDEX, chunkRecords, summary, all, groups);
         long groupsFrom = summary + all.size();
         all.bytes(groups.content());
-        Record footer = new Record().number(summary, 8).number(groupsFrom, 8);
+        Content footer = new Content().number(summary, 8).number(groupsFrom, 8);
         CRC32 crc = new CRC32();
         crc.update(all.content());
         crc.update(FOOTER);
-        crc.update(new Record().number(footer.size() + 4L, 8).content());
+        crc.update(new Content().number(footer.size() + 4L, 8).content());
         crc.update(footer.content());
         plain(all.content());
         plain(footer.number(crc.getValue(), 4).as(FOOTER));
         plain(MAGIC);
     }
 
-    private static void group(int opcode, List<byte[]> records, long summary, Record all, Record groups) {
+    private static void group(int opcode, List<byte[]> records, long summary, Content all, Content groups) {
         if (records.isEmpty()) {
             return;
         }
         long from = summary + all.size();
         records.forEach(all::bytes);
-        groups.bytes(new Record()
+        groups.bytes(new Content()
                 .number(opcode, 1)
                 .number(from, 8)
                 .number(summary + all.size() - from, 8)
@@ -232,9 +232,9 @@ final class McapWriter {
     }
 
     private byte[] statistics() {
-        Record counts = new Record();
+        Content counts = new Content();
         channels.values().forEach(each -> counts.number(each.id, 2).number(each.messages, 8));
-        return new Record()
+        return new Content()
                 .number(messages, 8)
                 .number(schemas.size(), 2)
                 .number(channels.size(), 4)
@@ -265,7 +265,7 @@ final class McapWriter {
     }
 
     /** The content of a record, least significant byte first. */
-    private static final class Record {
+    private static final class Content {
         private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 
         private int size() {
@@ -276,26 +276,26 @@ final class McapWriter {
             return bytes.toByteArray();
         }
 
-        private Record number(long value, int size) {
+        private Content number(long value, int size) {
             for (int k = 0; k < size; k++) {
-                bytes.write((int) (value >>> 8 * k));
+                bytes.write((int) (value >>> (8 * k)));
             }
             return this;
         }
 
-        private Record bytes(byte[] more) {
+        private Content bytes(byte[] more) {
             bytes.writeBytes(more);
             return this;
         }
 
-        private Record text(String text) {
+        private Content text(String text) {
             byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
             return number(utf8.length, 4).bytes(utf8);
         }
 
         /** The record: its kind, its length and its content. */
         private byte[] as(int opcode) {
-            return new Record()
+            return new Content()
                     .number(opcode, 1)
                     .number(size(), 8)
                     .bytes(content())

@@ -1,7 +1,6 @@
 package robosim.geometry.export;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import robosim.geometry.material.Color;
@@ -26,66 +25,57 @@ final class RosGeometry {
     /** What has no material of its own. */
     private static final Material PLAIN = Material.of(Color.parse("#a0a8b0"));
 
+    private RosGeometry() {}
+
     /**
-     * Triangles, three numbers for each corner.
+     * Triangles.
      *
-     * @param color red, green, blue and opacity
+     * @param corners points, three for each triangle
+     * @param color   red, green, blue and opacity
      */
-    record Triangles(double[] corners, List<Double> color) {
+    record Triangles(List<List<Double>> corners, List<Double> color) {
         /** These, moved up. */
         Triangles raised(double height) {
-            double[] raised = corners.clone();
-            for (int k = 2; k < raised.length; k += 3) {
-                raised[k] += height;
-            }
-            return new Triangles(raised, color);
+            return new Triangles(
+                    corners.stream()
+                            .map(p -> List.of(p.get(0), p.get(1), p.get(2) + height))
+                            .toList(),
+                    color);
         }
     }
 
     /** An object's triangles in the world. */
-    Triangles placed(GeometryObject object) {
+    static Triangles placed(GeometryObject object) {
         return of(object, object.pose());
     }
 
     /** An object's triangles in its own frame. */
-    Triangles own(GeometryObject object) {
+    static Triangles own(GeometryObject object) {
         return of(object, Pose.ORIGIN);
     }
 
     /** How high an object's centre is above the lowest point that it has when it stands upright. */
-    double rise(GeometryObject object) {
+    static double rise(GeometryObject object) {
         return 0 - object.at(Pose.ORIGIN).bounds().minY();
     }
 
     private static Triangles of(GeometryObject object, Pose pose) {
-        List<double[]> parts = new ArrayList<>();
-        add(object, pose, parts);
-        double[] all = new double[parts.stream().mapToInt(part -> part.length).sum()];
-        int at = 0;
-        for (double[] part : parts) {
-            System.arraycopy(part, 0, all, at, part.length);
-            at += part.length;
-        }
+        List<List<Double>> corners = new ArrayList<>();
+        add(object, pose, corners);
         Color color = object.material().within(PLAIN).color();
-        return new Triangles(all, List.of(color.red(), color.green(), color.blue(), 1.0));
+        return new Triangles(corners, List.of(color.red(), color.green(), color.blue(), 1.0));
     }
 
-    private static void add(GeometryObject object, Pose pose, List<double[]> parts) {
+    private static void add(GeometryObject object, Pose pose, List<List<Double>> corners) {
         if (object instanceof ObjectGroup group) {
-            group.members().forEach(member -> add(member, member.pose().within(pose), parts));
+            group.members().forEach(member -> add(member, member.pose().within(pose), corners));
             return;
         }
         GlbShape shape = GlbShape.of(object);
         float[] points = shape.points();
-        double[] corners = new double[3 * shape.indices().length];
-        int at = 0;
         for (int index : shape.indices()) {
-            List<Double> corner = point(inWorld(pose, points[3 * index], points[3 * index + 1], points[3 * index + 2]));
-            for (double each : corner) {
-                corners[at++] = each;
-            }
+            corners.add(point(inWorld(pose, points[3 * index], points[3 * index + 1], points[3 * index + 2])));
         }
-        parts.add(Arrays.copyOf(corners, at));
     }
 
     private static Point inWorld(Pose pose, double x, double y, double z) {

@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
@@ -90,8 +91,6 @@ public final class RosRecording {
     private final Map<String, Map<Mount, String>> mounts = new HashMap<>();
 
     private final Map<String, String> names = new HashMap<>();
-
-    private final RosGeometry geometry = new RosGeometry();
 
     /**
      * A moveable object.
@@ -181,21 +180,22 @@ public final class RosRecording {
         send("/markers", "visualization_msgs/MarkerArray", List.of(List.of(marker("", 0, DELETE_ALL, WORLD, null))));
         List<Object> markers = new ArrayList<>();
         for (Scene.Thing thing : setting.statics()) {
-            markers.add(marker("static", markers.size(), 0, WORLD, geometry.placed(thing.object())));
+            markers.add(marker("static", markers.size(), 0, WORLD, RosGeometry.placed(thing.object())));
             if (thing.object() instanceof GridObject grid) {
                 send("/map", "nav_msgs/OccupancyGrid", map(grid));
             }
         }
         for (Scene.Thing thing : setting.movers()) {
             GeometryObject object = thing.object();
-            double rise = geometry.rise(object);
-            movers.put(object.name(), new Mover(object, object.pose(), rise));
+            String name = Objects.requireNonNull(object.name()); // a moveable object has one
+            double rise = RosGeometry.rise(object);
+            movers.put(name, new Mover(object, object.pose(), rise));
             markers.add(marker(
                     "moveable",
                     markers.size(),
                     0,
-                    base(object.name()),
-                    geometry.own(object).raised(rise)));
+                    base(name),
+                    RosGeometry.own(object).raised(rise)));
         }
         send("/markers", "visualization_msgs/MarkerArray", List.of(markers));
         Map<String, Pose> all = new LinkedHashMap<>();
@@ -204,13 +204,8 @@ public final class RosRecording {
     }
 
     private List<?> marker(String space, int id, int action, String frame, RosGeometry.@Nullable Triangles shape) {
-        List<Object> corners = new ArrayList<>();
-        if (shape != null) {
-            for (int k = 0; k < shape.corners().length; k += 3) {
-                corners.add(List.of(shape.corners()[k], shape.corners()[k + 1], shape.corners()[k + 2]));
-            }
-        }
         List<?> color = shape == null ? List.of(0.0, 0.0, 0.0, 0.0) : shape.color();
+        List<?> corners = shape == null ? List.of() : shape.corners();
         return List.of(
                 header(frame),
                 space,
@@ -244,7 +239,7 @@ public final class RosRecording {
         }
         return List.of(
                 header(WORLD),
-                List.of(stamp(), grid.cell(), grid.columns(), grid.rows(), geometry.gridOrigin(grid)),
+                List.of(stamp(), grid.cell(), grid.columns(), grid.rows(), RosGeometry.gridOrigin(grid)),
                 cells);
     }
 

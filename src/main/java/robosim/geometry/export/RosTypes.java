@@ -33,7 +33,7 @@ final class RosTypes {
     private final Map<String, List<Field>> fields = new LinkedHashMap<>();
 
     RosTypes() {
-        for (String section : resource().split("=== ")) {
+        for (String section : resource().split("=== ", -1)) {
             int end = section.indexOf('\n');
             if (end > 0) {
                 texts.put(section.substring(0, end), section.substring(end + 1).strip());
@@ -55,11 +55,11 @@ final class RosTypes {
 
     private static List<Field> parse(String text) {
         List<Field> parsed = new ArrayList<>();
-        for (String line : text.split("\n")) {
+        for (String line : text.split("\n", -1)) {
             if (line.contains("=")) {
                 continue; // a constant
             }
-            String[] parts = line.split(" ");
+            String[] parts = line.split(" ", -1);
             int bracket = parts[0].indexOf('[');
             String count = bracket < 0 ? "" : parts[0].substring(bracket + 1, parts[0].length() - 1);
             parsed.add(new Field(
@@ -186,7 +186,7 @@ final class RosTypes {
                 out.write(0);
             }
             for (int k = 0; k < size; k++) {
-                out.write((int) (bits >>> 8 * k));
+                out.write((int) (bits >>> (8 * k)));
             }
         }
 
