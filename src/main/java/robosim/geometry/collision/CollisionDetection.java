@@ -66,11 +66,9 @@ public final class CollisionDetection {
     }
 
     private static @Nullable GeometryObject boundingVolume(GeometryObject object) {
-        GeometryObject volume = switch (object.kind()) {
-            case MESH -> ((MeshObject) object).boundingVolume();
-            case GROUP -> ((ObjectGroup) object).boundingVolume();
-            case BOX, CYLINDER, SPHERE, CAPSULE, GRID -> null;
-        };
+        GeometryObject volume = object instanceof MeshObject mesh
+                ? mesh.boundingVolume()
+                : object instanceof ObjectGroup group ? group.boundingVolume() : null;
         // The volume was checked to enclose the object only in the object's own frame, so only unplaced are its numbers
         // exact.
         return volume != null && object.pose().equals(Pose.ORIGIN) ? volume : null;

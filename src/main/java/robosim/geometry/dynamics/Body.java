@@ -1,11 +1,7 @@
 package robosim.geometry.dynamics;
 
 import robosim.geometry.check.Checks;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 
 /**
@@ -107,7 +103,8 @@ public record Body(
      */
     public static Body ofMass(GeometryObject shape, double mass) {
         Quantity.positive("mass", mass);
-        double square = gyrationSquare(shape);
+        checkSized(shape);
+        double square = Inertia.gyrationSquare(shape);
         if (square == 0) {
             throw new IllegalArgumentException(
                     "shape must not be a point or a line along its own Y, which resists no turn; give it a"
@@ -129,7 +126,8 @@ public record Body(
      */
     public static Body ofDensity(GeometryObject shape, double density) {
         Quantity.positive("density", density);
-        double volume = volume(shape);
+        checkSized(shape);
+        double volume = Inertia.volume(shape);
         if (volume == 0) {
             throw new IllegalArgumentException(
                     "shape must have a volume; give it one, or a mass by Body.ofMass (got: " + shape + ")");
@@ -137,61 +135,12 @@ public record Body(
         return ofMass(shape, density * volume);
     }
 
-    private static double volume(GeometryObject shape) {
-        return switch (Checks.present("shape", shape).kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) shape;
-                yield box.width() * box.height() * box.length();
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) shape;
-                yield rod(cylinder.radius(), cylinder.height());
-            }
-            case SPHERE -> ball(((SphereObject) shape).radius());
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) shape;
-                yield rod(capsule.radius(), capsule.segment()) + ball(capsule.radius());
-            }
-            case MESH, GROUP, GRID -> throw unknown(shape);
-        };
-    }
-
-    /** The square of the radius of gyration about the own Y: the inertia of a unit of mass. */
-    private static double gyrationSquare(GeometryObject shape) {
-        return switch (Checks.present("shape", shape).kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) shape;
-                yield (box.width() * box.width() + box.length() * box.length()) / 12;
-            }
-            case CYLINDER -> square(((CylinderObject) shape).radius()) / 2;
-            case SPHERE -> 0.4 * square(((SphereObject) shape).radius());
-            case CAPSULE -> {
-                // A rod and a ball of one radius r, in shares of their volumes: r^2 / 2 and 2 r^2 / 5.
-                CapsuleObject capsule = (CapsuleObject) shape;
-                double r = capsule.radius();
-                double length = capsule.segment();
-                yield r == 0 ? 0 : r * r * (length / 2 + 8 * r / 15) / (length + 4 * r / 3);
-            }
-            case MESH, GROUP, GRID -> throw unknown(shape);
-        };
-    }
-
-    private static double square(double r) {
-        return r * r;
-    }
-
-    private static double rod(double radius, double length) {
-        return Math.PI * radius * radius * length;
-    }
-
-    private static double ball(double radius) {
-        return Math.PI * 4 / 3 * radius * radius * radius;
-    }
-
-    private static IllegalArgumentException unknown(GeometryObject shape) {
-        return new IllegalArgumentException(
-                "shape must be a sphere, box, cylinder or capsule; for other shapes, give mass and inertia by"
-                        + " Body.of(mass, inertia) (got: " + shape + ")");
+    private static void checkSized(GeometryObject shape) {
+        if (!Checks.present("shape", shape).kind().isSized()) {
+            throw new IllegalArgumentException(
+                    "shape must be a sphere, box, cylinder or capsule; for other shapes, give mass and inertia by"
+                            + " Body.of(mass, inertia) (got: " + shape + ")");
+        }
     }
 
     /** This body with another surface. */

@@ -1,24 +1,23 @@
 package robosim.geometry.dynamics;
 
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.RoundedBox;
 
-/** Moments of inertia of solids about their own axes, and how far they reach. */
+/** Volumes and moments of inertia of solids about their own axes, and how far they reach. */
 final class Inertia {
     /** The least moment of a body is at least this share of its greatest: a needle turns about itself too. */
     private static final double LEAST = 1e-6;
 
     private Inertia() {}
 
-    /** Whether it is one of the shapes that fall and tip. */
-    static boolean isSolid(GeometryObject object) {
-        return switch (object.kind()) {
-            case SPHERE, BOX, CYLINDER, CAPSULE -> true;
-            case MESH, GROUP, GRID -> false;
-        };
+    static double volume(GeometryObject object) {
+        RoundedBox box = object.roundedBox();
+        double r = box.radius();
+        double ball = box.ball();
+        double length = 2 * box.halfHeight();
+        return 2 * box.halfWidth() * length * (2 * box.halfLength())
+                + Math.PI * r * r * length
+                + Math.PI * 4 / 3 * ball * ball * ball;
     }
 
     /**
@@ -38,69 +37,56 @@ final class Inertia {
         return all;
     }
 
+    /** The square of the radius of gyration about the own Y: the inertia of a unit of mass. */
+    static double gyrationSquare(GeometryObject object) {
+        RoundedBox box = object.roundedBox();
+        double r = box.radius();
+        if (box.disc() > 0) {
+            return r * r / 2;
+        }
+        if (box.ball() == 0) {
+            double width = 2 * box.halfWidth();
+            double length = 2 * box.halfLength();
+            return (width * width + length * length) / 12;
+        }
+        // A rod and a ball of one radius r, in shares of their volumes: r^2 / 2 and 2 r^2 / 5.
+        double length = 2 * box.halfHeight();
+        return length == 0 ? 0.4 * (r * r) : r * r * (length / 2 + 8 * r / 15) / (length + 4 * r / 3);
+    }
+
     /** The squares of the radii of gyration about the own axes: the moments of a unit of mass. */
     static double[] gyrationSquares(GeometryObject object) {
-        return switch (object.kind()) {
-            case SPHERE -> {
-                double r = ((SphereObject) object).radius();
-                yield new double[] {0.4 * r * r, 0.4 * r * r, 0.4 * r * r};
-            }
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                double x = box.width() * box.width() / 12;
-                double y = box.height() * box.height() / 12;
-                double z = box.length() * box.length() / 12;
-                yield new double[] {y + z, x + z, x + y};
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                double r = cylinder.radius();
-                double h = cylinder.height();
-                double across = r * r / 4 + h * h / 12;
-                yield new double[] {across, r * r / 2, across};
-            }
-            case CAPSULE -> capsule((CapsuleObject) object);
-            case MESH, GROUP, GRID -> throw unknown(object);
-        };
+        RoundedBox box = object.roundedBox();
+        double r = box.radius();
+        double h = 2 * box.halfHeight();
+        if (box.disc() > 0) {
+            double across = r * r / 4 + h * h / 12;
+            return new double[] {across, r * r / 2, across};
+        }
+        if (box.ball() > 0) {
+            return h == 0 ? new double[] {0.4 * r * r, 0.4 * r * r, 0.4 * r * r} : capsule(r, h);
+        }
+        double x = 4 * box.halfWidth() * box.halfWidth() / 12;
+        double y = h * h / 12;
+        double z = 4 * box.halfLength() * box.halfLength() / 12;
+        return new double[] {y + z, x + z, x + y};
     }
 
     /** A rod and two half balls, each by its share of the volume; the halves about the rod's ends by Steiner's theorem. */
-    private static double[] capsule(CapsuleObject capsule) {
-        double r = capsule.radius();
-        double h = capsule.segment();
-        double rod = h;
+    private static double[] capsule(double r, double h) {
         double ball = 4 * r / 3;
-        double whole = rod + ball;
-        if (!(whole > 0)) {
-            return new double[3];
-        }
-        double along = r * r * (rod / 2 + 0.4 * ball) / whole;
-        double across = (rod * (r * r / 4 + h * h / 12) + ball * (0.4 * r * r + h * h / 4 + 3 * h * r / 8)) / whole;
+        double whole = h + ball;
+        double along = r * r * (h / 2 + 0.4 * ball) / whole;
+        double across = (h * (r * r / 4 + h * h / 12) + ball * (0.4 * r * r + h * h / 4 + 3 * h * r / 8)) / whole;
         return new double[] {across, along, across};
     }
 
     /** No point is farther from the centre. */
     static double reach(GeometryObject object) {
-        double most = switch (object.kind()) {
-            case SPHERE -> ((SphereObject) object).radius();
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                yield 0.5
-                        * Math.sqrt(
-                                box.width() * box.width() + box.height() * box.height() + box.length() * box.length());
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                double half = cylinder.height() / 2;
-                yield Math.sqrt(cylinder.radius() * cylinder.radius() + half * half);
-            }
-            case CAPSULE -> ((CapsuleObject) object).segment() / 2 + ((CapsuleObject) object).radius();
-            case MESH, GROUP, GRID -> throw unknown(object);
-        };
-        return most * (1 + 1e-9);
-    }
-
-    private static IllegalArgumentException unknown(GeometryObject object) {
-        return new IllegalArgumentException("object must be a sphere, box, cylinder or capsule (got: " + object + ")");
+        RoundedBox box = object.roundedBox();
+        double x = box.halfWidth() + box.disc();
+        double y = box.halfHeight();
+        double z = box.halfLength();
+        return (Math.sqrt(x * x + y * y + z * z) + box.ball()) * (1 + 1e-9);
     }
 }

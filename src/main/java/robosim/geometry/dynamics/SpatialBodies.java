@@ -42,7 +42,7 @@ final class SpatialBodies {
 
     /** Refuses what cannot fall. */
     static void check(GeometryObject object) {
-        if (!Inertia.isSolid(object)) {
+        if (!object.kind().isSized()) {
             throw new IllegalArgumentException(
                     "name must be that of a sphere, box, cylinder or capsule where heights count (got: \""
                             + object.name() + "\")");

@@ -9,16 +9,14 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.world.shared.JsonText;
 
 /** The nodes, meshes and materials of a glTF file, as JSON, and the numbers that they refer to. */
 final class GlbScene {
@@ -33,8 +31,7 @@ final class GlbScene {
     private record Painted(int shape, int material) {}
 
     /** A shape that no scale makes of another one, with what places its texture. */
-    private record Sized(
-            GeometryObject.Kind kind, double a, double b, double c, GlbMaterials.@Nullable Mapping mapping) {}
+    private record Sized(RoundedBox box, GlbMaterials.@Nullable Mapping mapping) {}
 
     /** Triangles or cells, or a part of them, with what places their texture. */
     private record Placed(Object shape, GlbMaterials.@Nullable Mapping mapping) {}
@@ -62,72 +59,43 @@ final class GlbScene {
         Material own = object.material().within(material);
         String placed = placed(name, object.pose());
         GlbMaterials.Mapping mapping = GlbMaterials.Mapping.of(own.texture());
-        switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                return leaf(placed, own, new Sized(box.kind(), box.width(), box.height(), box.length(), mapping));
+        if (object instanceof ObjectGroup group) {
+            List<Integer> members = new ArrayList<>();
+            for (GeometryObject member : group.members()) {
+                String called = member.name();
+                members.add(object(member, own, called == null ? member.kind().word() : called));
             }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                double radius = cylinder.radius();
-                return leaf(placed, own, new Sized(cylinder.kind(), radius, cylinder.height(), radius, mapping));
-            }
-            case SPHERE -> {
-                double radius = ((SphereObject) object).radius();
-                return leaf(placed, own, new Sized(GeometryObject.Kind.SPHERE, radius, radius, radius, mapping));
-            }
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                double radius = capsule.radius();
-                return leaf(placed, own, new Sized(capsule.kind(), radius, capsule.segment(), radius, mapping));
-            }
-            case MESH -> {
-                return node(placed + ",\"mesh\":" + mesh(triangles(((MeshObject) object).triangles(), own)));
-            }
-            case GRID -> {
-                GridObject grid = (GridObject) object;
-                int shape = mapping == null
-                        ? shape(new Placed(grid, null), null, () -> GlbShape.grid(grid))
-                        : shape(new Placed(grid, mapping), mapping, () -> GlbShape.texturedGrid(grid));
-                return node(placed + ",\"mesh\":" + mesh(List.of(painted(shape, own))));
-            }
-            case GROUP -> {
-                List<Integer> members = new ArrayList<>();
-                for (GeometryObject member : ((ObjectGroup) object).members()) {
-                    String called = member.name();
-                    members.add(
-                            object(member, own, called == null ? member.kind().word() : called));
-                }
-                return node(placed + ",\"children\":" + members);
-            }
+            return node(placed + ",\"children\":" + members);
         }
-        throw new IllegalStateException("an object of no kind (got: " + object + ")");
+        if (object instanceof MeshObject mesh) {
+            return node(placed + ",\"mesh\":" + mesh(triangles(mesh.triangles(), own)));
+        }
+        if (object instanceof GridObject grid) {
+            int shape = shape(
+                    new Placed(grid, mapping),
+                    mapping,
+                    () -> mapping == null ? GlbShape.grid(grid) : GlbShape.texturedGrid(grid));
+            return node(placed + ",\"mesh\":" + mesh(List.of(painted(shape, own))));
+        }
+        return leaf(placed, own, object.roundedBox(), mapping);
     }
 
     /** A node of a shape that is scaled, if it has no texture and no scale makes an ellipsoid of it. */
-    private int leaf(String placed, Material material, Sized shape) {
-        boolean isOblong = shape.kind == GeometryObject.Kind.CAPSULE && shape.b > 0;
-        if (shape.mapping != null || isOblong) {
-            int number = shape(shape, shape.mapping, () -> of(shape));
-            return node(placed + ",\"mesh\":" + mesh(List.of(painted(number, material))));
-        }
-        boolean isRound = shape.kind == GeometryObject.Kind.CAPSULE || shape.kind == GeometryObject.Kind.SPHERE;
-        GeometryObject.Kind kind = isRound ? GeometryObject.Kind.SPHERE : shape.kind;
-        Sized one = new Sized(kind, 1, 1, 1, null);
-        String scale = ",\"scale\":" + List.of(shape.a, isRound ? shape.a : shape.b, shape.c);
-        int number = shape(one, null, () -> of(one));
-        return node(placed + (scale.endsWith("[1.0, 1.0, 1.0]") ? "" : scale) + ",\"mesh\":"
+    private int leaf(String placed, Material material, RoundedBox box, GlbMaterials.@Nullable Mapping mapping) {
+        boolean isOblong = box.ball() > 0 && box.halfHeight() > 0;
+        boolean isScaled = mapping == null && !isOblong;
+        double half = box.isRound() ? 0 : 0.5;
+        RoundedBox drawn = isScaled
+                ? new RoundedBox(half, box.ball() > 0 ? 0 : 0.5, half, box.disc() > 0 ? 1 : 0, box.ball() > 0 ? 1 : 0)
+                : box;
+        List<Double> scale = List.of(
+                2 * box.halfWidth() + box.radius(),
+                2 * box.halfHeight() + box.ball(),
+                2 * box.halfLength() + box.radius());
+        boolean isUnit = !isScaled || scale.equals(List.of(1.0, 1.0, 1.0));
+        int number = shape(new Sized(drawn, mapping), mapping, () -> GlbShape.of(drawn));
+        return node(placed + (isUnit ? "" : ",\"scale\":" + scale) + ",\"mesh\":"
                 + mesh(List.of(painted(number, material))));
-    }
-
-    private static GlbShape of(Sized shape) {
-        return switch (shape.kind) {
-            case BOX -> GlbShape.box(shape.a, shape.b, shape.c);
-            case CYLINDER -> GlbShape.cylinder(shape.a, shape.b);
-            case SPHERE -> GlbShape.capsule(shape.a, 0);
-            case CAPSULE -> GlbShape.capsule(shape.a, shape.b);
-            case MESH, GRID, GROUP -> throw new IllegalArgumentException("a shape has sizes (got: " + shape + ")");
-        };
     }
 
     /** A picture is placed by texture coordinates, where there are some; then the other faces are plain. */
@@ -161,7 +129,7 @@ final class GlbScene {
     /** Adds the node that holds all others, in metres, and returns its number. */
     int root(String name, double metres, List<Integer> children) {
         String scale = metres == 1 ? "" : ",\"scale\":" + List.of(metres, metres, metres);
-        return node("\"name\":" + text(name) + scale + (children.isEmpty() ? "" : ",\"children\":" + children));
+        return node("\"name\":" + JsonText.of(name) + scale + (children.isEmpty() ? "" : ",\"children\":" + children));
     }
 
     /** The JSON part, of a scene with one node. */
@@ -207,7 +175,7 @@ final class GlbScene {
 
     private static String placed(String name, Pose pose) {
         Quaternion turned = Quaternion.of(pose);
-        return "\"name\":" + text(name) + ",\"translation\":"
+        return "\"name\":" + JsonText.of(name) + ",\"translation\":"
                 + List.of(pose.center().x(), pose.center().y(), pose.center().z())
                 + (turned.equals(Quaternion.NONE)
                         ? ""
@@ -275,22 +243,5 @@ final class GlbScene {
         accessors.add("{\"bufferView\":" + (views.size() - 1) + ",\"componentType\":" + component + ",\"count\":"
                 + count + ",\"type\":\"" + type + "\"" + bounds + "}");
         return accessors.size() - 1;
-    }
-
-    /** A string of JSON. */
-    static String text(@Nullable String text) {
-        StringBuilder quoted = new StringBuilder("\"");
-        String plain = text == null ? "" : text;
-        for (int k = 0; k < plain.length(); k++) {
-            char c = plain.charAt(k);
-            if (c == '"' || c == '\\') {
-                quoted.append('\\').append(c);
-            } else if (c < ' ' || c > '~') {
-                quoted.append(String.format("\\u%04x", (int) c));
-            } else {
-                quoted.append(c);
-            }
-        }
-        return quoted.append('"').toString();
     }
 }

@@ -3,7 +3,10 @@ package robosim.geometry.export;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
 
 /**
@@ -46,26 +49,21 @@ final class GlbShape {
         return Arrays.copyOf(indices, corners);
     }
 
-    /** A shape that is no group, by its own kind. */
-    static GlbShape of(robosim.geometry.model.GeometryObject object) { // TEMP
-        return switch (object.kind()) {
-            case BOX -> {
-                var b = (robosim.geometry.model.BoxObject) object;
-                yield box(b.width(), b.height(), b.length());
-            }
-            case CYLINDER -> {
-                var b = (robosim.geometry.model.CylinderObject) object;
-                yield cylinder(b.radius(), b.height());
-            }
-            case SPHERE -> capsule(((robosim.geometry.model.SphereObject) object).radius(), 0);
-            case CAPSULE -> {
-                var b = (robosim.geometry.model.CapsuleObject) object;
-                yield capsule(b.radius(), b.segment());
-            }
-            case MESH -> mesh(((robosim.geometry.model.MeshObject) object).triangles());
-            case GRID -> grid((GridObject) object);
-            case GROUP -> throw new IllegalArgumentException();
-        };
+    /** An object that is no group, in its own frame. */
+    static GlbShape of(GeometryObject object) {
+        if (object instanceof MeshObject mesh) {
+            return mesh(mesh.triangles());
+        }
+        return object instanceof GridObject grid ? grid(grid) : of(object.roundedBox());
+    }
+
+    static GlbShape of(RoundedBox box) {
+        double height = 2 * box.halfHeight();
+        return box.ball() > 0
+                ? capsule(box.ball(), height)
+                : box.disc() > 0
+                        ? cylinder(box.disc(), height)
+                        : box(2 * box.halfWidth(), height, 2 * box.halfLength());
     }
 
     static GlbShape box(double width, double height, double length) {

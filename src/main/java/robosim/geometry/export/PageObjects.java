@@ -6,26 +6,20 @@ import java.util.List;
 import java.util.Map;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.Kind;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.world.shared.Placement;
 
 /** The objects of a page, each once: what several worlds of a recording have in common is told once. */
 final class PageObjects {
-    private static final int BOX = 0;
-    private static final int CYLINDER = 1;
-    private static final int SPHERE = 2;
-    private static final int CAPSULE = 3;
-    private static final int MESH = 4;
-    private static final int CELLS = 5;
+    /** By the number that stands for it: the kinds of parts. */
+    private static final List<Kind> KINDS =
+            List.of(Kind.BOX, Kind.CYLINDER, Kind.SPHERE, Kind.CAPSULE, Kind.MESH, Kind.GRID);
 
     /** An object as it is painted. */
     private record Painted(GeometryObject object, int colour) {}
@@ -103,28 +97,14 @@ final class PageObjects {
 
     private void part(Part part) {
         boolean placed = part.place != Placement.NONE;
-        int flag = placed ? 8 : 0;
         GeometryObject shape = part.shape;
-        switch (shape.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) shape;
-                sized(BOX | flag, box.width(), box.height(), box.length());
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) shape;
-                sized(CYLINDER | flag, cylinder.radius(), cylinder.height());
-            }
-            case SPHERE -> sized(SPHERE | flag, ((SphereObject) shape).radius());
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) shape;
-                sized(CAPSULE | flag, capsule.radius(), capsule.segment());
-            }
-            case MESH -> {
-                out.objects.octet(MESH | flag);
-                out.objects.count(mesh((MeshObject) shape));
-            }
-            case GRID -> cells((GridObject) shape, CELLS | flag);
-            case GROUP -> throw new IllegalStateException("a group has been taken apart (got: " + shape + ")");
+        out.objects.octet(KINDS.indexOf(shape.kind()) | (placed ? 8 : 0));
+        if (shape instanceof MeshObject mesh) {
+            out.objects.count(mesh(mesh));
+        } else if (shape instanceof GridObject grid) {
+            cells(grid);
+        } else {
+            lengths(shape.sizes());
         }
         out.objects.count(looks.number(part.material));
         if (placed) {
@@ -135,8 +115,7 @@ final class PageObjects {
         }
     }
 
-    private void sized(int shape, double... sizes) {
-        out.objects.octet(shape);
+    private void lengths(double... sizes) {
         for (double size : sizes) {
             out.objects.real(quanta.length(size));
         }
@@ -149,13 +128,13 @@ final class PageObjects {
         out.objects.real(turned.w());
     }
 
-    private void cells(GridObject grid, int shape) {
+    private void cells(GridObject grid) {
         GridCells cells = new GridCells(grid);
         if (cells.together > 1) {
             coarse.add(grid.columns() + " x " + grid.rows() + " cells are shown in squares of " + cells.together + " x "
                     + cells.together + " cells");
         }
-        sized(shape, grid.cell(), grid.height());
+        lengths(grid.cell(), grid.height());
         out.objects.count(grid.columns());
         out.objects.count(grid.rows());
         out.objects.count(cells.rectangles.size());

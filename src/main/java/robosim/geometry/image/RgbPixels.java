@@ -3,7 +3,7 @@ package robosim.geometry.image;
 import java.io.IOException;
 
 /** Takes an image as colours of 8 bits a channel; of 16 bits the higher 8, and no opacity. */
-final class RgbPixels implements PixelSink {
+public final class RgbPixels implements PixelSink {
     private Format format = new Format(0, 0, 255, 1);
     private int[] pixels = {};
 
@@ -38,7 +38,8 @@ final class RgbPixels implements PixelSink {
         return white == 255 ? sample : white > 255 ? sample >> 8 : sample * 255 / white;
     }
 
-    PngReader.Pixels taken() {
+    /** The image, once all of it was given. */
+    public PngReader.Pixels taken() {
         return new PngReader.Pixels(format.width(), format.height(), pixels);
     }
 }

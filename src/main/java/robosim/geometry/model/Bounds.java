@@ -69,29 +69,20 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
             add(mesh.triangles(), place, all);
             return;
         }
+        RoundedBox box = object.roundedBox();
         for (int axis = 0; axis < 3; axis++) {
-            double half = half(object, place, axis);
+            double half = half(box, place, axis);
             all[axis] = Math.min(all[axis], 0 - Outward.sum(-place[axis], half));
             all[3 + axis] = Math.max(all[3 + axis], Outward.sum(place[axis], half));
         }
     }
 
-    private static double half(GeometryObject object, double[] place, int axis) {
-        return switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                double[] halves = {box.width() / 2, box.height() / 2, box.length() / 2};
-                yield Outward.ofBox(halves, 0, place, ROTATION + 3 * axis);
-            }
-            case CYLINDER -> half((CylinderObject) object, place, axis);
-            case SPHERE -> ((SphereObject) object).radius();
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                yield Outward.ofCapsule(capsule.radius(), capsule.segment() / 2, place[ROTATION + 1 + 3 * axis]);
-            }
-            case MESH, GROUP, GRID ->
-                throw new IllegalArgumentException("object must be a single convex shape (got: " + object + ")");
-        };
+    private static double half(RoundedBox box, double[] place, int axis) {
+        if (box.disc() > 0) {
+            return cylinder(box, place, axis);
+        }
+        double[] halves = {box.halfWidth(), box.halfHeight(), box.halfLength()};
+        return Outward.sum(Outward.ofBox(halves, 0, place, ROTATION + 3 * axis), box.ball());
     }
 
     /** Adds the occupied cells of a grid, which is a member of no group. */
@@ -113,20 +104,20 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         }
     }
 
-    private static double half(CylinderObject cylinder, double[] place, int axis) {
-        double half = cylinder.height() / 2;
+    private static double cylinder(RoundedBox box, double[] place, int axis) {
+        double half = box.halfHeight();
         double[] own = {place[ROTATION + 1], place[ROTATION + 4], place[ROTATION + 7]};
         double along = own[axis];
         double p = own[(axis + 1) % 3];
         double q = own[(axis + 2) % 3];
         if (along == 0) {
-            return cylinder.radius();
+            return box.disc();
         }
         if (p == 0 && q == 0 && Math.abs(along) == 1) {
             return half;
         }
         double length = Math.sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
-        return Outward.ofCylinder(cylinder.radius(), half, along, p, q, length);
+        return Outward.ofCylinder(box.disc(), half, along, p, q, length);
     }
 
     private static void add(TriangleMesh mesh, double[] place, double[] all) {

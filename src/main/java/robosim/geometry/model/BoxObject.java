@@ -1,18 +1,10 @@
 package robosim.geometry.model;
 
-import java.io.InvalidObjectException;
-import java.io.ObjectInputStream;
-import java.io.Serial;
-import java.util.Objects;
 import robosim.geometry.check.Checks;
 
 /** A solid box, placed by its centre; width along its own X, height along Y, length along Z. */
 public final class BoxObject extends PlacedObject<BoxObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
-
-    private final transient double width;
-    private final transient double height;
-    private final transient double length;
 
     /**
      * An upright box facing +X.
@@ -27,15 +19,22 @@ public final class BoxObject extends PlacedObject<BoxObject> implements Geometry
     }
 
     BoxObject(Tag tag, Pose pose, double width, double height, double length) {
-        super(tag, pose);
-        this.width = Checks.halved("width", width);
-        this.height = Checks.halved("height", height);
-        this.length = Checks.halved("length", length);
+        this(
+                tag,
+                pose,
+                RoundedBox.box(
+                        Checks.halved("width", width),
+                        Checks.halved("height", height),
+                        Checks.halved("length", length)));
+    }
+
+    private BoxObject(Tag tag, Pose pose, RoundedBox box) {
+        super(tag, pose, box);
     }
 
     @Override
     BoxObject with(Tag newTag, Pose newPose) {
-        return new BoxObject(newTag, newPose, width, height, length);
+        return new BoxObject(newTag, newPose, roundedBox());
     }
 
     @Override
@@ -45,46 +44,26 @@ public final class BoxObject extends PlacedObject<BoxObject> implements Geometry
 
     /** Extent along the own X, world units. */
     public double width() {
-        return width;
+        return 2 * roundedBox().halfWidth();
     }
 
     /** Extent along the own Y, world units. */
     public double height() {
-        return height;
+        return 2 * roundedBox().halfHeight();
     }
 
     /** Extent along the own Z, world units. */
     public double length() {
-        return length;
+        return 2 * roundedBox().halfLength();
     }
 
     @Override
-    public boolean equals(Object other) {
-        return other instanceof BoxObject that
-                && width == that.width
-                && height == that.height
-                && length == that.length
-                && tag.equals(that.tag)
-                && pose.equals(that.pose);
-    }
-
-    @Override
-    public int hashCode() {
-        return 31 * Objects.hash(tag, pose) + Double.hashCode(width + 3 * height + 7 * length);
+    public double[] sizes() {
+        return new double[] {width(), height(), length()};
     }
 
     @Override
     public String toString() {
-        return "box" + tag.text(pose) + ", " + width + " x " + height + " x " + length;
-    }
-
-    @Serial
-    private Object writeReplace() {
-        return SerialForms.of(this, new SerialForms.Box(SerialForms.Place.of(this), width, height, length));
-    }
-
-    @Serial
-    private void readObject(ObjectInputStream in) throws InvalidObjectException {
-        throw SerialForms.formRequired();
+        return "box" + tag.text(pose) + ", " + width() + " x " + height() + " x " + length();
     }
 }

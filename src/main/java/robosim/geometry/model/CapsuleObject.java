@@ -1,9 +1,5 @@
 package robosim.geometry.model;
 
-import java.io.InvalidObjectException;
-import java.io.ObjectInputStream;
-import java.io.Serial;
-import java.util.Objects;
 import robosim.geometry.check.Checks;
 
 /**
@@ -11,9 +7,6 @@ import robosim.geometry.check.Checks;
  */
 public final class CapsuleObject extends PlacedObject<CapsuleObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
-
-    private final transient double radius;
-    private final transient double segment;
 
     /**
      * An upright capsule.
@@ -28,14 +21,16 @@ public final class CapsuleObject extends PlacedObject<CapsuleObject> implements 
     }
 
     CapsuleObject(Tag tag, Pose pose, double radius, double segment) {
-        super(tag, pose);
-        this.radius = Checks.size("radius", radius);
-        this.segment = Checks.halved("segment", segment);
+        this(tag, pose, RoundedBox.segment(0, Checks.size("radius", radius), Checks.halved("segment", segment)));
+    }
+
+    private CapsuleObject(Tag tag, Pose pose, RoundedBox box) {
+        super(tag, pose, box);
     }
 
     @Override
     CapsuleObject with(Tag newTag, Pose newPose) {
-        return new CapsuleObject(newTag, newPose, radius, segment);
+        return new CapsuleObject(newTag, newPose, roundedBox());
     }
 
     @Override
@@ -45,45 +40,21 @@ public final class CapsuleObject extends PlacedObject<CapsuleObject> implements 
 
     /** Radius in world units. */
     public double radius() {
-        return radius;
+        return roundedBox().ball();
     }
 
     /** Length of the segment in world units, without the two round ends. */
     public double segment() {
-        return segment;
+        return 2 * roundedBox().halfHeight();
     }
 
     /** Extent along the own Y in world units: the segment and a radius at either end, rounded. */
     public double height() {
-        return segment + 2 * radius;
+        return segment() + 2 * radius();
     }
 
     @Override
-    public boolean equals(Object other) {
-        return other instanceof CapsuleObject that
-                && radius == that.radius
-                && segment == that.segment
-                && tag.equals(that.tag)
-                && pose.equals(that.pose);
-    }
-
-    @Override
-    public int hashCode() {
-        return 31 * Objects.hash(tag, pose) + Double.hashCode(radius + 3 * segment);
-    }
-
-    @Override
-    public String toString() {
-        return "capsule" + tag.text(pose) + ", radius " + radius + ", segment " + segment;
-    }
-
-    @Serial
-    private Object writeReplace() {
-        return SerialForms.of(this, new SerialForms.Capsule(SerialForms.Place.of(this), radius, segment));
-    }
-
-    @Serial
-    private void readObject(ObjectInputStream in) throws InvalidObjectException {
-        throw SerialForms.formRequired();
+    public double[] sizes() {
+        return new double[] {radius(), segment()};
     }
 }

@@ -12,24 +12,13 @@ final class Enclosing {
 
     /** Refuses a volume that is not a box, cylinder or sphere, or does not enclose the object in its own frame. */
     static void check(GeometryObject volume, GeometryObject object) {
-        switch (volume.kind()) {
-            case BOX, CYLINDER, SPHERE -> {}
-            case CAPSULE, MESH, GROUP, GRID -> throw notAVolume(volume);
+        if (!(volume instanceof BoxObject || volume instanceof CylinderObject || volume instanceof SphereObject)) {
+            throw new IllegalArgumentException(
+                    "boundingVolume must be a box, a cylinder or a sphere (got: " + volume + ")");
         }
         double[] frame = identity();
         double[] origin = new double[3];
-        if (object instanceof ObjectGroup group) {
-            for (GeometryObject member : group.members()) {
-                check(volume, member, frame, origin);
-            }
-        } else if (object instanceof MeshObject mesh) {
-            checkMesh(volume, mesh.triangles(), frame, origin);
-        }
-    }
-
-    private static IllegalArgumentException notAVolume(GeometryObject volume) {
-        return new IllegalArgumentException(
-                "boundingVolume must be a box, a cylinder or a sphere (got: " + volume + ")");
+        checkContent(volume, object, frame, origin);
     }
 
     /**
@@ -40,34 +29,28 @@ final class Enclosing {
         double[] rotation = new double[9];
         Rotations.multiply(frame, 0, object.rotation(), 0, rotation, 0);
         double[] place = apply(frame, object.center(), origin);
-        switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                for (int corner = 0; corner < 8; corner++) {
-                    double x = (corner & 1) == 0 ? -box.width() / 2 : box.width() / 2;
-                    double y = (corner & 2) == 0 ? -box.height() / 2 : box.height() / 2;
-                    double z = (corner & 4) == 0 ? -box.length() / 2 : box.length() / 2;
-                    require(volume, apply(rotation, x, y, z, place), 0, 0, rotation, object);
-                }
+        checkContent(volume, object, rotation, place);
+    }
+
+    /** The same of what is in an object, which stands at a place in the frame of the volume. */
+    private static void checkContent(GeometryObject volume, GeometryObject object, double[] rotation, double[] place) {
+        if (object instanceof ObjectGroup group) {
+            group.members().forEach(member -> check(volume, member, rotation, place));
+        } else if (object instanceof MeshObject mesh) {
+            checkMesh(volume, mesh.triangles(), rotation, place);
+        } else if (object instanceof GridObject) {
+            throw ObjectGroup.refused(object);
+        } else {
+            RoundedBox box = object.roundedBox();
+            if (box.disc() > 0) {
+                require(volume, place, box.disc(), box.halfHeight(), rotation, object);
+                return;
             }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                require(volume, place, cylinder.radius(), cylinder.height() / 2, rotation, object);
+            for (int corner = 0; corner < 8; corner++) {
+                double[] at =
+                        apply(rotation, box.corner(corner, 0), box.corner(corner, 1), box.corner(corner, 2), place);
+                require(volume, at, box.ball(), box.ball() > 0 ? -1 : 0, rotation, object);
             }
-            case SPHERE -> require(volume, place, ((SphereObject) object).radius(), -1, rotation, object);
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                double half = capsule.segment() / 2;
-                require(volume, apply(rotation, 0, half, 0, place), capsule.radius(), -1, rotation, object);
-                require(volume, apply(rotation, 0, -half, 0, place), capsule.radius(), -1, rotation, object);
-            }
-            case MESH -> checkMesh(volume, ((MeshObject) object).triangles(), rotation, place);
-            case GROUP -> {
-                for (GeometryObject member : ((ObjectGroup) object).members()) {
-                    check(volume, member, rotation, place);
-                }
-            }
-            case GRID -> throw ObjectGroup.refused(object);
         }
     }
 
@@ -100,28 +83,22 @@ final class Enclosing {
                     1, Math.abs(axes[k] * rotation[1] + axes[k + 3] * rotation[4] + axes[k + 6] * rotation[7]));
             reach[k] = halfHeight < 0 ? radius : halfHeight * c + radius * Math.sqrt((1 - c) * (1 + c));
         }
-        boolean inside = switch (volume.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) volume;
-                yield along[0] + reach[0] <= box.width() / 2
-                        && along[1] + reach[1] <= box.height() / 2
-                        && along[2] + reach[2] <= box.length() / 2;
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) volume;
-                double across = reach[0] == radius && reach[2] == radius
-                        ? StrictMath.hypot(along[0], along[2]) + radius
-                        : StrictMath.hypot(along[0] + reach[0], along[2] + reach[2]);
-                yield across <= cylinder.radius() && along[1] + reach[1] <= cylinder.height() / 2;
-            }
-            case SPHERE -> {
-                double far = halfHeight > 0 || (halfHeight == 0 && radius > 0)
-                        ? rim(dx, dy, dz, radius, halfHeight, rotation)
-                        : Math.sqrt(dx * dx + dy * dy + dz * dz) + radius;
-                yield far <= ((SphereObject) volume).radius();
-            }
-            case CAPSULE, MESH, GROUP, GRID -> throw notAVolume(volume);
-        };
+        boolean inside;
+        if (volume instanceof BoxObject box) {
+            inside = along[0] + reach[0] <= box.width() / 2
+                    && along[1] + reach[1] <= box.height() / 2
+                    && along[2] + reach[2] <= box.length() / 2;
+        } else if (volume instanceof CylinderObject cylinder) {
+            double across = reach[0] == radius && reach[2] == radius
+                    ? StrictMath.hypot(along[0], along[2]) + radius
+                    : StrictMath.hypot(along[0] + reach[0], along[2] + reach[2]);
+            inside = across <= cylinder.radius() && along[1] + reach[1] <= cylinder.height() / 2;
+        } else {
+            double far = halfHeight > 0 || (halfHeight == 0 && radius > 0)
+                    ? rim(dx, dy, dz, radius, halfHeight, rotation)
+                    : Math.sqrt(dx * dx + dy * dy + dz * dz) + radius;
+            inside = far <= ((SphereObject) volume).radius();
+        }
         if (!inside) {
             throw new IllegalArgumentException("boundingVolume must enclose its object, else collisions would be lost;"
                     + " make it larger or leave it out (got: " + volume + ", which does not hold " + part + ")");

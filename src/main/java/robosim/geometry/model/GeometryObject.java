@@ -1,8 +1,10 @@
 package robosim.geometry.model;
 
 import java.io.Serializable;
+import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
 
 /**
@@ -14,24 +16,78 @@ import robosim.geometry.material.Material;
 public sealed interface GeometryObject extends Serializable
         permits BoxObject, CylinderObject, SphereObject, CapsuleObject, MeshObject, ObjectGroup, GridObject {
 
-    /** The seven shapes, for a switch that the compiler checks. */
+    /** The seven shapes, for a switch that the compiler checks. Four of them are given by sizes alone, which a kind names. */
     enum Kind {
-        BOX,
-        CYLINDER,
-        SPHERE,
-        CAPSULE,
+        BOX("width", "height", "length"),
+        CYLINDER("radius", "height"),
+        SPHERE("radius"),
+        CAPSULE("radius", "segment"),
         MESH,
         GROUP,
         GRID;
+
+        private final List<String> sizes;
+        private final boolean isRound;
+
+        Kind(String... sizes) {
+            this.sizes = List.of(sizes);
+            isRound = this.sizes.contains("radius");
+        }
 
         /** As in files and sentences: {@code box}, {@code cylinder}, {@code sphere}, {@code capsule}, {@code mesh}, {@code group} or {@code grid}. */
         public String word() {
             return name().toLowerCase(Locale.ROOT);
         }
+
+        /** The names of the sizes that are all there is to its shape, as in files; none of a mesh, group or grid. */
+        public List<String> sizes() {
+            return sizes;
+        }
+
+        /** Whether it is a convex solid that is given by sizes alone: a box, cylinder, sphere or capsule. */
+        public boolean isSized() {
+            return !sizes.isEmpty();
+        }
+
+        /** Whether any turn about its own Y takes it to itself. */
+        public boolean isRound() {
+            return isRound;
+        }
+
+        /**
+         * An upright object at a place, facing +X.
+         *
+         * @param given as many as {@link #sizes}, in that order, in world units; each at least 0
+         * @throws IllegalArgumentException for a mesh, group or grid, or a size that its constructor refuses
+         */
+        public GeometryObject of(Point center, double... given) {
+            if (Checks.present("given", given).length != sizes.size() || !isSized()) {
+                throw new IllegalArgumentException("a " + word() + " must be given by "
+                        + (isSized() ? String.join(", ", sizes) : "more than sizes, with its constructor") + " (got: "
+                        + given.length + " sizes)");
+            }
+            return switch (this) {
+                case BOX -> new BoxObject(center, given[0], given[1], given[2]);
+                case CYLINDER -> new CylinderObject(center, given[0], given[1]);
+                case SPHERE -> new SphereObject(center, given[0]);
+                case CAPSULE -> new CapsuleObject(center, given[0], given[1]);
+                case MESH, GROUP, GRID -> throw new IllegalStateException("checked above (got: " + this + ")");
+            };
+        }
     }
 
     /** Which of the seven shapes this is. */
     Kind kind();
+
+    /** The numbers of {@link Kind#sizes}, in world units; a fresh array, empty for a mesh, group or grid. */
+    double[] sizes();
+
+    /**
+     * What an object that is given by its sizes is made of.
+     *
+     * @throws IllegalArgumentException for a mesh, group or grid
+     */
+    RoundedBox roundedBox();
 
     /** The name, unique in a world, or null for a static object without one. */
     @Nullable

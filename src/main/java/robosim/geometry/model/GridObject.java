@@ -1,8 +1,5 @@
 package robosim.geometry.model;
 
-import java.io.InvalidObjectException;
-import java.io.ObjectInputStream;
-import java.io.Serial;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Objects;
@@ -60,7 +57,7 @@ public final class GridObject extends PlacedObject<GridObject> implements Geomet
     }
 
     GridObject(Tag tag, Pose pose, double cell, double height, ClearanceMap cells) {
-        super(tag, pose);
+        super(tag, pose, null);
         if (!(cell >= LEAST_CELL)) {
             throw new IllegalArgumentException("cell must be a number from 2^-500 to 2^100 (got: " + cell + ")");
         }
@@ -249,16 +246,5 @@ public final class GridObject extends PlacedObject<GridObject> implements Geomet
     public String toString() {
         return "grid" + tag.text(pose) + ", " + columns() + " x " + rows() + " cells of " + cell + ", "
                 + cells.occupied() + " occupied, height " + height;
-    }
-
-    @Serial
-    private Object writeReplace() {
-        return SerialForms.of(
-                this, new SerialForms.Grid(SerialForms.Place.of(this), cell, height, columns(), rows(), bytes()));
-    }
-
-    @Serial
-    private void readObject(ObjectInputStream in) throws InvalidObjectException {
-        throw SerialForms.formRequired();
     }
 }

@@ -1,8 +1,5 @@
 package robosim.geometry.model;
 
-import java.io.InvalidObjectException;
-import java.io.ObjectInputStream;
-import java.io.Serial;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -64,7 +61,7 @@ public final class MeshObject extends PlacedObject<MeshObject> implements Geomet
 
     MeshObject(
             Tag tag, Pose pose, TriangleMesh triangles, boolean solid, @Nullable GeometryObject checkedBoundingVolume) {
-        super(tag, pose);
+        super(tag, pose, null);
         this.triangles = triangles;
         this.solid = solid;
         this.boundingVolume = checkedBoundingVolume;
@@ -189,18 +186,5 @@ public final class MeshObject extends PlacedObject<MeshObject> implements Geomet
     public String toString() {
         return (solid ? "solid mesh" : "mesh") + tag.text(pose) + ", " + triangles.vertices() + " vertices, "
                 + triangles.size() + " triangles";
-    }
-
-    @Serial
-    private Object writeReplace() {
-        return SerialForms.of(
-                this,
-                new SerialForms.Mesh(
-                        SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid));
-    }
-
-    @Serial
-    private void readObject(ObjectInputStream in) throws InvalidObjectException {
-        throw SerialForms.formRequired();
     }
 }

@@ -1,8 +1,5 @@
 package robosim.geometry.model;
 
-import java.io.InvalidObjectException;
-import java.io.ObjectInputStream;
-import java.io.Serial;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -56,7 +53,7 @@ public final class ObjectGroup extends PlacedObject<ObjectGroup> implements Geom
 
     private ObjectGroup(
             Tag tag, Pose pose, List<GeometryObject> members, @Nullable GeometryObject checkedBoundingVolume) {
-        super(tag, pose);
+        super(tag, pose, null);
         this.members = members;
         this.boundingVolume = checkedBoundingVolume;
         int deepest = 0;
@@ -102,6 +99,15 @@ public final class ObjectGroup extends PlacedObject<ObjectGroup> implements Geom
     /** The members, in the group's own frame. */
     public List<GeometryObject> members() {
         return members;
+    }
+
+    /** The members where this group stands, each in the frame in which the group is given. */
+    public List<GeometryObject> placedMembers() {
+        List<GeometryObject> placed = new ArrayList<>(members.size());
+        for (GeometryObject member : members) {
+            placed.add(member.at(member.pose().within(pose)));
+        }
+        return placed;
     }
 
     /**
@@ -151,15 +157,5 @@ public final class ObjectGroup extends PlacedObject<ObjectGroup> implements Geom
     @Override
     public String toString() {
         return "group" + tag.text(pose) + " of " + members.size();
-    }
-
-    @Serial
-    private Object writeReplace() {
-        return SerialForms.of(this, new SerialForms.Group(SerialForms.Place.of(this), members, boundingVolume));
-    }
-
-    @Serial
-    private void readObject(ObjectInputStream in) throws InvalidObjectException {
-        throw SerialForms.formRequired();
     }
 }

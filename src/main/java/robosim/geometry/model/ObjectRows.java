@@ -10,6 +10,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
+import robosim.geometry.model.GeometryObject.Kind;
 
 /**
  * Many objects as columns of plain values, for serialization: sizes, names and places to the last bit, with the
@@ -41,25 +42,16 @@ public record ObjectRows(
     @Serial
     private static final long serialVersionUID = 1;
 
-    private static final byte BOX = 0;
-    private static final byte CYLINDER = 1;
-    private static final byte SPHERE = 2;
     private static final byte OTHER = 3;
-    private static final byte CAPSULE = 4;
+
+    /** By code: the kinds that are given by sizes, and MESH for what shares a shape. */
+    private static final List<Kind> CODES = List.of(Kind.BOX, Kind.CYLINDER, Kind.SPHERE, Kind.MESH, Kind.CAPSULE);
+
     private static final int SIZES = 3;
 
     /** What placements of one mesh, group or grid have in common, by identity. */
-    private static final class Shape {
-        private final Object parts;
-        private final boolean solid;
-        private final @Nullable GeometryObject boundingVolume;
-
-        Shape(Object parts, boolean solid, @Nullable GeometryObject boundingVolume) {
-            this.parts = parts;
-            this.solid = solid;
-            this.boundingVolume = boundingVolume;
-        }
-
+    private record Shape(
+            Object parts, boolean solid, @Nullable GeometryObject boundingVolume) {
         @Override
         public boolean equals(@Nullable Object other) {
             return other instanceof Shape that
@@ -95,7 +87,9 @@ public record ObjectRows(
                 materials[k] = object.material();
             }
             object.pose().place(places, Pose.PLACE * k);
-            kinds[k] = size(object, sizes, SIZES * k);
+            double[] own = object.sizes();
+            System.arraycopy(own, 0, sizes, SIZES * k, own.length);
+            kinds[k] = own.length == 0 ? OTHER : (byte) CODES.indexOf(object.kind());
             if (kinds[k] == OTHER) {
                 shapeOf[k] = seen.computeIfAbsent(shape(object), s -> {
                     shapes.add(with(object, PlacedObject.Tag.NONE, Pose.ORIGIN));
@@ -108,58 +102,16 @@ public record ObjectRows(
     }
 
     private static Shape shape(GeometryObject object) {
-        return switch (object.kind()) {
-            case MESH -> {
-                MeshObject mesh = (MeshObject) object;
-                yield new Shape(mesh.triangles(), mesh.isSolid(), mesh.boundingVolume());
-            }
-            case GROUP -> {
-                ObjectGroup group = (ObjectGroup) object;
-                yield new Shape(group.members(), false, group.boundingVolume());
-            }
-            case GRID -> new Shape(((GridObject) object).cells(), false, null);
-            case BOX, CYLINDER, SPHERE, CAPSULE ->
-                throw new IllegalArgumentException("object must be a mesh, a group or a grid (got: " + object + ")");
-        };
-    }
-
-    private static byte size(GeometryObject object, double[] sizes, int at) {
-        return switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                sizes[at] = box.width();
-                sizes[at + 1] = box.height();
-                sizes[at + 2] = box.length();
-                yield BOX;
-            }
-            case CYLINDER -> {
-                sizes[at] = ((CylinderObject) object).radius();
-                sizes[at + 1] = ((CylinderObject) object).height();
-                yield CYLINDER;
-            }
-            case SPHERE -> {
-                sizes[at] = ((SphereObject) object).radius();
-                yield SPHERE;
-            }
-            case CAPSULE -> {
-                sizes[at] = ((CapsuleObject) object).radius();
-                sizes[at + 1] = ((CapsuleObject) object).segment();
-                yield CAPSULE;
-            }
-            case MESH, GROUP, GRID -> OTHER;
-        };
+        if (object instanceof MeshObject mesh) {
+            return new Shape(mesh.triangles(), mesh.isSolid(), mesh.boundingVolume());
+        }
+        return object instanceof ObjectGroup group
+                ? new Shape(group.members(), false, group.boundingVolume())
+                : new Shape(((GridObject) object).cells(), false, null);
     }
 
     private static GeometryObject with(GeometryObject object, PlacedObject.Tag tag, Pose pose) {
-        return switch (object.kind()) {
-            case BOX -> ((BoxObject) object).with(tag, pose);
-            case CYLINDER -> ((CylinderObject) object).with(tag, pose);
-            case SPHERE -> ((SphereObject) object).with(tag, pose);
-            case CAPSULE -> ((CapsuleObject) object).with(tag, pose);
-            case MESH -> ((MeshObject) object).with(tag, pose);
-            case GROUP -> ((ObjectGroup) object).with(tag, pose);
-            case GRID -> ((GridObject) object).with(tag, pose);
-        };
+        return ((PlacedObject<?>) object).with(tag, pose);
     }
 
     /**
@@ -196,15 +148,17 @@ public record ObjectRows(
     }
 
     private GeometryObject object(int k, PlacedObject.Tag tag, Pose pose) {
-        int at = SIZES * k;
-        return switch (kinds[k]) {
-            case BOX -> new BoxObject(tag, pose, sizes[at], sizes[at + 1], sizes[at + 2]);
-            case CYLINDER -> new CylinderObject(tag, pose, sizes[at], sizes[at + 1]);
-            case SPHERE -> new SphereObject(tag, pose, sizes[at]);
-            case CAPSULE -> new CapsuleObject(tag, pose, sizes[at], sizes[at + 1]);
-            case OTHER -> with(shape(k), tag, pose);
-            default -> throw new IllegalArgumentException("kinds[" + k + "] must be 0 to 4 (got: " + kinds[k] + ")");
-        };
+        if (kinds[k] < 0 || kinds[k] >= CODES.size()) {
+            throw new IllegalArgumentException("kinds[" + k + "] must be 0 to 4 (got: " + kinds[k] + ")");
+        }
+        Kind kind = CODES.get(kinds[k]);
+        int from = SIZES * k;
+        GeometryObject made = kinds[k] == OTHER
+                ? shape(k)
+                : kind.of(
+                        pose.center(),
+                        Arrays.copyOfRange(sizes, from, from + kind.sizes().size()));
+        return with(made, tag, pose);
     }
 
     private GeometryObject shape(int k) {

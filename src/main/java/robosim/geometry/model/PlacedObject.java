@@ -1,5 +1,7 @@
 package robosim.geometry.model;
 
+import java.io.Serial;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
@@ -10,14 +12,30 @@ import robosim.geometry.material.Material;
  *
  * @param <S> the shape
  */
-public abstract sealed class PlacedObject<S extends GeometryObject>
-        permits BoxObject, CylinderObject, SphereObject, CapsuleObject, MeshObject, ObjectGroup, GridObject {
+public abstract class PlacedObject<S extends GeometryObject> {
     final Tag tag;
     final Pose pose;
+    private final @Nullable RoundedBox box;
 
-    PlacedObject(Tag tag, Pose pose) {
+    PlacedObject(Tag tag, Pose pose, @Nullable RoundedBox box) {
         this.tag = tag;
         this.pose = pose;
+        this.box = box;
+    }
+
+    /** The same as {@link GeometryObject#kind}. */
+    public abstract GeometryObject.Kind kind();
+
+    public double[] sizes() {
+        return new double[0];
+    }
+
+    public final RoundedBox roundedBox() {
+        if (box == null) {
+            throw new IllegalArgumentException(
+                    "object must be given by sizes, as a box is, and not a " + kind().word() + " (got: " + this + ")");
+        }
+        return box;
     }
 
     /** The same shape with another tag and pose. */
@@ -65,6 +83,35 @@ public abstract sealed class PlacedObject<S extends GeometryObject>
 
     public final S at(Pose place) {
         return with(tag, Checks.present("pose", place));
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof PlacedObject<?> that
+                && kind() == that.kind()
+                && Objects.equals(box, that.box)
+                && tag.equals(that.tag)
+                && pose.equals(that.pose);
+    }
+
+    @Override
+    public int hashCode() {
+        return Objects.hash(tag, pose, box);
+    }
+
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder(kind().word()).append(tag.text(pose));
+        double[] sizes = sizes();
+        for (int k = 0; k < sizes.length; k++) {
+            text.append(", ").append(kind().sizes().get(k)).append(' ').append(sizes[k]);
+        }
+        return text.toString();
+    }
+
+    @Serial
+    final Object writeReplace() {
+        return SerialForms.of((GeometryObject) this);
     }
 
     /** An object's name, whether a world may move it, and its material; a moveable object always has a name. */

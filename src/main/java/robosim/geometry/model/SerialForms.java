@@ -1,6 +1,5 @@
 package robosim.geometry.model;
 
-import java.io.InvalidObjectException;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.List;
@@ -42,19 +41,39 @@ public final class SerialForms {
      * What stands for an object in a stream: its form, and around it what it may have besides. An object that has nothing
      * besides has the bytes that it always had.
      */
-    static Object of(GeometryObject object, Serializable form) {
+    static Object of(GeometryObject object) {
         Material material = object.material();
         if (!material.isDefault()) {
             return new Surfaced(object.withMaterial(Material.DEFAULT), material);
         }
         TextureCoordinates texture = object instanceof MeshObject mesh ? mesh.textureCoordinates() : null;
         return texture == null
-                ? form
+                ? form(object)
                 : new Textured(((MeshObject) object).withTextureCoordinates(null), texture.points(), texture.corners());
     }
 
-    static InvalidObjectException formRequired() {
-        return new InvalidObjectException("an object must come as its serial form (got: its own class)");
+    private static Serializable form(GeometryObject object) {
+        Place place = Place.of(object);
+        double[] sizes = object.sizes();
+        return switch (object.kind()) {
+            case BOX -> new Box(place, sizes[0], sizes[1], sizes[2]);
+            case CYLINDER -> new Cylinder(place, sizes[0], sizes[1]);
+            case SPHERE -> new Sphere(place, sizes[0]);
+            case CAPSULE -> new Capsule(place, sizes[0], sizes[1]);
+            case MESH -> {
+                MeshObject mesh = (MeshObject) object;
+                TriangleMesh surface = mesh.triangles();
+                yield new Mesh(place, surface.coordinates(), surface.faces(), mesh.boundingVolume(), mesh.isSolid());
+            }
+            case GROUP -> {
+                ObjectGroup group = (ObjectGroup) object;
+                yield new Group(place, group.members(), group.boundingVolume());
+            }
+            case GRID -> {
+                GridObject grid = (GridObject) object;
+                yield new Grid(place, grid.cell(), grid.height(), grid.columns(), grid.rows(), grid.bytes());
+            }
+        };
     }
 
     /** Name, mobility and pose; the heading is sent with its rounding error. */

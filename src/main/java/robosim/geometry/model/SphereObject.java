@@ -1,16 +1,10 @@
 package robosim.geometry.model;
 
-import java.io.InvalidObjectException;
-import java.io.ObjectInputStream;
-import java.io.Serial;
-import java.util.Objects;
 import robosim.geometry.check.Checks;
 
 /** A solid sphere, placed by its centre. It has an attitude too, which defines its forward direction. */
 public final class SphereObject extends PlacedObject<SphereObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
-
-    private final transient double radius;
 
     /**
      * A sphere facing +X.
@@ -23,13 +17,16 @@ public final class SphereObject extends PlacedObject<SphereObject> implements Ge
     }
 
     SphereObject(Tag tag, Pose pose, double radius) {
-        super(tag, pose);
-        this.radius = Checks.size("radius", radius);
+        this(tag, pose, RoundedBox.segment(0, Checks.size("radius", radius), 0));
+    }
+
+    private SphereObject(Tag tag, Pose pose, RoundedBox box) {
+        super(tag, pose, box);
     }
 
     @Override
     SphereObject with(Tag newTag, Pose newPose) {
-        return new SphereObject(newTag, newPose, radius);
+        return new SphereObject(newTag, newPose, roundedBox());
     }
 
     @Override
@@ -39,34 +36,11 @@ public final class SphereObject extends PlacedObject<SphereObject> implements Ge
 
     /** Radius in world units. */
     public double radius() {
-        return radius;
+        return roundedBox().ball();
     }
 
     @Override
-    public boolean equals(Object other) {
-        return other instanceof SphereObject that
-                && radius == that.radius
-                && tag.equals(that.tag)
-                && pose.equals(that.pose);
-    }
-
-    @Override
-    public int hashCode() {
-        return 31 * Objects.hash(tag, pose) + Double.hashCode(radius);
-    }
-
-    @Override
-    public String toString() {
-        return "sphere" + tag.text(pose) + ", radius " + radius;
-    }
-
-    @Serial
-    private Object writeReplace() {
-        return SerialForms.of(this, new SerialForms.Sphere(SerialForms.Place.of(this), radius));
-    }
-
-    @Serial
-    private void readObject(ObjectInputStream in) throws InvalidObjectException {
-        throw SerialForms.formRequired();
+    public double[] sizes() {
+        return new double[] {radius()};
     }
 }

@@ -23,6 +23,11 @@
  *         new CylinderObject(new Point(0, 0.35, 0), 0.1, 0.7))).named("table");
  * }</pre>
  *
+ * <p>Boxes, cylinders, spheres and capsules are given by their {@linkplain
+ * robosim.geometry.model.GeometryObject#sizes() sizes} alone and have one form in common, the {@link
+ * robosim.geometry.model.RoundedBox}. Code that draws, measures or writes objects can use these, the triangles of a mesh, the
+ * members of a group and the cells of a grid, and need not distinguish the kinds of shapes.
+ *
  * <h2>Values</h2>
  *
  * All types here are immutable, compare by value and may be shared between threads. Coordinates and sizes are at most

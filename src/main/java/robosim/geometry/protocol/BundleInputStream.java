@@ -166,12 +166,13 @@ final class BundleInputStream extends ObjectInputStream {
     }
 
     private long partsOf(GeometryObject object) {
-        return switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE, CAPSULE -> 1;
-            case MESH -> ((MeshObject) object).triangles().size();
-            case GRID -> MessageLimits.parts((GridObject) object);
-            case GROUP -> groups.getOrDefault((ObjectGroup) object, 1L);
-        };
+        if (object instanceof MeshObject mesh) {
+            return mesh.triangles().size();
+        }
+        if (object instanceof GridObject grid) {
+            return MessageLimits.parts(grid);
+        }
+        return object instanceof ObjectGroup group ? groups.getOrDefault(group, 1L) : 1;
     }
 
     /** A picture takes memory for each pixel, and a few bytes can make another one of the same numbers. */

@@ -1,12 +1,9 @@
 package robosim.geometry.render;
 
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
 
 /** Where a point of a surface lies in the plane of its texture, as {@link robosim.geometry.material.Texture} defines it. */
@@ -25,46 +22,32 @@ final class TexturePoint {
 
     /** Finds the place of the point on an object. */
     void place(GeometryObject object) {
-        switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                box(box.width() / 2, box.height() / 2, box.length() / 2);
-            }
-            case GRID -> {
-                GridObject grid = (GridObject) object;
-                box(grid.columns() * grid.cell() / 2, grid.height() / 2, grid.rows() * grid.cell() / 2);
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                if (Math.abs(ny) > Math.abs(nx) && Math.abs(ny) > Math.abs(nz)) {
-                    box(cylinder.radius(), cylinder.height() / 2, cylinder.radius());
-                } else {
-                    s = around() * cylinder.radius();
-                    t = qy + cylinder.height() / 2;
-                }
-            }
-            case SPHERE -> {
-                double r = ((SphereObject) object).radius();
-                s = around() * r;
-                t = rise(qy) * r;
-            }
-            case CAPSULE -> capsule((CapsuleObject) object);
-            case MESH -> box(0, 0, 0);
-            case GROUP -> throw new IllegalArgumentException("object must not be a group (got: " + object + ")");
+        if (object instanceof GridObject grid) {
+            box(grid.columns() * grid.cell() / 2, grid.height() / 2, grid.rows() * grid.cell() / 2);
+        } else if (object instanceof MeshObject) {
+            box(0, 0, 0);
+        } else {
+            solid(object.roundedBox());
         }
     }
 
-    private void capsule(CapsuleObject capsule) {
-        double half = capsule.segment() / 2;
-        double r = capsule.radius();
+    private void solid(RoundedBox box) {
+        boolean isCap = Math.abs(ny) > Math.abs(nx) && Math.abs(ny) > Math.abs(nz);
+        double half = box.halfHeight();
+        double r = box.radius();
+        if (box.ball() == 0 && (box.disc() == 0 || isCap)) {
+            box(box.halfWidth() + r, half, box.halfLength() + r);
+            return;
+        }
         s = around() * r;
-        double quarter = Math.PI / 2 * r;
-        if (qy < -half) {
+        if (box.disc() > 0) {
+            t = qy + half;
+        } else if (qy < -half) {
             t = rise(qy + half) * r;
         } else if (qy > half) {
-            t = rise(qy - half) * r + capsule.segment();
+            t = rise(qy - half) * r + 2 * half;
         } else {
-            t = quarter + half + qy;
+            t = Math.PI / 2 * r + half + qy;
         }
     }
 

@@ -39,21 +39,6 @@ public final class DepthCamera extends RaySensor<DepthCamera, DepthFrame> {
     }
 
     @Override
-    boolean needsObjects(DepthFrame out) {
-        return false;
-    }
-
-    @Override
-    boolean needsParts(DepthFrame out) {
-        return false;
-    }
-
-    @Override
-    boolean needsNormals(DepthFrame out) {
-        return false;
-    }
-
-    @Override
     void finish(DepthFrame out) {
         out.finish();
     }

@@ -1,5 +1,6 @@
 package robosim.geometry.sensor;
 
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.SenseOptions;
 
@@ -42,22 +43,7 @@ public final class NormalCamera extends RaySensor<NormalCamera, NormalFrame> {
     }
 
     @Override
-    boolean needsObjects(NormalFrame out) {
-        return false;
-    }
-
-    @Override
-    boolean needsParts(NormalFrame out) {
-        return false;
-    }
-
-    @Override
-    boolean needsNormals(NormalFrame out) {
-        return true;
-    }
-
-    @Override
-    void finish(NormalFrame out) {
-        // Normals are in its buffer.
+    boolean needs(SenseBuffer.Extra extra, NormalFrame out) {
+        return extra == SenseBuffer.Extra.NORMALS;
     }
 }

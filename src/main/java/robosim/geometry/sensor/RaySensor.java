@@ -27,17 +27,13 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /** The same kind of sensor, set up otherwise. */
     abstract S with(Setup other);
 
-    /** Computes what the frame has beside distances; they may have noise by now. */
-    abstract void finish(F out);
+    /** Computes what the frame has beside distances, objects and normals; distances may have noise by now. */
+    void finish(F out) {}
 
-    /** Whether the frame needs objects, whatever the noise. */
-    abstract boolean needsObjects(F out);
-
-    /** Whether the frame needs the parts of groups. */
-    abstract boolean needsParts(F out);
-
-    /** Whether the frame needs normals, whatever the noise. */
-    abstract boolean needsNormals(F out);
+    /** Whether the frame needs something beside distances, whatever the noise. */
+    boolean needs(SenseBuffer.Extra extra, F out) {
+        return false;
+    }
 
     /**
      * This sensor on a moveable object.
@@ -177,9 +173,9 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
         Checks.present("out", out);
         boolean needsIncidence = setup.noise().needsIncidence();
         out.prepare(
-                needsObjects(out),
-                needsParts(out),
-                needsNormals(out) || needsIncidence,
+                needs(SenseBuffer.Extra.OBJECTS, out),
+                needs(SenseBuffer.Extra.PARTS, out),
+                needs(SenseBuffer.Extra.NORMALS, out) || needsIncidence,
                 setup.options().width() > 0);
         sense(world, snapshot, setup.asked().rays(), out.buffer());
         out.filled(setup, frame);

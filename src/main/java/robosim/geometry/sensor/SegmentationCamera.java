@@ -1,5 +1,6 @@
 package robosim.geometry.sensor;
 
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.SenseOptions;
 
@@ -44,22 +45,12 @@ public final class SegmentationCamera extends RaySensor<SegmentationCamera, Segm
     }
 
     @Override
-    boolean needsObjects(SegmentationFrame out) {
-        return true;
-    }
-
-    @Override
-    boolean needsParts(SegmentationFrame out) {
-        return true;
-    }
-
-    @Override
-    boolean needsNormals(SegmentationFrame out) {
-        return false;
-    }
-
-    @Override
     void finish(SegmentationFrame out) {
         out.finish();
+    }
+
+    @Override
+    boolean needs(SenseBuffer.Extra extra, SegmentationFrame out) {
+        return extra != SenseBuffer.Extra.NORMALS;
     }
 }

@@ -1,5 +1,6 @@
 package robosim.geometry.sensor;
 
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -43,22 +44,7 @@ public final class SonarArray extends RaySensor<SonarArray, SonarFrame> {
     }
 
     @Override
-    boolean needsObjects(SonarFrame out) {
-        return true;
-    }
-
-    @Override
-    boolean needsParts(SonarFrame out) {
-        return false;
-    }
-
-    @Override
-    boolean needsNormals(SonarFrame out) {
-        return false;
-    }
-
-    @Override
-    void finish(SonarFrame out) {
-        // Distances and objects are in its buffer.
+    boolean needs(SenseBuffer.Extra extra, SonarFrame out) {
+        return extra == SenseBuffer.Extra.OBJECTS;
     }
 }

@@ -14,16 +14,13 @@ import robosim.geometry.image.PngWriter;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.RoundedBox;
 import robosim.geometry.world.mesh.MaterialWriter;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
@@ -132,29 +129,30 @@ public final class ObjWriter {
             last = material;
         }
         Placement place = frame.then(Placement.turned(pose.center(), pose.rotation()));
-        switch (object.kind()) {
-            case BOX -> box((BoxObject) object, place);
-            case CYLINDER -> cylinder((CylinderObject) object, place);
-            case SPHERE -> ball(((SphereObject) object).radius(), 0, place);
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                ball(capsule.radius(), capsule.segment() / 2, place);
+        if (object instanceof ObjectGroup group) {
+            for (GeometryObject member : group.members()) {
+                object(member, place, material);
             }
-            case MESH -> mesh((MeshObject) object, place, material);
-            case GRID -> grid((GridObject) object, place);
-            case GROUP -> {
-                for (GeometryObject member : ((ObjectGroup) object).members()) {
-                    object(member, place, material);
-                }
-            }
+        } else if (object instanceof MeshObject mesh) {
+            mesh(mesh, place, material);
+        } else if (object instanceof GridObject grid) {
+            grid(grid, place);
+        } else {
+            solid(object.roundedBox(), place);
         }
     }
 
-    private void box(BoxObject box, Placement place) throws IOException {
-        double x = box.width() / 2;
-        double y = box.height() / 2;
-        double z = box.length() / 2;
-        box(place, -x, x, -y, y, -z, z);
+    private void solid(RoundedBox box, Placement place) throws IOException {
+        double x = box.halfWidth();
+        double y = box.halfHeight();
+        double z = box.halfLength();
+        if (box.ball() > 0) {
+            ball(box.ball(), y, place);
+        } else if (box.disc() > 0) {
+            cylinder(box.disc(), y, place);
+        } else {
+            box(place, -x, x, -y, y, -z, z);
+        }
     }
 
     /** Boxes of as many cells as make a rectangle. */
@@ -190,14 +188,14 @@ public final class ObjWriter {
         face(8, 4, 5, 7, 6);
     }
 
-    private void cylinder(CylinderObject cylinder, Placement place) throws IOException {
+    private void cylinder(double radius, double half, Placement place) throws IOException {
         int[] bottom = new int[SIDES];
         int[] top = new int[SIDES];
         for (int k = 0; k < SIDES; k++) {
-            double x = cylinder.radius() * Degrees.cos(360.0 / SIDES * k);
-            double z = -cylinder.radius() * Degrees.sin(360.0 / SIDES * k);
-            vertex(place, x, -cylinder.height() / 2, z);
-            vertex(place, x, cylinder.height() / 2, z);
+            double x = radius * Degrees.cos(360.0 / SIDES * k);
+            double z = -radius * Degrees.sin(360.0 / SIDES * k);
+            vertex(place, x, -half, z);
+            vertex(place, x, half, z);
             bottom[SIDES - 1 - k] = 2 * k;
             top[k] = 2 * k + 1;
         }

@@ -12,16 +12,13 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.Kind;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.body.BodyXml;
 import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.mesh.MeshFiles;
@@ -107,29 +104,34 @@ final class ObjectBuilder {
     }
 
     static boolean isObject(Element element) {
-        return switch (element.name) {
-            case "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid" -> true;
-            default -> false;
-        };
+        return kind(element) != null;
+    }
+
+    private static @Nullable Kind kind(Element element) {
+        for (Kind kind : Kind.values()) {
+            if (kind.word().equals(element.name)) {
+                return kind;
+            }
+        }
+        return null;
     }
 
     GeometryObject object(Element element) throws FileProblem {
-        GeometryObject shape = switch (element.name) {
-            case "box" ->
-                new BoxObject(
-                        new Point(),
-                        length(element, "width", "0"),
-                        length(element, "height", "0"),
-                        length(element, "length", "0"));
-            case "cylinder" ->
-                new CylinderObject(new Point(), length(element, "radius", "0"), length(element, "height", "0"));
-            case "sphere" -> new SphereObject(new Point(), length(element, "radius", "0"));
-            case "capsule" ->
-                new CapsuleObject(new Point(), length(element, "radius", "0"), length(element, "segment", "0"));
-            case "group" -> new ObjectGroup(element.members, element.bounds);
-            case "grid" -> grid(element);
-            default -> mesh(element);
-        };
+        Kind kind = kind(element);
+        GeometryObject shape;
+        if (kind == Kind.GROUP) {
+            shape = new ObjectGroup(element.members, element.bounds);
+        } else if (kind == Kind.GRID) {
+            shape = grid(element);
+        } else if (kind == null || kind == Kind.MESH) {
+            shape = mesh(element);
+        } else {
+            double[] sizes = new double[kind.sizes().size()];
+            for (int k = 0; k < sizes.length; k++) {
+                sizes[k] = length(element, kind.sizes().get(k), "0");
+            }
+            shape = kind.of(new Point(), sizes);
+        }
         Material material = materials.of(element);
         GeometryObject placed = tagged(element, shape.at(pose(element, "center")));
         return material == null ? placed : placed.withMaterial(material);

@@ -9,7 +9,6 @@ import java.util.Objects;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
-import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
@@ -22,13 +21,13 @@ import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
-import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.XmlHandler;
 
 /**
  * Handles the parser's events for a world file. Each event passes the limits, then the schema validator, and only then
  * contributes to the world.
  */
-final class WorldHandler extends DefaultHandler {
+final class WorldHandler extends XmlHandler {
     /** Reads the files that worlds include. */
     @FunctionalInterface
     interface Includes {
@@ -51,7 +50,6 @@ final class WorldHandler extends DefaultHandler {
     private final Map<String, Integer> linesOfNames = new HashMap<>();
     private final List<WorldObject> objects = new ArrayList<>();
 
-    private @Nullable Locator locator;
     private @Nullable Element open;
     private @Nullable World world;
     private @Nullable SAXParseException detail;
@@ -70,6 +68,7 @@ final class WorldHandler extends DefaultHandler {
             ValidatorHandler validator,
             @Nullable List<FileProblem> problems,
             Includes reader) {
+        super(source);
         this.source = source;
         this.base = base;
         this.reader = reader;
@@ -97,17 +96,9 @@ final class WorldHandler extends DefaultHandler {
         return world;
     }
 
-    int line() {
-        return locator == null ? 0 : locator.getLineNumber();
-    }
-
-    int column() {
-        return locator == null ? 0 : locator.getColumnNumber();
-    }
-
     @Override
     public void setDocumentLocator(Locator given) {
-        locator = given;
+        super.setDocumentLocator(given);
         validator.setDocumentLocator(given);
     }
 
@@ -133,13 +124,7 @@ final class WorldHandler extends DefaultHandler {
 
     @Override
     public void startElement(String uri, String name, String qualified, Attributes attributes) throws SAXException {
-        for (int k = 0; k < attributes.getLength(); k++) {
-            if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
-                throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
-                        + " characters; shorten it (got: "
-                        + attributes.getValue(k).length() + ")");
-            }
-        }
+        attributes(name, attributes);
         Element element = new Element(open, uri, name, attributes, line(), column());
         open = element;
         if (element.groups() > Limits.MAX_GROUPS) {
@@ -310,24 +295,6 @@ final class WorldHandler extends DefaultHandler {
         return count;
     }
 
-    // Errors of the parser: not well-formed, or beyond its limits.
-
-    @Override
-    public void error(SAXParseException e) throws SAXException {
-        fatalError(e);
-    }
-
-    @Override
-    public void fatalError(SAXParseException e) throws SAXException {
-        throw new SAXException(SafeXml.refusal(source, e));
-    }
-
-    /** Nothing outside the file is ever read, whatever the defaults of features are. */
-    @Override
-    public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
-        throw refusal("external entities are not allowed; remove the reference (got: " + systemId + ")");
-    }
-
     // Errors of the validator.
 
     private void invalid(SAXParseException e) throws SAXException {
@@ -374,9 +341,5 @@ final class WorldHandler extends DefaultHandler {
         if (open != null) {
             open.broken = true;
         }
-    }
-
-    private SAXException refusal(String problem) {
-        return new SAXException(new FileProblem(source, line(), column(), problem));
     }
 }

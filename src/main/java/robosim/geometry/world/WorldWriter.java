@@ -12,16 +12,12 @@ import robosim.geometry.dynamics.Drive;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.body.BodyXml;
 import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.shared.Decimal;
@@ -220,37 +216,17 @@ public final class WorldWriter {
     }
 
     private void size(GeometryObject object) {
-        switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                number("width", box.width());
-                number("height", box.height());
-                number("length", box.length());
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                number("radius", cylinder.radius());
-                number("height", cylinder.height());
-            }
-            case SPHERE -> number("radius", ((SphereObject) object).radius());
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                number("radius", capsule.radius());
-                number("segment", capsule.segment());
-            }
-            case MESH -> {
-                if (((MeshObject) object).isSolid()) {
-                    attribute("solid", "true");
-                }
-            }
-            case GROUP -> {}
-            case GRID -> {
-                GridObject grid = (GridObject) object;
-                number("cell", grid.cell());
-                number("height", grid.height());
-                number("columns", grid.columns());
-                number("rows", grid.rows());
-            }
+        double[] sizes = object.sizes();
+        for (int k = 0; k < sizes.length; k++) {
+            number(object.kind().sizes().get(k), sizes[k]);
+        }
+        if (object instanceof MeshObject mesh && mesh.isSolid()) {
+            attribute("solid", "true");
+        } else if (object instanceof GridObject grid) {
+            number("cell", grid.cell());
+            number("height", grid.height());
+            number("columns", grid.columns());
+            number("rows", grid.rows());
         }
     }
 

@@ -279,21 +279,13 @@ final class XmlWorld implements WorldHandler.Includes {
     private WorldHandler parse(InputStream in, String source, @Nullable Path base, @Nullable List<FileProblem> problems)
             throws FileProblem {
         ValidatorHandler validator = WorldSchema.get().newValidatorHandler();
-        WorldHandler handler = new WorldHandler(source, base, validator, problems, this);
         try {
             validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
-            SafeXml.parse(new BufferedInputStream(in), source, handler);
-            return handler;
         } catch (SAXException e) {
-            if (e.getException() instanceof FileProblem refusal) {
-                throw refusal;
-            }
-            throw new FileProblem(source, handler.line(), handler.column(), "the XML was refused: " + e, e);
-        } catch (FileProblem e) {
-            throw e;
-        } catch (IOException e) {
-            throw new FileProblem(
-                    source, handler.line(), handler.column(), "the file could not be read: " + e.getMessage(), e);
+            throw new IllegalStateException("the JDK's validator takes a locale", e);
         }
+        WorldHandler handler = new WorldHandler(source, base, validator, problems, this);
+        SafeXml.parse(new BufferedInputStream(in), source, handler);
+        return handler;
     }
 }

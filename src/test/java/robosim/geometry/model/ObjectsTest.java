@@ -1,14 +1,20 @@
 package robosim.geometry.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.InvalidClassException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
+import java.io.ObjectStreamClass;
+import java.io.ObjectStreamConstants;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -261,5 +267,83 @@ class ObjectsTest {
     void namesMustBeVisible() {
         assertThatIllegalArgumentException().isThrownBy(() -> tetrahedron().moveable(" "));
         assertThatIllegalArgumentException().isThrownBy(() -> tetrahedron().named(null));
+    }
+
+    /** Its sizes are all there is to a shape that has them, and its rounded box reaches as far as it does in any direction. */
+    @Test
+    void sizesAndRoundedBoxesTellTheShape() {
+        SplittableRandom random = new SplittableRandom(38);
+        int turned = 0;
+        for (GeometryObject.Kind kind : GeometryObject.Kind.values()) {
+            if (!kind.isSized()) {
+                assertThatIllegalArgumentException()
+                        .isThrownBy(() -> kind.of(new Point()))
+                        .withMessageContaining(kind.word());
+                continue;
+            }
+            for (int k = 0; k < 50; k++) {
+                double[] sizes = random.doubles(kind.sizes().size(), 0, 4)
+                        .map(Math::rint)
+                        .toArray();
+                GeometryObject upright = kind.of(new Point(1, 2, 3), sizes);
+                assertThat(upright.kind()).isEqualTo(kind);
+                assertThat(upright.sizes()).containsExactly(sizes);
+                GeometryObject shape = upright.turned(random.nextInt(4) * 20, random.nextInt(360));
+                turned += shape.pose().isUpright() ? 0 : 1;
+                assertThat(kind.of(new Point(), shape.sizes()).at(shape.pose())).isEqualTo(shape);
+                RoundedBox box = shape.roundedBox();
+                double[] r = shape.rotation();
+                Bounds bounds = shape.bounds();
+                double[] extents = {bounds.width(), bounds.height(), bounds.length()};
+                for (int axis = 0; axis < 3; axis++) {
+                    double[] along = {Math.abs(r[3 * axis]), Math.abs(r[3 * axis + 1]), Math.abs(r[3 * axis + 2])};
+                    double half =
+                            along[0] * box.halfWidth() + along[1] * box.halfHeight() + along[2] * box.halfLength();
+                    double rim = box.disc() * Math.hypot(along[0], along[2]);
+                    assertThat(extents[axis]).as("%s", shape).isCloseTo(2 * (half + rim + box.ball()), within(1e-12));
+                }
+            }
+        }
+        assertThat(turned).isBetween(60, 190);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> GeometryObject.Kind.BOX.of(new Point(), 1, 2))
+                .withMessageContaining("width, height, length")
+                .withMessageContaining("got: 2");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> tetrahedron().roundedBox())
+                .withMessageContaining("mesh");
+    }
+
+    /** A stream that names the class itself, and not its serial form, makes no object past its constructor. */
+    @ParameterizedTest
+    @ValueSource(
+            classes = {
+                BoxObject.class,
+                CylinderObject.class,
+                SphereObject.class,
+                CapsuleObject.class,
+                MeshObject.class,
+                ObjectGroup.class,
+                GridObject.class
+            })
+    void noObjectIsMadePastItsConstructor(Class<?> shape) throws Exception {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DataOutputStream out = new DataOutputStream(bytes)) {
+            out.writeShort(ObjectStreamConstants.STREAM_MAGIC);
+            out.writeShort(ObjectStreamConstants.STREAM_VERSION);
+            out.writeByte(ObjectStreamConstants.TC_OBJECT);
+            out.writeByte(ObjectStreamConstants.TC_CLASSDESC);
+            out.writeUTF(shape.getName());
+            out.writeLong(ObjectStreamClass.lookup(shape).getSerialVersionUID());
+            out.writeByte(ObjectStreamConstants.SC_SERIALIZABLE);
+            out.writeShort(0); // fields
+            out.writeByte(ObjectStreamConstants.TC_ENDBLOCKDATA);
+            out.writeByte(ObjectStreamConstants.TC_NULL); // no superclass that is serialized
+        }
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            assertThatExceptionOfType(InvalidClassException.class)
+                    .isThrownBy(in::readObject)
+                    .withMessageContaining(shape.getSimpleName());
+        }
     }
 }

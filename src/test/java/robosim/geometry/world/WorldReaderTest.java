@@ -32,7 +32,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.CountedStream;
 
 class WorldReaderTest {
     private static final String OPEN = "<world xmlns=\"urn:robosim:world:1\" width=\"9\" height=\"9\" length=\"9\"";
@@ -374,7 +374,7 @@ class WorldReaderTest {
                 return length;
             }
         };
-        assertThatThrownBy(() -> new Bounded(endless).transferTo(OutputStream.nullOutputStream()))
+        assertThatThrownBy(() -> CountedStream.bounded(endless).transferTo(OutputStream.nullOutputStream()))
                 .isInstanceOf(IOException.class)
                 .hasMessage(
                         "a file must have at most 134217728 bytes; split it in several files, or simplify what is in it (got: more)");

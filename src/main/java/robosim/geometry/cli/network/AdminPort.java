@@ -21,9 +21,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.cli.terminal.Json;
 import robosim.geometry.net.FiguresMXBean;
 import robosim.geometry.net.GeometryServer;
+import robosim.geometry.world.shared.JsonText;
 
 /**
  * A port on the loopback address for the operator of a server, over HTTP: its health, metrics for Prometheus, and its
@@ -125,7 +125,7 @@ final class AdminPort implements AutoCloseable {
                         ? Answer.plain(200, "ok")
                         : Answer.plain(503, "no new connections: the server is ending");
             case "/metrics" -> new Answer(200, "text/plain; version=0.0.4; charset=utf-8", metrics());
-            case "/connections" -> new Answer(200, "application/json", Json.of(connections()) + "\n");
+            case "/connections" -> new Answer(200, "application/json", JsonText.of(connections()) + "\n");
             default -> Answer.plain(404, "there are /health, /metrics and /connections; POST /connections/NUMBER/end");
         };
     }

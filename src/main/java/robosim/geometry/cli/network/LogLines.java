@@ -11,7 +11,7 @@ import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.cli.terminal.Json;
+import robosim.geometry.world.shared.JsonText;
 
 /** How the log of {@code serve} and {@code connect} is written: a line for each entry, with its time in UTC and its level. */
 public final class LogLines extends Formatter {
@@ -66,7 +66,7 @@ public final class LogLines extends Formatter {
         if (thrown != null) {
             fields.put("error", stack(thrown));
         }
-        return Json.of(fields) + System.lineSeparator();
+        return JsonText.of(fields) + System.lineSeparator();
     }
 
     /** The names of System.Logger, with which the lines are written. */

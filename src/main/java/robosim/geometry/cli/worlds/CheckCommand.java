@@ -13,7 +13,6 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Json;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.world.ImportOptions;
@@ -21,6 +20,7 @@ import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
 import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.shared.JsonText;
 
 /** Examines a world file before robots are simulated in it. */
 @Command(
@@ -93,7 +93,7 @@ public final class CheckCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         out.print(
                 json
-                        ? Json.of(CheckJson.of(file, check, read)) + System.lineSeparator()
+                        ? JsonText.of(CheckJson.of(file, check, read)) + System.lineSeparator()
                         : CheckText.of(file, check, read));
         out.flush();
         return check.isFine() && read.isWhole() ? ExitCodes.FINE : ExitCodes.FINDINGS;
@@ -102,7 +102,7 @@ public final class CheckCommand implements Callable<Integer> {
     private void problems(List<WorldException> problems) {
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
-            out.println(Json.of(CheckJson.problems(file, problems)));
+            out.println(JsonText.of(CheckJson.problems(file, problems)));
         } else {
             problems.forEach(problem -> spec.commandLine().getErr().println(problem.getMessage()));
             spec.commandLine().getErr().println(problems.size() == 1 ? "1 problem" : problems.size() + " problems");

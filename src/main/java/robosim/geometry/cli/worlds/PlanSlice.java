@@ -7,15 +7,14 @@ import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Bounds;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
@@ -85,16 +84,21 @@ final class PlanSlice {
     }
 
     private @Nullable GeometryObject shape(GeometryObject object) {
-        boolean isUpright = object.pose().isUpright();
-        return switch (object.kind()) {
-            case BOX -> isUpright ? object : box((BoxObject) object);
-            case CYLINDER -> isUpright ? object : cylinder((CylinderObject) object);
-            case GRID -> object;
-            case SPHERE -> disc(object.center(), ((SphereObject) object).radius());
-            case CAPSULE -> capsule((CapsuleObject) object, isUpright);
-            case MESH -> lines(((MeshObject) object).triangles(), object.pose());
-            case GROUP -> group((ObjectGroup) object);
-        };
+        if (object instanceof ObjectGroup group) {
+            return group(group);
+        }
+        if (object instanceof MeshObject mesh) {
+            return lines(mesh.triangles(), mesh.pose());
+        }
+        if (object instanceof GridObject) {
+            return object;
+        }
+        RoundedBox box = object.roundedBox();
+        Pose pose = object.pose();
+        if (box.ball() > 0) {
+            return capsule(box, pose);
+        }
+        return pose.isUpright() ? object : box.disc() > 0 ? cylinder(box, pose) : box(box, pose);
     }
 
     private @Nullable GeometryObject group(ObjectGroup group) {
@@ -116,18 +120,18 @@ final class PlanSlice {
                         new Point(center.x(), height, center.z()), Math.sqrt((radius - off) * (radius + off)), 0);
     }
 
-    private @Nullable GeometryObject capsule(CapsuleObject capsule, boolean isUpright) {
-        double half = capsule.segment() / 2;
-        if (isUpright) {
-            double y = Math.max(-half, Math.min(half, height - capsule.center().y()));
-            Point c = capsule.center();
-            return disc(new Point(c.x(), c.y() + y, c.z()), capsule.radius());
+    private @Nullable GeometryObject capsule(RoundedBox capsule, Pose pose) {
+        double half = capsule.halfHeight();
+        if (pose.isUpright() || half == 0) {
+            double y = Math.max(-half, Math.min(half, height - pose.center().y()));
+            Point c = pose.center();
+            return disc(new Point(c.x(), c.y() + y, c.z()), capsule.ball());
         }
         List<double[]> rims = new ArrayList<>();
         for (int k = 0; k <= RIM; k++) {
-            double[] at = at(capsule.pose(), 0, half * (2.0 * k / RIM - 1), 0);
+            double[] at = at(pose, 0, half * (2.0 * k / RIM - 1), 0);
             double off = height - at[1];
-            double squared = (capsule.radius() - off) * (capsule.radius() + off);
+            double squared = (capsule.ball() - off) * (capsule.ball() + off);
             for (int corner = 0; squared >= 0 && corner < RIM; corner++) {
                 double[] to = direction(corner);
                 rims.add(new double[] {at[0] + Math.sqrt(squared) * to[0], at[2] + Math.sqrt(squared) * to[1]});
@@ -136,14 +140,10 @@ final class PlanSlice {
         return polygon(rims);
     }
 
-    private @Nullable GeometryObject box(BoxObject box) {
+    private @Nullable GeometryObject box(RoundedBox box, Pose pose) {
         double[][] corners = new double[8][];
         for (int k = 0; k < 8; k++) {
-            corners[k] = at(
-                    box.pose(),
-                    (k & 1) == 0 ? -box.width() / 2 : box.width() / 2,
-                    (k & 2) == 0 ? -box.height() / 2 : box.height() / 2,
-                    (k & 4) == 0 ? -box.length() / 2 : box.length() / 2);
+            corners[k] = at(pose, box.corner(k, 0), box.corner(k, 1), box.corner(k, 2));
         }
         List<double[]> met = new ArrayList<>();
         for (int k = 0; k < 8; k++) {
@@ -156,18 +156,18 @@ final class PlanSlice {
         return polygon(met);
     }
 
-    private @Nullable GeometryObject cylinder(CylinderObject cylinder) {
+    private @Nullable GeometryObject cylinder(RoundedBox cylinder, Pose pose) {
         List<double[]> met = new ArrayList<>();
-        double half = cylinder.height() / 2;
+        double half = cylinder.halfHeight();
         for (int k = 0; k < RIM; k++) {
             double[] from = direction(k);
             double[] to = direction(k + 1);
-            double r = cylinder.radius();
-            double[] low = at(cylinder.pose(), r * from[0], -half, r * from[1]);
-            double[] high = at(cylinder.pose(), r * from[0], half, r * from[1]);
+            double r = cylinder.disc();
+            double[] low = at(pose, r * from[0], -half, r * from[1]);
+            double[] high = at(pose, r * from[0], half, r * from[1]);
             cut(low, high, met);
-            cut(low, at(cylinder.pose(), r * to[0], -half, r * to[1]), met);
-            cut(high, at(cylinder.pose(), r * to[0], half, r * to[1]), met);
+            cut(low, at(pose, r * to[0], -half, r * to[1]), met);
+            cut(high, at(pose, r * to[0], half, r * to[1]), met);
         }
         return polygon(met);
     }

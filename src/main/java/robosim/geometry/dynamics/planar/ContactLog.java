@@ -248,14 +248,9 @@ public final class ContactLog {
 
     /** Whether two may touch along several normals at once: two convex objects do not. */
     private boolean hasFaces(int id, int object) {
-        return object < 0 || !isConvex(objects.value(id)) || !isConvex(objects.value(object));
-    }
-
-    private static boolean isConvex(GeometryObject object) {
-        return switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE, CAPSULE -> true;
-            case MESH, GROUP, GRID -> false;
-        };
+        return object < 0
+                || !objects.value(id).kind().isSized()
+                || !objects.value(object).kind().isSized();
     }
 
     /** Keeps the face of what touches now from being taken for another one that has turned. */

@@ -5,14 +5,13 @@ import java.util.List;
 import robosim.geometry.exact.Orientation;
 import robosim.geometry.exact.Radians;
 import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RoundedBox;
 
 /**
  * Takes objects apart into convex pieces as seen from above. Only a tipped cylinder has a shape that is not kept: a polygon
@@ -60,38 +59,28 @@ final class PieceOutlines {
     }
 
     private void add(GeometryObject placed) {
-        double[] r = placed.rotation();
-        Point c = placed.center();
-        switch (placed.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) placed;
-                addBox(c, r, box.width() / 2, box.height() / 2, box.length() / 2);
+        if (placed instanceof ObjectGroup group) {
+            for (GeometryObject part : group.parts()) {
+                add(part.at(part.pose().within(placed.pose())));
             }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) placed;
-                if (placed.pose().isUpright()) {
-                    addDisc(c, cylinder.radius());
-                } else {
-                    addTipped(c, r, cylinder.radius(), cylinder.height() / 2);
-                }
-            }
-            case SPHERE -> addDisc(c, ((SphereObject) placed).radius());
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) placed;
-                double half = capsule.segment() / 2;
-                count = 0;
-                point(c.x() + r[1] * half, c.z() + r[7] * half);
-                point(c.x() - r[1] * half, c.z() - r[7] * half);
-                addHull(capsule.radius());
-            }
-            case MESH -> addFaces((MeshObject) placed);
-            case GROUP -> {
-                List<GeometryObject> parts = ((ObjectGroup) placed).parts();
-                for (GeometryObject part : parts) {
-                    add(part.at(part.pose().within(placed.pose())));
-                }
-            }
-            case GRID -> addCells((GridObject) placed);
+        } else if (placed instanceof MeshObject mesh) {
+            addFaces(mesh);
+        } else if (placed instanceof GridObject grid) {
+            addCells(grid);
+        } else {
+            addSolid(placed.roundedBox(), placed.pose());
+        }
+    }
+
+    private void addSolid(RoundedBox box, Pose pose) {
+        double[] r = pose.rotation();
+        Point c = pose.center();
+        if (box.disc() == 0) {
+            addBox(c, r, box);
+        } else if (pose.isUpright()) {
+            addDisc(c, box.disc());
+        } else {
+            addTipped(c, r, box.disc(), box.halfHeight());
         }
     }
 
@@ -101,17 +90,17 @@ final class PieceOutlines {
         addHull(radius);
     }
 
-    private void addBox(Point c, double[] r, double width, double height, double length) {
+    private void addBox(Point c, double[] r, RoundedBox box) {
         count = 0;
         for (int corner = 0; corner < 8; corner++) {
-            double a = (corner & 1) == 0 ? width : -width;
-            double b = (corner & 2) == 0 ? length : -length;
-            double up = (corner & 4) == 0 ? height : -height;
-            if (up > 0 || r[1] != 0 || r[7] != 0 || height == 0) {
+            double a = (corner & 1) == 0 ? box.halfWidth() : -box.halfWidth();
+            double b = (corner & 2) == 0 ? box.halfLength() : -box.halfLength();
+            double up = (corner & 4) == 0 ? box.halfHeight() : -box.halfHeight();
+            if (up > 0 || r[1] != 0 || r[7] != 0 || up == 0) {
                 point(c.x() + (r[0] * a + r[2] * b) + r[1] * up, c.z() + (r[6] * a + r[8] * b) + r[7] * up);
             }
         }
-        addHull(0);
+        addHull(box.ball());
     }
 
     private void addTipped(Point c, double[] r, double radius, double half) {

@@ -12,6 +12,7 @@ import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -227,11 +228,10 @@ public final class LeafTable {
         if (accuracy != Accuracy.EXACT) {
             return 0;
         }
-        return switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE, CAPSULE -> CONVEX | SINGLE;
-            case MESH, GRID -> 0;
-            case GROUP -> form(id).own.hasMesh() ? 0 : CONVEX;
-        };
+        if (object.kind().isSized()) {
+            return CONVEX | SINGLE;
+        }
+        return object instanceof ObjectGroup && !form(id).own.hasMesh() ? CONVEX : 0;
     }
 
     /** Adds all moveable objects to a tree once there are more than a few. */

@@ -286,11 +286,7 @@ public final class Motion {
 
     /** Whether a turn about the vertical takes an object to the same points, to the bit: one upright disc about its centre. */
     private boolean turnsInItself(AccuracyView inView, int mover) {
-        boolean isRound = switch (objects.value(mover).kind()) {
-            case CYLINDER, SPHERE, CAPSULE -> true;
-            case BOX, MESH, GROUP, GRID -> false;
-        };
-        return isRound
+        return objects.value(mover).kind().isRound()
                 && inView.accuracy == Accuracy.EXACT
                 && Attitude.isUpright(objects.places(), objects.place(mover) + ObjectTable.ROTATION);
     }

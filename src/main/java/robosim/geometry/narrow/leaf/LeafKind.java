@@ -1,5 +1,7 @@
 package robosim.geometry.narrow.leaf;
 
+import robosim.geometry.model.GeometryObject;
+
 /**
  * What a leaf is; {@link Leaf} tells what the numbers of each kind mean. Whoever adds a kind answers here what it is like, and
  * the compiler leads to each kernel that has to know it. The order counts where a pair is brought into one order.
@@ -89,6 +91,23 @@ public enum LeafKind {
         this.fromAbove = fromAbove;
         this.lengths = lengths;
         this.numbers = numbers;
+    }
+
+    /** That of an object given by sizes, in any attitude. */
+    static LeafKind of(GeometryObject.Kind kind) {
+        return switch (kind) {
+            case BOX -> BOX;
+            case CYLINDER -> CYLINDER;
+            case SPHERE -> SPHERE;
+            case CAPSULE -> CAPSULE;
+            case MESH, GROUP, GRID ->
+                throw new IllegalArgumentException("object must be given by sizes (got: a " + kind.word() + ")");
+        };
+    }
+
+    /** The kind of this round shape whose axis is the vertical; this one if it is upright or has no axis. */
+    LeafKind upright() {
+        return this == CYLINDER ? UPRIGHT_CYLINDER : this == CAPSULE ? UPRIGHT_CAPSULE : this;
     }
 
     /** The kind with a code. */

@@ -1,16 +1,12 @@
 package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Rotations;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.RoundedBox;
 
 /**
  * The leaves of an object in its own frame, made once. A placement computes the leaves in the world from them, always
@@ -42,16 +38,16 @@ public final class LocalLeaves {
     /** Sets a column to the leaves of an object at its place. */
     public static void placed(GeometryObject object, LeafColumn leaves) {
         leaves.clear();
-        switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE, CAPSULE -> placeSimple(object, leaves);
-            case GRID -> placeGrid((GridObject) object, leaves);
-            case MESH, GROUP -> {
-                LocalLeaves own = of(object);
-                leaves.append(own.size());
-                double[] rotation = object.rotation();
-                Point c = object.center();
-                own.place(c.x(), c.y(), c.z(), rotation, 0, leaves, 0);
-            }
+        if (object.kind().isSized()) {
+            placeSimple(object, leaves);
+        } else if (object instanceof GridObject grid) {
+            placeGrid(grid, leaves);
+        } else {
+            LocalLeaves own = of(object);
+            leaves.append(own.size());
+            double[] rotation = object.rotation();
+            Point c = object.center();
+            own.place(c.x(), c.y(), c.z(), rotation, 0, leaves, 0);
         }
     }
 
@@ -63,7 +59,8 @@ public final class LocalLeaves {
         row[0] = c.x();
         row[1] = c.y();
         row[2] = c.z();
-        LeafKind kind = upright(size(object, row, 0), object.pose());
+        LeafKind kind = size(object, row, 0);
+        kind = object.pose().isUpright() ? kind.upright() : kind;
         if (kind.isTurned()) {
             object.pose().rotation(row, Leaf.ROTATION);
             kind = UprightDetection.kind(kind, row, 0);
@@ -84,46 +81,14 @@ public final class LocalLeaves {
         leaves.setCells(leaf, grid.placed());
     }
 
-    /** The kind of an object at a pose, where that alone tells that its rotation means nothing. */
-    private static LeafKind upright(LeafKind kind, Pose pose) {
-        return switch (kind) {
-            case CYLINDER -> pose.isUpright() ? LeafKind.UPRIGHT_CYLINDER : kind;
-            case CAPSULE -> pose.isUpright() ? LeafKind.UPRIGHT_CAPSULE : kind;
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH, GRID ->
-                kind;
-        };
-    }
-
     /** Writes the sizes of a box, cylinder, sphere or capsule and answers its kind. */
     private static LeafKind size(GeometryObject object, double[] row, int at) {
-        return switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                row[at + 3] = box.width() / 2;
-                row[at + 4] = box.height() / 2;
-                row[at + 5] = box.length() / 2;
-                yield LeafKind.BOX;
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                row[at + 3] = cylinder.radius();
-                row[at + 4] = cylinder.height() / 2;
-                yield LeafKind.CYLINDER;
-            }
-            case SPHERE -> {
-                row[at + 3] = ((SphereObject) object).radius();
-                yield LeafKind.SPHERE;
-            }
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                row[at + 3] = capsule.radius();
-                row[at + 4] = capsule.segment() / 2;
-                yield LeafKind.CAPSULE;
-            }
-            case MESH, GROUP, GRID ->
-                throw new IllegalArgumentException(
-                        "object must be a box, a cylinder, a sphere or a capsule (got: " + object + ")");
-        };
+        RoundedBox box = object.roundedBox();
+        LeafKind kind = LeafKind.of(object.kind());
+        row[at + 3] = kind.isRound() ? box.radius() : box.halfWidth();
+        row[at + 4] = box.halfHeight();
+        row[at + 5] = box.halfLength();
+        return kind;
     }
 
     /** The number of leaves. */
@@ -148,22 +113,18 @@ public final class LocalLeaves {
 
     /** The shape of an object, placed by the frame: a centre and a rotation, laid out as a leaf's. */
     private void add(GeometryObject object, double[] frame) {
-        switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE, CAPSULE -> {
-                int at = row(LeafKind.BOX, frame);
-                own.setKind(own.size() - 1, size(object, own.rows(), at));
+        if (object instanceof ObjectGroup group) {
+            for (GeometryObject member : group.members()) {
+                add(member, within(frame, member));
             }
-            case MESH -> {
-                MeshObject mesh = (MeshObject) object;
-                row(mesh.isSolid() ? LeafKind.SOLID_MESH : LeafKind.MESH, frame);
-                own.setMesh(own.size() - 1, mesh.triangles());
-            }
-            case GROUP -> {
-                for (GeometryObject member : ((ObjectGroup) object).members()) {
-                    add(member, within(frame, member));
-                }
-            }
-            case GRID -> throw new IllegalArgumentException("a grid has no leaves of its own (got: " + object + ")");
+        } else if (object instanceof MeshObject mesh) {
+            row(mesh.isSolid() ? LeafKind.SOLID_MESH : LeafKind.MESH, frame);
+            own.setMesh(own.size() - 1, mesh.triangles());
+        } else if (object instanceof GridObject) {
+            throw new IllegalArgumentException("a grid has no leaves of its own (got: " + object + ")");
+        } else {
+            int at = row(LeafKind.BOX, frame);
+            own.setKind(own.size() - 1, size(object, own.rows(), at));
         }
     }
 

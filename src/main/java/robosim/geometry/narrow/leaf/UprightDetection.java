@@ -11,20 +11,16 @@ final class UprightDetection {
 
     /** The kind of a placed leaf; a box or cylinder comes as {@link LeafKind#BOX} or {@link LeafKind#CYLINDER}. */
     static LeafKind kind(LeafKind kind, double[] rows, int at) {
-        return switch (kind) {
-            case BOX -> {
-                for (int up = 0; up < 3; up++) {
-                    if (isVertical(rows, at, up) && stand(rows, at, up)) {
-                        yield LeafKind.UPRIGHT_BOX;
-                    }
+        if (kind == LeafKind.BOX) {
+            for (int up = 0; up < 3; up++) {
+                if (isVertical(rows, at, up) && stand(rows, at, up)) {
+                    return LeafKind.UPRIGHT_BOX;
                 }
-                yield kind;
             }
-            case CYLINDER -> isVertical(rows, at, 1) ? LeafKind.UPRIGHT_CYLINDER : kind;
-            case CAPSULE -> isVertical(rows, at, 1) ? LeafKind.UPRIGHT_CAPSULE : kind;
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH, GRID ->
-                kind;
-        };
+            return kind;
+        }
+        LeafKind upright = kind.upright();
+        return upright != kind && isVertical(rows, at, 1) ? upright : kind;
     }
 
     private static boolean isVertical(double[] rows, int at, int axis) {

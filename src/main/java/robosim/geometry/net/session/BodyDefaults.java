@@ -24,11 +24,7 @@ final class BodyDefaults {
     }
 
     private static Body solid(GeometryObject shape, double mass) {
-        boolean isKnown = switch (shape.kind()) {
-            case SPHERE, BOX, CYLINDER, CAPSULE -> true;
-            case MESH, GROUP, GRID -> false;
-        };
-        if (isKnown) {
+        if (shape.kind().isSized()) {
             return mass == 0 ? Body.ofDensity(shape, DENSITY) : Body.ofMass(shape, mass);
         }
         Bounds box = shape.bounds();

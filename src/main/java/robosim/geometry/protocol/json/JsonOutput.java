@@ -6,16 +6,12 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
@@ -257,44 +253,18 @@ final class JsonOutput {
 
     private void object(GeometryObject object) throws IOException {
         out.writeStartObject();
-        switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                place("box", object);
-                out.writeNumberField("width", box.width());
-                out.writeNumberField("height", box.height());
-                out.writeNumberField("length", box.length());
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                place("cylinder", object);
-                out.writeNumberField("radius", cylinder.radius());
-                out.writeNumberField("height", cylinder.height());
-            }
-            case SPHERE -> {
-                place("sphere", object);
-                out.writeNumberField("radius", ((SphereObject) object).radius());
-            }
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                place("capsule", object);
-                out.writeNumberField("radius", capsule.radius());
-                out.writeNumberField("segment", capsule.segment());
-            }
-            case MESH -> {
-                place("mesh", object);
-                mesh((MeshObject) object);
-            }
-            case GROUP -> {
-                ObjectGroup group = (ObjectGroup) object;
-                place("group", object);
-                objects("members", group.members());
-                bounding(group.boundingVolume());
-            }
-            case GRID -> {
-                place("grid", object);
-                grid((GridObject) object);
-            }
+        place(object.kind().word(), object);
+        double[] sizes = object.sizes();
+        for (int k = 0; k < sizes.length; k++) {
+            out.writeNumberField(object.kind().sizes().get(k), sizes[k]);
+        }
+        if (object instanceof MeshObject mesh) {
+            mesh(mesh);
+        } else if (object instanceof ObjectGroup group) {
+            objects("members", group.members());
+            bounding(group.boundingVolume());
+        } else if (object instanceof GridObject grid) {
+            grid(grid);
         }
         out.writeEndObject();
     }

@@ -1,18 +1,16 @@
 package robosim.geometry.sensor.file;
 
 import java.io.ByteArrayInputStream;
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
-import org.xml.sax.SAXException;
-import org.xml.sax.SAXParseException;
-import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.check.Checks;
 import robosim.geometry.sensor.Noise;
+import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.XmlHandler;
 
 /**
  * Reads the noise of a sensor as SDFormat describes it.
@@ -22,7 +20,7 @@ import robosim.geometry.world.xml.SafeXml;
  * noise.equals(Noise.gaussian(0.01)); // true
  * }</pre>
  */
-public final class SdfNoise extends DefaultHandler {
+public final class SdfNoise extends XmlHandler {
     private static final String SOURCE = "noise";
 
     private final Map<String, String> values = new HashMap<>();
@@ -30,7 +28,9 @@ public final class SdfNoise extends DefaultHandler {
     private int depth;
     private @Nullable String type;
 
-    private SdfNoise() {}
+    private SdfNoise() {
+        super(SOURCE);
+    }
 
     /**
      * The noise of a {@code <noise>} element. {@code type} is {@code none}, {@code gaussian} or {@code gaussian_quantized},
@@ -45,11 +45,8 @@ public final class SdfNoise extends DefaultHandler {
         byte[] bytes = Checks.present("xml", xml).getBytes(StandardCharsets.UTF_8);
         try {
             SafeXml.parse(new ByteArrayInputStream(bytes), SOURCE, found);
-        } catch (SAXParseException e) {
-            throw new IllegalArgumentException(SafeXml.refusal(SOURCE, e).getMessage(), e);
-        } catch (SAXException | IOException e) {
-            Throwable cause = e.getCause() == null ? e : e.getCause();
-            throw new IllegalArgumentException("xml must be a <noise> element (got: " + cause.getMessage() + ")", e);
+        } catch (FileProblem e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
         }
         return found.noise();
     }

@@ -5,22 +5,17 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
-import java.util.List;
 import robosim.geometry.Snapshot;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
 import robosim.geometry.material.TextureCoordinates;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SphereObject;
 
 /** A digest of strings and of numbers by their bits: the same on every JVM. */
 public final class Fingerprint {
@@ -76,21 +71,16 @@ public final class Fingerprint {
         if (!material.equals(Material.of(material.color()))) {
             add(material);
         }
-        switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                add(box.width()).add(box.height()).add(box.length());
-            }
-            case CYLINDER -> add(((CylinderObject) object).radius()).add(((CylinderObject) object).height());
-            case SPHERE -> add(((SphereObject) object).radius());
-            case CAPSULE -> add(((CapsuleObject) object).radius()).add(((CapsuleObject) object).segment());
-            case MESH -> add((MeshObject) object);
-            case GRID -> add((GridObject) object);
-            case GROUP -> {
-                List<GeometryObject> members = ((ObjectGroup) object).members();
-                add(members.size());
-                members.forEach(this::add);
-            }
+        for (double size : object.sizes()) {
+            add(size);
+        }
+        if (object instanceof MeshObject mesh) {
+            add(mesh);
+        } else if (object instanceof GridObject grid) {
+            add(grid);
+        } else if (object instanceof ObjectGroup group) {
+            add(group.members().size());
+            group.members().forEach(this::add);
         }
     }
 

@@ -4,14 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.check.NumberText;
 import robosim.geometry.model.Bounds;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 
@@ -45,29 +41,24 @@ public record Card(String heading, List<String> lines) {
     }
 
     private static String size(GeometryObject object) {
-        return switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                yield "width " + number(box.width()) + ", length " + number(box.length()) + ", height "
-                        + number(box.height());
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                yield "radius " + number(cylinder.radius()) + ", height " + number(cylinder.height());
-            }
-            case SPHERE -> "radius " + number(((SphereObject) object).radius());
-            case CAPSULE -> {
-                CapsuleObject capsule = (CapsuleObject) object;
-                yield "radius " + number(capsule.radius()) + ", segment " + number(capsule.segment());
-            }
-            case MESH -> ((MeshObject) object).triangles().size() + " triangles, " + covers(object);
-            case GRID -> {
-                GridObject grid = (GridObject) object;
-                yield grid.columns() + " by " + grid.rows() + " cells of " + number(grid.cell()) + ", height "
-                        + number(grid.height());
-            }
-            case GROUP -> ((ObjectGroup) object).members().size() + " members, " + covers(object);
-        };
+        if (object instanceof MeshObject mesh) {
+            return mesh.triangles().size() + " triangles, " + covers(object);
+        }
+        if (object instanceof GridObject grid) {
+            return grid.columns() + " by " + grid.rows() + " cells of " + number(grid.cell()) + ", height "
+                    + number(grid.height());
+        }
+        if (object instanceof ObjectGroup group) {
+            return group.members().size() + " members, " + covers(object);
+        }
+        List<String> words = new ArrayList<>();
+        List<String> names = object.kind().sizes();
+        double[] sizes = object.sizes();
+        for (int k = 0; k < sizes.length; k++) {
+            int place = names.get(k).equals("length") ? words.size() - 1 : words.size(); // the height comes last
+            words.add(place, names.get(k) + " " + number(sizes[k]));
+        }
+        return String.join(", ", words);
     }
 
     /** To a thousandth. */

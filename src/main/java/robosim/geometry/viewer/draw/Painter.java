@@ -8,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import javax.imageio.ImageIO;
 import robosim.geometry.check.Checks;
+import robosim.geometry.image.PngWriter;
 import robosim.geometry.viewer.scene.Layers;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
@@ -77,7 +77,10 @@ public final class Painter {
             AtomicFileWriter.write(file, out -> out.write(document));
         } else if (name.endsWith(".png")) {
             BufferedImage image = image(scene, theme);
-            AtomicFileWriter.write(file, out -> ImageIO.write(image, "png", out));
+            int width = image.getWidth();
+            int height = image.getHeight();
+            int[] pixels = image.getRGB(0, 0, width, height, null, 0, width);
+            AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, width, height, pixels));
         } else {
             throw new IllegalArgumentException("a picture's name must end in .svg or .png (got: " + file + ")");
         }

@@ -3,15 +3,13 @@ package robosim.geometry.viewer.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
 
 /** A convex piece of an object's projection on the XZ plane, or all cells of a grid; for pictures, in plain doubles. */
@@ -62,77 +60,51 @@ public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, Cel
 
     /** The pieces of an object at its place. */
     static List<Footprint> of(GeometryObject object) {
-        return of(object, Frame.world());
-    }
-
-    /** The pieces of an object whose place is relative to a frame. */
-    static List<Footprint> of(GeometryObject object, Frame outer) {
         List<Footprint> outlines = new ArrayList<>();
-        add(object, outer, outlines);
+        add(object, outlines);
         return outlines;
     }
 
-    private static void add(GeometryObject object, Frame outer, List<Footprint> outlines) {
-        Frame frame = outer.then(object);
-        switch (object.kind()) {
-            case BOX -> outlines.add(box((BoxObject) object, frame));
-            case CYLINDER -> outlines.add(cylinder((CylinderObject) object, frame));
-            case SPHERE -> outlines.add(new Disc(frame.origin.x(), frame.origin.z(), ((SphereObject) object).radius()));
-            case CAPSULE -> outlines.add(capsule((CapsuleObject) object, frame));
-            case MESH -> mesh(((MeshObject) object).triangles(), frame, outlines);
-            case GRID -> outlines.add(new CellArea((GridObject) object));
-            case GROUP -> {
-                for (GeometryObject member : ((ObjectGroup) object).members()) {
-                    add(member, frame, outlines);
+    private static void add(GeometryObject object, List<Footprint> outlines) {
+        if (object instanceof ObjectGroup group) {
+            group.placedMembers().forEach(member -> add(member, outlines));
+        } else if (object instanceof MeshObject mesh) {
+            mesh(mesh.triangles(), new Frame(mesh.pose()), outlines);
+        } else if (object instanceof GridObject grid) {
+            outlines.add(new CellArea(grid));
+        } else {
+            outlines.add(solid(object.roundedBox(), new Frame(object.pose())));
+        }
+    }
+
+    private static Footprint solid(RoundedBox box, Frame frame) {
+        if (box.isRound() && (frame.isUpright() || (box.disc() == 0 && box.halfHeight() == 0))) {
+            return new Disc(frame.origin.x(), frame.origin.z(), box.radius());
+        }
+        double[] corners = new double[16];
+        for (int k = 0; k < 8; k++) {
+            frame.project(box.corner(k, 0), box.corner(k, 1), box.corner(k, 2), corners, 2 * k);
+        }
+        return new Polygon(hull(box.isRound() ? rims(box, corners, frame) : corners));
+    }
+
+    /** What is around the two ends of a tipped cylinder or capsule. */
+    private static double[] rims(RoundedBox box, double[] corners, Frame frame) {
+        double[] rims = new double[4 * RIM];
+        for (int k = 0; k < RIM; k++) {
+            double angle = 2 * Math.PI * k / RIM;
+            double x = box.radius() * StrictMath.cos(angle);
+            double z = box.radius() * StrictMath.sin(angle);
+            for (int end = 0; end < 4; end += 2) {
+                if (box.disc() > 0) {
+                    frame.project(x, box.corner(end, 1), z, rims, 4 * k + end);
+                } else {
+                    rims[4 * k + end] = corners[2 * end] + x;
+                    rims[4 * k + end + 1] = corners[2 * end + 1] + z;
                 }
             }
         }
-    }
-
-    private static Footprint box(BoxObject box, Frame frame) {
-        double[] corners = new double[16];
-        for (int k = 0; k < 8; k++) {
-            double x = (k & 1) == 0 ? -box.width() / 2 : box.width() / 2;
-            double y = (k & 2) == 0 ? -box.height() / 2 : box.height() / 2;
-            double z = (k & 4) == 0 ? -box.length() / 2 : box.length() / 2;
-            frame.project(x, y, z, corners, 2 * k);
-        }
-        return new Polygon(hull(corners));
-    }
-
-    private static Footprint cylinder(CylinderObject cylinder, Frame frame) {
-        if (frame.isUpright()) {
-            return new Disc(frame.origin.x(), frame.origin.z(), cylinder.radius());
-        }
-        double[] rims = new double[4 * RIM];
-        for (int k = 0; k < RIM; k++) {
-            double angle = 2 * Math.PI * k / RIM;
-            double x = cylinder.radius() * StrictMath.cos(angle);
-            double z = cylinder.radius() * StrictMath.sin(angle);
-            frame.project(x, cylinder.height() / 2, z, rims, 4 * k);
-            frame.project(x, -cylinder.height() / 2, z, rims, 4 * k + 2);
-        }
-        return new Polygon(hull(rims));
-    }
-
-    private static Footprint capsule(CapsuleObject capsule, Frame frame) {
-        if (frame.isUpright()) {
-            return new Disc(frame.origin.x(), frame.origin.z(), capsule.radius());
-        }
-        double[] ends = new double[4];
-        frame.project(0, capsule.segment() / 2, 0, ends, 0);
-        frame.project(0, -capsule.segment() / 2, 0, ends, 2);
-        double[] rims = new double[4 * RIM];
-        for (int k = 0; k < RIM; k++) {
-            double angle = 2 * Math.PI * k / RIM;
-            double x = capsule.radius() * StrictMath.cos(angle);
-            double z = capsule.radius() * StrictMath.sin(angle);
-            for (int end = 0; end < 4; end += 2) {
-                rims[4 * k + end] = ends[end] + x;
-                rims[4 * k + end + 1] = ends[end + 1] + z;
-            }
-        }
-        return new Polygon(hull(rims));
+        return rims;
     }
 
     private static void mesh(TriangleMesh mesh, Frame frame, List<Footprint> outlines) {
@@ -192,33 +164,9 @@ public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, Cel
         private final double[] rotation;
         private final Point origin;
 
-        Frame(double[] rotation, Point origin) {
-            this.rotation = rotation;
-            this.origin = origin;
-        }
-
-        /** The world's own frame. */
-        static Frame world() {
-            return new Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point());
-        }
-
-        Frame then(GeometryObject object) {
-            double[] own = object.rotation();
-            double[] product = new double[9];
-            for (int row = 0; row < 3; row++) {
-                for (int column = 0; column < 3; column++) {
-                    product[3 * row + column] = rotation[3 * row] * own[column]
-                            + rotation[3 * row + 1] * own[3 + column]
-                            + rotation[3 * row + 2] * own[6 + column];
-                }
-            }
-            Point c = object.center();
-            return new Frame(
-                    product, new Point(along(0, c) + origin.x(), along(1, c) + origin.y(), along(2, c) + origin.z()));
-        }
-
-        private double along(int row, Point p) {
-            return rotation[3 * row] * p.x() + rotation[3 * row + 1] * p.y() + rotation[3 * row + 2] * p.z();
+        Frame(Pose pose) {
+            rotation = pose.rotation();
+            origin = pose.center();
         }
 
         boolean isUpright() {
@@ -228,17 +176,6 @@ public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, Cel
         /** The world's Y of a point of the frame. */
         double height(double x, double y, double z) {
             return rotation[3] * x + rotation[4] * y + rotation[5] * z + origin.y();
-        }
-
-        /** The largest Y of a box of these half sizes around the frame's origin. */
-        double reach(double x, double y, double z) {
-            return origin.y() + Math.abs(rotation[3]) * x + Math.abs(rotation[4]) * y + Math.abs(rotation[5]) * z;
-        }
-
-        /** The largest Y of a cylinder around the frame's origin. */
-        double top(double radius, double half) {
-            double across = Math.sqrt(rotation[3] * rotation[3] + rotation[5] * rotation[5]);
-            return origin.y() + Math.abs(rotation[4]) * half + across * radius;
         }
 
         void project(double x, double y, double z, double[] into, int at) {

@@ -61,24 +61,21 @@ public final class Layers {
     public static List<Layer> fromBelow(List<Scene.Thing> things) {
         List<Piece> pieces = new ArrayList<>();
         for (int k = 0; k < things.size(); k++) {
-            split(things.get(k), things.get(k).object(), Footprint.Frame.world(), k, pieces);
+            split(things.get(k), things.get(k).object(), k, pieces);
         }
         pieces.sort(Comparator.comparingDouble(Piece::top).thenComparingInt(Piece::order)); // stable
         return merged(pieces);
     }
 
-    private static void split(
-            Scene.Thing thing, GeometryObject part, Footprint.Frame outer, int order, List<Piece> pieces) {
+    private static void split(Scene.Thing thing, GeometryObject part, int order, List<Piece> pieces) {
         if (part instanceof MeshObject mesh) {
-            triangles(thing, mesh.triangles(), outer.then(part), order, pieces);
+            triangles(thing, mesh.triangles(), new Footprint.Frame(part.pose()), order, pieces);
         } else if (part instanceof ObjectGroup group && hasMesh(group)) {
-            Footprint.Frame frame = outer.then(part);
-            for (GeometryObject member : group.members()) {
-                split(thing, member, frame, order, pieces);
+            for (GeometryObject member : group.placedMembers()) {
+                split(thing, member, order, pieces);
             }
         } else {
-            List<Footprint> areas = Footprint.of(part, outer);
-            pieces.add(new Piece(thing, order, Heights.top(part, outer), areas, false, List.of()));
+            pieces.add(new Piece(thing, order, part.bounds().maxY(), Footprint.of(part), false, List.of()));
         }
     }
 

@@ -2,10 +2,7 @@ package robosim.geometry.viewer.space;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
-import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
-import robosim.geometry.model.Pose;
 
 /**
  * A picture to be taken.
@@ -27,19 +24,6 @@ public record Shot(SpaceView view, @Nullable String carrier) {
         GeometryObject object = moment.mover(carrier);
         return object == null
                 ? null
-                : new SpaceView(placed(view.pose(), object.pose()), view.fieldOfView(), view.width(), view.height());
-    }
-
-    private static Pose placed(Pose inner, Pose frame) {
-        double[] r = frame.rotation();
-        double[] product = new double[9];
-        Rotations.multiply(r, 0, inner.rotation(), 0, product, 0);
-        Point c = inner.center();
-        Point f = frame.center();
-        Point at = new Point(
-                f.x() + r[0] * c.x() + r[1] * c.y() + r[2] * c.z(),
-                f.y() + r[3] * c.x() + r[4] * c.y() + r[5] * c.z(),
-                f.z() + r[6] * c.x() + r[7] * c.y() + r[8] * c.z());
-        return Pose.of(at, 0).oriented(product);
+                : new SpaceView(view.pose().within(object.pose()), view.fieldOfView(), view.width(), view.height());
     }
 }

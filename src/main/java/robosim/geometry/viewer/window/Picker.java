@@ -5,7 +5,6 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.scene.CellArea;
 import robosim.geometry.viewer.scene.Footprint;
-import robosim.geometry.viewer.scene.Heights;
 import robosim.geometry.viewer.scene.Scene;
 
 /** Finds the object at a point of the floor. */
@@ -34,7 +33,7 @@ final class Picker {
 
     /** Whether of two objects at the same place the later one is painted over the earlier. */
     private static boolean isOver(GeometryObject later, GeometryObject earlier) {
-        return later.isMoveable() || Heights.top(later) >= Heights.top(earlier);
+        return later.isMoveable() || later.bounds().maxY() >= earlier.bounds().maxY();
     }
 
     /**

@@ -5,11 +5,10 @@ import java.util.HashSet;
 import java.util.Set;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.World;
 
@@ -119,28 +118,16 @@ final class AreaBound {
         if (robot instanceof SphereObject sphere) {
             return sphere.radius();
         }
-        return robot.pose().isUpright()
-                ? switch (robot.kind()) {
-                    case BOX -> Math.min(((BoxObject) robot).width(), ((BoxObject) robot).length()) / 2;
-                    case CYLINDER -> ((CylinderObject) robot).radius();
-                    case CAPSULE -> ((CapsuleObject) robot).radius();
-                    case SPHERE, MESH, GROUP, GRID -> 0;
-                }
-                : 0;
+        if (!robot.kind().isSized() || !robot.pose().isUpright()) {
+            return 0;
+        }
+        RoundedBox box = robot.roundedBox();
+        return Math.min(box.halfWidth(), box.halfLength()) + box.radius();
     }
 
     private static GeometryObject core(GeometryObject robot, Point at, double radius) {
         return robot instanceof SphereObject
                 ? new SphereObject(at, radius)
-                : new CylinderObject(at, radius, height(robot) * SHRINK);
-    }
-
-    private static double height(GeometryObject robot) {
-        return switch (robot.kind()) {
-            case BOX -> ((BoxObject) robot).height();
-            case CYLINDER -> ((CylinderObject) robot).height();
-            case CAPSULE -> ((CapsuleObject) robot).segment();
-            case SPHERE, MESH, GROUP, GRID -> 0;
-        };
+                : new CylinderObject(at, radius, 2 * robot.roundedBox().halfHeight() * SHRINK);
     }
 }

@@ -46,13 +46,7 @@ final class PlaceGrid {
     }
 
     static int turns(GeometryObject robot) {
-        boolean upright = robot.pose().isUpright();
-        boolean round = switch (robot.kind()) {
-            case SPHERE -> true;
-            case CYLINDER, CAPSULE -> upright;
-            case BOX, MESH, GROUP, GRID -> false;
-        };
-        return round || !upright ? 1 : TURNS;
+        return robot.kind().isRound() || !robot.pose().isUpright() ? 1 : TURNS;
     }
 
     /** The smaller one of an object's extents along X and Z. */

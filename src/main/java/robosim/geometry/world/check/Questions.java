@@ -10,6 +10,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
@@ -374,9 +375,7 @@ final class Questions {
 
     private static boolean isPrism(GeometryObject object) {
         return object.pose().isUpright()
-                && switch (object.kind()) {
-                    case BOX, CYLINDER, GRID -> true;
-                    case SPHERE, CAPSULE, MESH, GROUP -> false;
-                };
+                && (object instanceof GridObject
+                        || (object.kind().isSized() && object.roundedBox().ball() == 0));
     }
 }

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -174,11 +175,9 @@ final class RobotReachability {
 
     /** Whether it has so many parts that moving it is slow. */
     static boolean isMany(GeometryObject robot) {
-        return switch (robot.kind()) {
-            case MESH -> true;
-            case GROUP -> ((ObjectGroup) robot).members().stream().anyMatch(RobotReachability::isMany);
-            case BOX, CYLINDER, SPHERE, CAPSULE, GRID -> false;
-        };
+        return robot instanceof ObjectGroup group
+                ? group.members().stream().anyMatch(RobotReachability::isMany)
+                : robot instanceof MeshObject;
     }
 
     private boolean isStuck(List<Integer> group) {

@@ -13,9 +13,10 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.CountedStream;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.JsonText;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.RegularFile;
 
@@ -42,7 +43,7 @@ final class GltfFile {
         this.folder = folder;
         byte[] bytes;
         try {
-            bytes = new Bounded(in).readAllBytes();
+            bytes = CountedStream.bounded(in).readAllBytes();
         } catch (IOException e) {
             throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
         }
@@ -160,7 +161,7 @@ final class GltfFile {
                     + uri.substring(0, Math.min(60, uri.length())) + ")");
         }
         Path file = Folder.locate(folder, Folder.decoded(uri), "glTF", "buffer");
-        try (InputStream in = new Bounded(RegularFile.open(file))) {
+        try (InputStream in = CountedStream.bounded(RegularFile.open(file))) {
             byte[] bytes = in.readAllBytes();
             read += bytes.length;
             if (read > Limits.MAX_INCLUDED_BYTES) {

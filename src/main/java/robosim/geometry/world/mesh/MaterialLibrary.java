@@ -11,7 +11,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
-import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.CountedStream;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
@@ -62,7 +62,7 @@ final class MaterialLibrary {
         int line = 0;
         try (InputStream in = RegularFile.open(file);
                 BufferedReader lines =
-                        new BufferedReader(new InputStreamReader(new Bounded(in), StandardCharsets.UTF_8))) {
+                        new BufferedReader(new InputStreamReader(CountedStream.bounded(in), StandardCharsets.UTF_8))) {
             Entry entry = new Entry(file); // what comes before the first material is of none
             for (String text = line(lines); text != null; text = line(lines)) {
                 line++;

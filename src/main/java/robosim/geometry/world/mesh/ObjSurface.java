@@ -17,7 +17,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.CountedStream;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Folder;
@@ -74,7 +74,7 @@ public final class ObjSurface {
         try {
             // Latin-1 accepts every byte; everything that is evaluated is ASCII.
             reader.readLines(new BufferedReader(
-                    new InputStreamReader(PlainBytes.of(new Bounded(in)), StandardCharsets.ISO_8859_1)));
+                    new InputStreamReader(PlainBytes.of(CountedStream.bounded(in)), StandardCharsets.ISO_8859_1)));
             return reader.faces.mesh(
                     folder == null || textures == null ? null : reader.library(folder, new MaterialLibrary(textures)));
         } catch (FileProblem e) {

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.CountedStream;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
@@ -53,7 +53,7 @@ public final class PlySurface {
         }
         byte[] bytes;
         try {
-            bytes = PlainBytes.of(new Bounded(in).readAllBytes());
+            bytes = PlainBytes.of(CountedStream.bounded(in).readAllBytes());
         } catch (IOException e) {
             throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
         }

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.AsciiScanner;
-import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.CountedStream;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.PlainBytes;
@@ -44,7 +44,7 @@ public final class StlSurface {
     static MeshObject read(InputStream in, String source, double scale, @Nullable String part) throws FileProblem {
         byte[] bytes;
         try {
-            bytes = new Bounded(in).readAllBytes();
+            bytes = CountedStream.bounded(in).readAllBytes();
         } catch (IOException e) {
             throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
         }

@@ -1,7 +1,6 @@
 package robosim.geometry.world.sdf;
 
 import java.io.CharConversionException;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -11,13 +10,13 @@ import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
-import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.XmlHandler;
 
 /** The file model.config of a model's folder, which names the model's file: that of the highest version. */
-public final class SdfManifest extends DefaultHandler {
+public final class SdfManifest extends XmlHandler {
     /** Its name in each folder. */
     public static final String NAME = "model.config";
 
@@ -36,6 +35,7 @@ public final class SdfManifest extends DefaultHandler {
     private boolean broken;
 
     private SdfManifest(Path file) {
+        super(file.toString());
         this.file = file;
     }
 
@@ -89,16 +89,11 @@ public final class SdfManifest extends DefaultHandler {
                         return attempts.getLast();
                     },
                     remarks);
-        } catch (SAXException e) {
-            if (e.getException() instanceof FileProblem refusal) {
-                throw refusal;
+        } catch (FileProblem e) {
+            if (e.getCause() instanceof CharConversionException) { // invalid bytes
+                attempts.getLast().broken = true;
             }
-            throw new FileProblem(file.toString(), 0, 0, "the XML was refused: " + e, e);
-        } catch (CharConversionException e) { // invalid bytes
-            attempts.getLast().broken = true;
-            throw FileProblem.unreadable(file, e);
-        } catch (IOException e) {
-            throw FileProblem.unreadable(file, e);
+            throw e;
         }
     }
 
@@ -139,13 +134,8 @@ public final class SdfManifest extends DefaultHandler {
     }
 
     @Override
-    public void error(SAXParseException e) throws SAXException {
-        fatalError(e);
-    }
-
-    @Override
     public void fatalError(SAXParseException e) throws SAXException {
         broken = true;
-        throw new SAXException(SafeXml.refusal(file.toString(), e));
+        super.fatalError(e);
     }
 }

@@ -1,32 +1,36 @@
 package robosim.geometry.world.sdf;
 
-import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
-import org.xml.sax.InputSource;
-import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
-import org.xml.sax.SAXParseException;
-import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
 import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.xml.ChildNames;
 import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.XmlHandler;
 
 /** Parses an SDFormat file into elements: those relevant to solid geometry, and counts of the others. */
-public final class SdfParser extends DefaultHandler {
+public final class SdfParser extends XmlHandler {
     private static final int FIRST_VERSION = 0;
     private static final int LAST_VERSION = 12;
 
+    /** The elements whose text is kept; from update_rate on, those of sensors and their noise. */
+    private static final Set<String> WITH_TEXT = ChildNames.words("""
+            pose deleted static uri name placement_frame child size radius length normal pos radii
+            sampling point height center scale diffuse emissive shininess specular
+            update_rate samples resolution min_angle max_angle min max near far horizontal_fov width
+            type mean stddev bias_mean fx fy cx cy s p_fx p_fy p_cx p_cy tx ty k1 k2 k3 p1 p2
+            bias_stddev precision dynamic_bias_stddev dynamic_bias_correlation_time
+            """);
+
     private final SdfFile file;
-    private @Nullable Locator locator;
     private @Nullable SdfElement root;
 
     /** The open elements that are kept, from the root. */
@@ -35,12 +39,12 @@ public final class SdfParser extends DefaultHandler {
     /** The depth of the parser within an element that is not kept. */
     private int outside;
 
-    private int count;
     private int models;
     private final Xacro macros = new Xacro();
     private final List<String> notes = new ArrayList<>();
 
     private SdfParser(SdfFile file) {
+        super(file.shown());
         this.file = file;
     }
 
@@ -50,36 +54,13 @@ public final class SdfParser extends DefaultHandler {
      * @param remarks receives remarks
      */
     static SdfElement read(SdfFile file, Consumer<String> remarks) throws FileProblem {
-        SdfParser parser;
-        try {
-            parser = SafeXml.parseLeniently(file.path(), file.shown(), () -> new SdfParser(file), remarks);
-        } catch (SAXException e) {
-            if (e.getException() instanceof FileProblem refusal) {
-                throw refusal;
-            }
-            throw new FileProblem(file.shown(), 0, 0, "the XML was refused: " + e, e);
-        } catch (IOException e) {
-            throw FileProblem.unreadable(file.path(), e);
-        }
+        SdfParser parser = SafeXml.parseLeniently(file.path(), file.shown(), () -> new SdfParser(file), remarks);
         if (parser.root == null) {
             throw new IllegalStateException("the document has no root");
         }
         parser.macros.report(parser.root);
         parser.notes.forEach(remarks);
         return parser.root;
-    }
-
-    private int line() {
-        return locator == null ? 0 : locator.getLineNumber();
-    }
-
-    private int column() {
-        return locator == null ? 0 : locator.getColumnNumber();
-    }
-
-    @Override
-    public void setDocumentLocator(Locator given) {
-        locator = given;
     }
 
     @Override
@@ -106,7 +87,7 @@ public final class SdfParser extends DefaultHandler {
             if (Xacro.isMacro(name)) {
                 macros.add(file, line(), "<" + name + ">");
             } else if (!passOver(parent, name)) {
-                bounded();
+                count();
                 parent.skipped.add(
                         new LeftOut(file.shown(), line(), tag(name, attributes), SdfNames.reason(parent.name, name)));
             }
@@ -123,17 +104,8 @@ public final class SdfParser extends DefaultHandler {
     }
 
     private SdfElement keep(@Nullable SdfElement parent, String name, Attributes attributes) throws SAXException {
-        bounded();
-        Map<String, String> values = attributes.getLength() == 0 ? Map.of() : new TreeMap<>();
-        for (int k = 0; k < attributes.getLength(); k++) {
-            if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
-                throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
-                        + " characters; shorten it (got: "
-                        + attributes.getValue(k).length() + ")");
-            }
-            values.put(attributes.getQName(k), attributes.getValue(k));
-        }
-        SdfElement element = new SdfElement(file, name, line(), column(), values);
+        count();
+        SdfElement element = new SdfElement(file, name, line(), column(), attributes(name, attributes));
         if (name.equals("model") && ++models > Limits.MAX_GROUPS) {
             throw refusal("models must be nested at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
@@ -158,13 +130,6 @@ public final class SdfParser extends DefaultHandler {
         open.push(element);
         SdfOld.complete(element);
         return element;
-    }
-
-    private void bounded() throws SAXException {
-        if (++count > Limits.MAX_ELEMENTS) {
-            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS
-                    + " relevant elements; split it in several files (got: more)");
-        }
     }
 
     private static String tag(String name, Attributes attributes) {
@@ -201,67 +166,7 @@ public final class SdfParser extends DefaultHandler {
     }
 
     private static boolean takesText(SdfElement element) {
-        return switch (element.name) {
-            case "pose",
-                    "deleted",
-                    "static",
-                    "uri",
-                    "name",
-                    "placement_frame",
-                    "child",
-                    "size",
-                    "radius",
-                    "length",
-                    "normal",
-                    "pos",
-                    "radii",
-                    "sampling",
-                    "point",
-                    "height",
-                    "center",
-                    "scale",
-                    "diffuse",
-                    "emissive",
-                    "shininess",
-                    "specular" -> true;
-            // of sensors and their noise
-            case "update_rate",
-                    "samples",
-                    "resolution",
-                    "min_angle",
-                    "max_angle",
-                    "min",
-                    "max",
-                    "near",
-                    "far",
-                    "horizontal_fov",
-                    "width",
-                    "type",
-                    "mean",
-                    "stddev",
-                    "bias_mean",
-                    "fx",
-                    "fy",
-                    "cx",
-                    "cy",
-                    "s",
-                    "p_fx",
-                    "p_fy",
-                    "p_cx",
-                    "p_cy",
-                    "tx",
-                    "ty",
-                    "k1",
-                    "k2",
-                    "k3",
-                    "p1",
-                    "p2",
-                    "bias_stddev",
-                    "precision",
-                    "dynamic_bias_stddev",
-                    "dynamic_bias_correlation_time" -> true;
-            default -> false;
-        };
+        return WITH_TEXT.contains(element.name);
     }
 
     @Override
@@ -273,24 +178,5 @@ public final class SdfParser extends DefaultHandler {
         if (open.pop().name.equals("model")) {
             models--;
         }
-    }
-
-    @Override
-    public void error(SAXParseException e) throws SAXException {
-        fatalError(e);
-    }
-
-    @Override
-    public void fatalError(SAXParseException e) throws SAXException {
-        throw new SAXException(SafeXml.refusal(file.shown(), e));
-    }
-
-    @Override
-    public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
-        throw refusal("external entities are not allowed; remove the reference (got: " + systemId + ")");
-    }
-
-    private SAXException refusal(String problem) {
-        return new SAXException(new FileProblem(file.shown(), line(), column(), problem));
     }
 }

@@ -1,6 +1,5 @@
 package robosim.geometry.world.sdf;
 
-import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
@@ -12,49 +11,46 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
-import org.xml.sax.InputSource;
-import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
-import org.xml.sax.SAXParseException;
-import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LeftOut;
-import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.xml.ChildNames;
 import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.XmlHandler;
 
 /**
  * Parses a URDF file into the elements of an SDFormat file with one model: its links, each where its joint at rest puts
  * it, and their collisions.
  */
-final class UrdfParser extends DefaultHandler {
-    private static final Map<String, Set<String>> READ = Map.of(
-            "robot", Set.of("link", "joint"),
-            "link", Set.of("collision"),
-            "collision", Set.of("origin", "geometry"),
-            "geometry", Set.of("box", "cylinder", "sphere", "capsule", "mesh"),
-            "joint", Set.of("origin", "parent", "child"));
+final class UrdfParser extends XmlHandler {
+    private static final ChildNames READ = new ChildNames("""
+            robot: link joint
+            link: collision
+            collision: origin geometry
+            geometry: box cylinder sphere capsule mesh
+            joint: origin parent child
+            """);
 
     /** The attributes without which a shape has no size. */
-    private static final Map<String, Set<String>> NEEDED = Map.of(
-            "box", Set.of("size"),
-            "cylinder", Set.of("radius", "length"),
-            "sphere", Set.of("radius"),
-            "capsule", Set.of("radius", "length"),
-            "mesh", Set.of("filename"));
+    private static final ChildNames NEEDED = new ChildNames("""
+            box: size
+            cylinder capsule: radius length
+            sphere: radius
+            mesh: filename
+            """);
 
     /** How many numbers an attribute of a shape has. */
     private static final Map<String, Integer> NUMBERS = Map.of("size", 3, "radius", 1, "length", 1, "scale", 3);
 
     private final SdfFile file;
     private final Deque<SdfElement> open = new ArrayDeque<>();
-    private @Nullable Locator locator;
     private @Nullable SdfElement robot;
     private int outside;
-    private int count;
     private final Xacro macros = new Xacro();
 
     private UrdfParser(SdfFile file) {
+        super(file.shown());
         this.file = file;
     }
 
@@ -69,17 +65,7 @@ final class UrdfParser extends DefaultHandler {
      * @param remarks receives remarks
      */
     static SdfElement read(SdfFile file, Consumer<String> remarks) throws FileProblem {
-        UrdfParser parser;
-        try {
-            parser = SafeXml.parseLeniently(file.path(), file.shown(), () -> new UrdfParser(file), remarks);
-        } catch (SAXException e) {
-            if (e.getException() instanceof FileProblem refusal) {
-                throw refusal;
-            }
-            throw new FileProblem(file.shown(), 0, 0, "the XML was refused: " + e, e);
-        } catch (IOException e) {
-            throw FileProblem.unreadable(file.path(), e);
-        }
+        UrdfParser parser = SafeXml.parseLeniently(file.path(), file.shown(), () -> new UrdfParser(file), remarks);
         if (parser.robot == null) {
             throw new IllegalStateException("the document has no root");
         }
@@ -87,20 +73,10 @@ final class UrdfParser extends DefaultHandler {
         return parser.model(parser.robot, remarks);
     }
 
-    private int line() {
-        return locator == null ? 0 : locator.getLineNumber();
-    }
-
-    @Override
-    public void setDocumentLocator(Locator given) {
-        locator = given;
-    }
-
     @Override
     public void startElement(String uri, String local, String name, Attributes attributes) throws SAXException {
         SdfElement parent = open.peek();
-        if (outside > 0
-                || (parent != null && !READ.getOrDefault(parent.name, Set.of()).contains(name))) {
+        if (outside > 0 || (parent != null && !READ.of(parent.name).contains(name))) {
             if (outside++ == 0 && parent != null) {
                 passOver(parent, name);
             }
@@ -109,19 +85,13 @@ final class UrdfParser extends DefaultHandler {
         if (parent == null && !name.equals("robot")) {
             throw refusal("the root of URDF must be <robot> (got: <" + name + ">)");
         }
-        bounded();
-        Map<String, String> values = new TreeMap<>();
-        for (int k = 0; k < attributes.getLength(); k++) {
-            if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
-                throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
-                        + " characters; shorten it (got: "
-                        + attributes.getValue(k).length() + ")");
+        count();
+        Map<String, String> values = attributes(name, attributes);
+        values.forEach((key, value) -> {
+            if (Xacro.isExpression(value)) {
+                macros.add(file, line(), key + "=\"" + value + "\"");
             }
-            values.put(attributes.getQName(k), attributes.getValue(k));
-            if (Xacro.isExpression(attributes.getValue(k))) {
-                macros.add(file, line(), attributes.getQName(k) + "=\"" + attributes.getValue(k) + "\"");
-            }
-        }
+        });
         SdfElement element = new SdfElement(file, name, line(), 0, values);
         if (parent == null) {
             robot = element;
@@ -138,16 +108,9 @@ final class UrdfParser extends DefaultHandler {
         } else if (!parent.name.equals("geometry")) {
             parent.passedOver.merge(name, 1, Integer::sum);
         } else {
-            bounded();
+            count();
             parent.skipped.add(
                     new LeftOut(file.shown(), line(), "<" + name + ">", "URDF has no such shape; check the spelling"));
-        }
-    }
-
-    private void bounded() throws SAXException {
-        if (++count > Limits.MAX_ELEMENTS) {
-            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS
-                    + " relevant elements; split it in several files (got: more)");
         }
     }
 
@@ -246,7 +209,7 @@ final class UrdfParser extends DefaultHandler {
     /** Refuses a shape without its size in the words of URDF, which has attributes where SDFormat has elements. */
     private static SdfElement checked(SdfElement geometry) throws FileProblem {
         for (SdfElement shape : geometry.children) {
-            for (String needed : new TreeSet<>(NEEDED.getOrDefault(shape.name, Set.of()))) {
+            for (String needed : new TreeSet<>(NEEDED.of(shape.name))) {
                 if (shape.attribute(needed).isEmpty()) {
                     throw shape.wrong("<" + shape.name + "> must have the attribute " + needed + " (got: none)");
                 }
@@ -299,24 +262,5 @@ final class UrdfParser extends DefaultHandler {
 
     private SdfElement element(SdfElement place, String name, Map<String, String> attributes) {
         return new SdfElement(file, name, place.line, 0, attributes);
-    }
-
-    @Override
-    public void error(SAXParseException e) throws SAXException {
-        fatalError(e);
-    }
-
-    @Override
-    public void fatalError(SAXParseException e) throws SAXException {
-        throw new SAXException(SafeXml.refusal(file.shown(), e));
-    }
-
-    @Override
-    public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
-        throw refusal("external entities are not allowed; remove the reference (got: " + systemId + ")");
-    }
-
-    private SAXException refusal(String problem) {
-        return new SAXException(new FileProblem(file.shown(), line(), 0, problem));
     }
 }

@@ -1,6 +1,5 @@
 package robosim.geometry.world.shared;
 
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.function.LongConsumer;
@@ -69,7 +68,14 @@ public final class FileWork {
 
     /** A stream whose bytes are counted, if this thread reads within {@link #counted}. */
     static InputStream watched(InputStream in) {
-        return COUNTER.get() == null ? in : new Watched(in);
+        long[] bytes = {0};
+        return COUNTER.get() == null
+                ? in
+                : new CountedStream(in, more -> {
+                    long before = bytes[0] / BYTES;
+                    bytes[0] += more;
+                    take(bytes[0] / BYTES - before);
+                });
     }
 
     /** A sink of pixels that are counted, if this thread reads within {@link #counted}. */
@@ -87,34 +93,6 @@ public final class FileWork {
         public void pixels(int row, int first, int step, int count, int[] samples) throws IOException {
             take(1 + count / PIXELS);
             sink.pixels(row, first, step, count, samples);
-        }
-    }
-
-    private static final class Watched extends FilterInputStream {
-        private long bytes;
-
-        Watched(InputStream in) {
-            super(in);
-        }
-
-        @Override
-        public int read() throws IOException {
-            int value = super.read();
-            count(value < 0 ? 0 : 1);
-            return value;
-        }
-
-        @Override
-        public int read(byte[] target, int from, int length) throws IOException {
-            int got = super.read(target, from, length);
-            count(Math.max(0, got));
-            return got;
-        }
-
-        private void count(int more) {
-            long before = bytes / BYTES;
-            bytes += more;
-            take(bytes / BYTES - before);
         }
     }
 }

@@ -32,7 +32,7 @@ public final class ImageFiles {
             if (kind.equals("PNG")) {
                 PngReader.read(new ByteArrayInputStream(bytes), sink);
             } else if (other != null) {
-                JdkImageReader.read(bytes, other, sink);
+                JdkImageReader.read(new ByteArrayInputStream(bytes), other, sink, JdkImageReader::check);
             } else {
                 PgmReader.read(bytes, source, sink);
             }

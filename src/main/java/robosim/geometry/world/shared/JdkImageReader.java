@@ -5,8 +5,8 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -16,6 +16,12 @@ import robosim.geometry.image.PixelSink;
 
 /** Reads the samples of images in formats that only the JDK decodes: BMP, JPEG and TIFF, in its module java.desktop. */
 final class JdkImageReader {
+    /** Receives the size of an image before it is decoded, and refuses it if it is too large. */
+    @FunctionalInterface
+    interface Size {
+        void check(int width, int height) throws IOException;
+    }
+
     private JdkImageReader() {}
 
     /** The format of an image by its first bytes, as the JDK names it; null if it is none of these. */
@@ -33,15 +39,15 @@ final class JdkImageReader {
         };
     }
 
-    static void read(byte[] bytes, String format, PixelSink sink) throws IOException {
+    static void read(InputStream in, String format, PixelSink sink, Size size) throws IOException {
         Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName(format);
         if (!readers.hasNext()) {
             throw new IOException("this Java has no reader of it; save the image as PNG");
         }
         ImageReader reader = readers.next();
-        try (var stream = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
+        try (var stream = new MemoryCacheImageInputStream(in)) {
             reader.setInput(stream, true, true);
-            check(reader.getWidth(0), reader.getHeight(0)); // before there is room for the pixels
+            size.check(reader.getWidth(0), reader.getHeight(0)); // before there is room for the pixels
             BufferedImage image = reader.read(0);
             ColorModel colours = image.getColorModel();
             if (colours instanceof IndexColorModel palette) {
@@ -60,7 +66,8 @@ final class JdkImageReader {
         }
     }
 
-    private static void check(int width, int height) throws IOException {
+    /** Refuses an image of more pixels than a map may have. */
+    static void check(int width, int height) throws IOException {
         if ((long) width * height > Limits.MAX_MAP_CELLS) {
             throw new IOException("an image must have at most " + Limits.MAX_MAP_CELLS
                     + " pixels; cut or scale it (got: " + width + " x " + height + ")");

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.image.PngReader;
+import robosim.geometry.image.RgbPixels;
 import robosim.geometry.material.ImageTexture;
 
 /**
@@ -120,23 +121,22 @@ public final class TextureFiles {
     }
 
     private ImageTexture read(Path file) throws FileProblem {
-        try (InputStream in = new BufferedInputStream(new Bounded(RegularFile.open(file)))) {
+        try (InputStream in = new BufferedInputStream(CountedStream.bounded(RegularFile.open(file)))) {
             in.mark(START);
             byte[] start = in.readNBytes(START);
             in.reset();
-            if (JpegReader.isJpeg(start)) {
-                return JpegReader.read(in, this::count);
+            if ("JPEG".equals(JdkImageReader.format(start))) {
+                RgbPixels pictured = new RgbPixels();
+                JdkImageReader.read(in, "JPEG", pictured, (width, height) -> count(file, width, height));
+                return texture(pictured.taken());
             }
             if (start.length == START && start[0] == (byte) 0x89 && start[1] == 'P') {
                 ByteBuffer size = ByteBuffer.wrap(start, SIZE_AT, 8);
-                count(Integer.toUnsignedLong(size.getInt()), Integer.toUnsignedLong(size.getInt()));
+                count(file, Integer.toUnsignedLong(size.getInt()), Integer.toUnsignedLong(size.getInt()));
             }
-            PngReader.Pixels image = PngReader.read(in);
-            return new ImageTexture(image.width(), image.height(), image.pixels(), 1, 1);
+            return texture(PngReader.read(in));
         } catch (FileProblem e) {
             throw e;
-        } catch (IllegalArgumentException e) {
-            throw new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e);
         } catch (FileWork.Ended e) {
             throw e;
         } catch (IOException | RuntimeException e) { // a broken JPEG throws either
@@ -152,7 +152,19 @@ public final class TextureFiles {
         }
     }
 
+    private static ImageTexture texture(PngReader.Pixels image) {
+        return new ImageTexture(image.width(), image.height(), image.pixels(), 1, 1);
+    }
+
     /** Counts the pixels that a picture claims, before any room is made for them. */
+    private void count(Path file, long width, long height) throws FileProblem {
+        try {
+            count(width, height);
+        } catch (IllegalArgumentException e) {
+            throw new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+        }
+    }
+
     private void count(long width, long height) {
         pixels += ImageTexture.checkSize(width, height);
         if (pixels > ImageTexture.MOST_PIXELS) {

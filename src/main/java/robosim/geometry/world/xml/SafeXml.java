@@ -15,7 +15,6 @@ import javax.xml.parsers.SAXParserFactory;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.XMLReader;
-import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.RegularFile;
 
@@ -40,13 +39,28 @@ public final class SafeXml {
      * Parses a stream.
      *
      * @param source the name of the stream in messages
-     * @throws SAXException around a {@link FileProblem}, if it exceeds the limits
+     * @throws FileProblem if it cannot be read, is not well-formed, exceeds the limits or is refused by its handler
      */
-    public static void parse(InputStream in, String source, DefaultHandler follower) throws SAXException, IOException {
-        parse(reader(SAXParserFactory.newDefaultNSInstance()), in, source, follower);
+    public static void parse(InputStream in, String source, XmlHandler follower) throws FileProblem {
+        try {
+            parse(reader(SAXParserFactory.newDefaultNSInstance()), in, source, follower);
+        } catch (SAXException e) {
+            throw refused(source, follower.line(), follower.column(), e);
+        } catch (FileProblem e) {
+            throw e;
+        } catch (IOException e) {
+            String problem = "the file could not be read: " + e.getMessage();
+            throw new FileProblem(source, follower.line(), follower.column(), problem, e);
+        }
     }
 
-    private static void parse(XMLReader reader, InputStream in, String source, DefaultHandler follower)
+    private static FileProblem refused(String source, int line, int column, SAXException e) {
+        return e.getException() instanceof FileProblem refusal
+                ? refusal
+                : new FileProblem(source, line, column, "the XML was refused: " + e, e);
+    }
+
+    private static void parse(XMLReader reader, InputStream in, String source, XmlHandler follower)
             throws SAXException, IOException {
         XmlLimitFilter filter = new XmlLimitFilter(reader, source, follower);
         filter.parse(filter.watched(in));
@@ -60,9 +74,20 @@ public final class SafeXml {
      * @param followers called for each attempt
      * @param remarks   told what was mended
      * @return the follower of the attempt that succeeded
-     * @throws SAXException around a {@link FileProblem}, if it exceeds the limits
+     * @throws FileProblem as {@link #parse}
      */
-    public static <H extends DefaultHandler> H parseLeniently(
+    public static <H extends XmlHandler> H parseLeniently(
+            Path file, String source, Supplier<H> followers, Consumer<String> remarks) throws FileProblem {
+        try {
+            return parseMended(file, source, followers, remarks);
+        } catch (SAXException e) {
+            throw refused(source, 0, 0, e);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(file, e);
+        }
+    }
+
+    private static <H extends XmlHandler> H parseMended(
             Path file, String source, Supplier<H> followers, Consumer<String> remarks)
             throws SAXException, IOException {
         try (InputStream in = new BufferedInputStream(RegularFile.open(file))) {

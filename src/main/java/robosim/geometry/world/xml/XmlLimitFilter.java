@@ -1,7 +1,5 @@
 package robosim.geometry.world.xml;
 
-import java.io.FilterInputStream;
-import java.io.IOException;
 import java.io.InputStream;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -12,7 +10,7 @@ import org.xml.sax.XMLReader;
 import org.xml.sax.ext.LexicalHandler;
 import org.xml.sax.helpers.DefaultHandler;
 import org.xml.sax.helpers.XMLFilterImpl;
-import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.CountedStream;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Limits;
@@ -38,33 +36,10 @@ final class XmlLimitFilter extends XMLFilterImpl implements LexicalHandler {
         setEntityResolver(follower);
     }
 
-    /** Counts the bytes that the parser reads from a stream. */
+    /** Counts the bytes that the parser reads from a stream without an event. */
     InputSource watched(InputStream in) {
-        return new InputSource(new Watched(new Bounded(in)));
-    }
-
-    /** Counts the bytes that the parser reads without an event. */
-    private final class Watched extends FilterInputStream {
-        Watched(InputStream in) {
-            super(in);
-        }
-
-        @Override
-        public int read() throws IOException {
-            int value = super.read();
-            count(value < 0 ? 0 : 1);
-            return value;
-        }
-
-        @Override
-        public int read(byte[] target, int from, int length) throws IOException {
-            int count = super.read(target, from, length);
-            count(count);
-            return count;
-        }
-
-        private void count(int bytes) throws IOException {
-            silent += Math.max(0, bytes);
+        return new InputSource(new CountedStream(CountedStream.bounded(in), bytes -> {
+            silent += bytes;
             if (silent > Limits.MAX_MARKUP) {
                 throw new FileProblem(
                         source,
@@ -73,7 +48,7 @@ final class XmlLimitFilter extends XMLFilterImpl implements LexicalHandler {
                         "a tag with its attributes, a comment, or the space before the first tag must have at most "
                                 + Limits.MAX_MARKUP + " bytes; keep large meshes in files of their own (got: more)");
             }
-        }
+        }));
     }
 
     @Override

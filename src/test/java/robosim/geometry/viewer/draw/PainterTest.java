@@ -2,7 +2,6 @@ package robosim.geometry.viewer.draw;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -29,7 +28,6 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Text;
-import robosim.geometry.viewer.scene.Heights;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -251,10 +249,6 @@ class PainterTest {
         // In the middle of the page only what nothing covers has a name; the mat's place is the floor's middle too.
         Element names = withClass(document, "names").get(0);
         assertThat(names.getTextContent()).contains("sheet").doesNotContain("mat", "floor", "roof");
-        assertThat(Heights.top(new BoxObject(new Point(0, 1, 0), 2, 2, 2).turned(45, 30)))
-                .isCloseTo(1 + Math.sqrt(2), within(1e-12));
-        assertThat(Heights.top(new CylinderObject(new Point(), 3, 8).turned(60, 0)))
-                .isCloseTo(2 + 3 * Math.sin(Math.PI / 3), within(1e-12));
     }
 
     private static boolean isShade(int rgb, int other) {

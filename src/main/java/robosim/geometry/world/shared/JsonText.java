@@ -1,20 +1,18 @@
-package robosim.geometry.world.mesh;
+package robosim.geometry.world.shared;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.world.shared.FileProblem;
-import robosim.geometry.world.shared.FileWork;
-import robosim.geometry.world.shared.Limits;
-import robosim.geometry.world.shared.Numbers;
 
 /**
- * Parses a text in JSON (RFC 8259) into maps, lists, strings, doubles and booleans; null is null. Of a name that an object has
+ * Texts in JSON (RFC 8259) from and to maps, lists, strings, numbers and booleans; null is null. Of a name that an object has
  * twice, the last value counts.
  */
-final class JsonText {
+public final class JsonText {
     private final String text;
     private final String source;
     private int at;
@@ -25,7 +23,12 @@ final class JsonText {
         this.source = source;
     }
 
-    static @Nullable Object parse(String text, String source) throws FileProblem {
+    /**
+     * The value of a text; its numbers are doubles.
+     *
+     * @param source the name of the text in messages
+     */
+    public static @Nullable Object parse(String text, String source) throws FileProblem {
         JsonText parser = new JsonText(text, source);
         parser.at = text.startsWith("\uFEFF") ? 1 : 0;
         Object value = parser.value(0);
@@ -33,6 +36,60 @@ final class JsonText {
             throw parser.wrong("the text must end after its first value (got: more)");
         }
         return value;
+    }
+
+    /**
+     * The text of a value: null, a string, a number, a boolean, a collection or a map of strings to values. Maps keep their
+     * order; NaN and infinities become null.
+     */
+    public static String of(@Nullable Object value) {
+        StringBuilder text = new StringBuilder();
+        write(value, text);
+        return text.toString();
+    }
+
+    private static void write(@Nullable Object value, StringBuilder out) {
+        if (value instanceof Map<?, ?> map) {
+            String before = "{";
+            for (Map.Entry<?, ?> entry : map.entrySet()) {
+                out.append(before);
+                quote(String.valueOf(entry.getKey()), out);
+                out.append(':');
+                write(entry.getValue(), out);
+                before = ",";
+            }
+            out.append(map.isEmpty() ? "{}" : "}");
+        } else if (value instanceof Collection<?> list) {
+            String before = "[";
+            for (Object element : list) {
+                out.append(before);
+                write(element, out);
+                before = ",";
+            }
+            out.append(list.isEmpty() ? "[]" : "]");
+        } else if (value instanceof Number || value instanceof Boolean) {
+            boolean finite = !(value instanceof Double number) || Double.isFinite(number);
+            out.append(finite ? value.toString() : "null");
+        } else if (value == null) {
+            out.append("null");
+        } else {
+            quote(value.toString(), out);
+        }
+    }
+
+    private static void quote(String text, StringBuilder out) {
+        out.append('"');
+        for (int k = 0; k < text.length(); k++) {
+            char c = text.charAt(k);
+            if (c == '"' || c == '\\') {
+                out.append('\\').append(c);
+            } else if (c < ' ' || Character.isSurrogate(c)) {
+                out.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
+            } else {
+                out.append(c);
+            }
+        }
+        out.append('"');
     }
 
     /** The next character that is not white space, which is not taken; 0 at the end. */
