@@ -45,6 +45,14 @@ final class ContactDetection {
         return object < 0 || object >= bodyOf.length ? -1 : bodyOf[object];
     }
 
+    /** Lets a body share its momentum with the one that an object is, if it is a body that moves. */
+    void join(int b, int object) {
+        int other = bodyOf(object);
+        if (other >= 0 && !bodies.get(other).isAsleep) {
+            budget.join(b, other);
+        }
+    }
+
     /** Finds the contacts of a body; those with other bodies that will find them too only if asked. */
     void gather(int b, boolean all) {
         RigidBody body = bodies.get(b);

@@ -136,6 +136,7 @@ final class Integrator {
             spin(body, rest);
             System.arraycopy(body.place, 0, middle, 0, body.place.length);
             double share = way.go(body, d, angle);
+            detection.join(b, way.keptOff);
             if (!body.isBall) {
                 body.keepMomentum(middle, body.u, body.place, spare, 3);
                 System.arraycopy(spare, 3, body.u, 3, 3);

@@ -57,6 +57,12 @@ final class TurningSweep {
     /** By how much less than it was lifted a body is let down. */
     private double stay;
 
+    /** The object because of which it is. */
+    private int obstacle;
+
+    /** The object that a body which turns was last kept off on its way, so that it is beside its path; -1 for none. */
+    int keptOff = -1;
+
     /** By how much at most it has moved since what is near was found. */
     private double passed;
 
@@ -98,6 +104,7 @@ final class TurningSweep {
         double way = RigidBody.length(d, 0);
         double turned = RigidBody.length(angle, 0);
         boolean turns = !body.isBall && turned * body.reach > NOTHING;
+        keptOff = -1;
         if (!turns) {
             double share = way == 0 ? 1 : placer.toContact(body.id, d[0], d[1], d[2], GAP);
             read(body);
@@ -180,6 +187,7 @@ final class TurningSweep {
         placer.put(body.id, body.place);
         passed += moved + stay;
         parts++;
+        keptOff = stay > 0 ? obstacle : keptOff;
         return true;
     }
 
@@ -239,8 +247,10 @@ final class TurningSweep {
                 }
                 most = Math.max(most, needs[k]);
                 lift = Math.max(lift, (1.5 * needs[k] + GAP - rooms[k]) / steep);
-                if (ends[k] < GAP / 2) {
-                    stay = Math.max(stay, (GAP - ends[k]) / steep);
+                double needed = ends[k] < GAP / 2 ? (GAP - ends[k]) / steep : 0;
+                if (needed > stay) {
+                    stay = needed;
+                    obstacle = near.object[k];
                 }
             }
         }

@@ -120,7 +120,8 @@ public final class TileProbe {
                     || ask(inner, Integer.MAX_VALUE, Double.POSITIVE_INFINITY, outlines, target) == ENOUGH;
         }
         if (quantizedBounds.length == 0) {
-            return readRows(over, tile, outlines, target);
+            double slack = TileGathering.slack(x, z, halfX, halfZ, most);
+            return over.mayMeetAny(x, z, halfX + slack, halfZ + slack) && readRows(over, tile, outlines, target);
         }
         int first = data[tile + 1];
         for (int k = first; k < first + length; k++) {

@@ -80,6 +80,13 @@ public final class Tiles {
     private final double maxZ;
     private int objects;
 
+    /** What encloses all objects that were listed in lists without quantized bounds. */
+    private double fromX = Double.POSITIVE_INFINITY;
+
+    private double fromZ = Double.POSITIVE_INFINITY;
+    private double toX = Double.NEGATIVE_INFINITY;
+    private double toZ = Double.NEGATIVE_INFINITY;
+
     /** About a given number of tiles over a window, or a single one without limits if the window cannot be divided. */
     Tiles(double minX, double minZ, double maxX, double maxZ, long tiles, int mostAlong, TileLists store) {
         this.store = store;
@@ -199,8 +206,23 @@ public final class Tiles {
         return (z - originZ) * scaleZ;
     }
 
+    /** Whether a rectangle around a point may meet any object of a list without quantized bounds. */
+    boolean mayMeetAny(double x, double z, double halfX, double halfZ) {
+        return x + halfX >= fromX && x - halfX <= toX && z + halfZ >= fromZ && z - halfZ <= toZ;
+    }
+
+    private void enclose(double[] boxes, int at) {
+        fromX = Math.min(fromX, boxes[at]);
+        fromZ = Math.min(fromZ, boxes[at + 2]);
+        toX = Math.max(toX, boxes[at + 3]);
+        toZ = Math.max(toZ, boxes[at + 5]);
+    }
+
     /** Adds a box that fits. */
     void add(int id, double[] boxes, int at) {
+        if (!store.hasQuantizedBounds()) {
+            enclose(boxes, at);
+        }
         int x0 = column(boxes[at], -MARGIN);
         int x1 = column(boxes[at + 3], MARGIN);
         int z1 = row(boxes[at + 5], MARGIN);
@@ -293,6 +315,9 @@ public final class Tiles {
             return;
         }
         boolean isNothingNew = innerCount == 0 && !store.hasQuantizedBounds();
+        if (!store.hasQuantizedBounds()) {
+            enclose(boxes, at);
+        }
         for (int row = isNothingNew ? z1 + 1 : z0; row <= z1; row++) {
             for (int column = x0; column <= x1; column++) {
                 moveWithin(column, row, id, before, from, boxes, at);

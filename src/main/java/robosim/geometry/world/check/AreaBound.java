@@ -32,6 +32,9 @@ final class AreaBound {
     /** By how much a core is smaller than it may be: more than rounding changes any place or size. */
     private static final double SHRINK = 1 - 1e-9;
 
+    /** Odd, so that no two keys become one: without it most cells have the same few hashes. */
+    private static final long SPREAD = 0x9E37_79B9_7F4A_7C15L;
+
     private final World world;
 
     private final Geometry statics;
@@ -77,7 +80,7 @@ final class AreaBound {
         ArrayDeque<Long> open = new ArrayDeque<>();
         // The robot stands in the first cell, whatever rounding does to its core.
         open.add(key(0, 0));
-        seen.add(key(0, 0));
+        seen.add(key(0, 0) * SPREAD);
         int free = 0;
         while (!open.isEmpty()) {
             long cell = open.remove();
@@ -87,7 +90,7 @@ final class AreaBound {
             for (int k = 0; k < 9; k++) {
                 int x = i + k % 3 - 1;
                 int z = j + k / 3 - 1;
-                if (!seen.add(key(x, z))) {
+                if (!seen.add(key(x, z) * SPREAD)) {
                     continue;
                 }
                 if (left-- <= 0) {

@@ -78,10 +78,9 @@ class FreeSpatialPairTest {
             met += isMet ? 1 : 0;
             double[] after = momenta(world, dynamics);
             for (int k = 0; k < 6; k++) {
-                // Where a body is delayed before the two touch, the common centre is off by that.
                 assertThat(Math.abs(after[k] - before[k]) / MASS_A)
                         .as("run %d, number %d: momentum, then angular momentum", run, k)
-                        .isLessThan(k < 3 ? 1e-12 : 1e-6);
+                        .isLessThan(1e-12);
             }
             assertThat(after[6]).as("energy, run %d", run).isLessThan(before[6] * (1 + 1e-7));
         }

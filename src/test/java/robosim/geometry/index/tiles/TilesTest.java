@@ -43,6 +43,30 @@ class TilesTest {
         assertThat(tiles.store.data.length).isLessThanOrEqualTo(halfWay + (halfWay >> 3));
     }
 
+    /** A long list of objects in one place is not read by those who ask elsewhere. */
+    @Test
+    void aListIsReadOnlyWhereItsObjectsAre() {
+        Tiles tiles = Tiles.single();
+        for (int id = 0; id < COUNT; id++) {
+            box(id, 3 + id * 1e-6, 7);
+            tiles.add(id, boxes, 6 * id);
+        }
+        assertThat(tiles.mayMeetAny(5, 7, 0.5, 0.5)).isFalse();
+        assertThat(tiles.mayMeetAny(3, 5, 0.5, 0.5)).isFalse();
+        assertThat(tiles.mayMeetAny(4.5, 7, 1, 0)).isTrue();
+        double[] before = boxes.clone();
+        box(5, 9, 7);
+        tiles.move(5, before, 30, boxes, 30);
+        assertThat(tiles.mayMeetAny(8.9, 7, 0.5, 0.5)).isTrue();
+    }
+
+    private void box(int id, double x, double z) {
+        boxes[6 * id] = x - 0.5;
+        boxes[6 * id + 2] = z - 0.5;
+        boxes[6 * id + 3] = x + 0.5;
+        boxes[6 * id + 5] = z + 0.5;
+    }
+
     /** One comes, goes or moves, a little or anywhere; answers whether it moved. */
     private boolean churn(Tiles tiles, int id) {
         int at = 6 * id;
