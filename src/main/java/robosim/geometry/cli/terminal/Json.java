@@ -1,6 +1,7 @@
 package robosim.geometry.cli.terminal;
 
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -17,6 +18,15 @@ public final class Json {
         StringBuilder text = new StringBuilder();
         write(value, text);
         return text.toString();
+    }
+
+    /** Fields in their order, given as their names and values in turns. */
+    public static Map<String, @Nullable Object> fields(@Nullable Object... pairs) {
+        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
+        for (int k = 0; k < pairs.length; k += 2) {
+            fields.put(String.valueOf(pairs[k]), pairs[k + 1]);
+        }
+        return fields;
     }
 
     private static void write(@Nullable Object value, StringBuilder out) {

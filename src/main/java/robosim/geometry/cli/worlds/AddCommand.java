@@ -29,9 +29,9 @@ import robosim.geometry.world.WorldWriter;
         name = "add",
         description = {
             "Writes a copy of a world file with one more robot, or several, on the floor of the scene. A world of this"
-                    + " module keeps its text, comments included; a map, SDFormat or a mesh is included by a small new"
-                    + " world, and stays the file that it is; if OUT is not in its folder or in one around it, OUT has a"
-                    + " copy of it.",
+                + " module keeps its text, comments included; a map, SDFormat or a mesh is included by a small new"
+                + " world, and stays the file that it is; if OUT is not in its folder or in one around it, OUT has a"
+                + " copy of it.",
             "",
             "X and Z are those of the world; a point (x, y) of a ROS map is X = x, Z = -y."
         },
@@ -103,7 +103,6 @@ public final class AddCommand implements Callable<Integer> {
         return ExitCodes.FINE;
     }
 
-    /** The text of the new file. */
     private String text(World world, List<WorldObject> added) throws IOException {
         String own = WorldWriter.toXml(world.withObjects(added));
         String elements = own.substring(own.indexOf('\n', own.indexOf("<world ")) + 1, own.lastIndexOf(END));

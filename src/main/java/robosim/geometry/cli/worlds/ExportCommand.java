@@ -76,9 +76,7 @@ public final class ExportCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Arguments.output("PAGE", page, ".html");
         StepRange range = StepRange.of(steps);
-        if (!Files.exists(file)) {
-            throw new UsageException("FILE must exist; check the path (got: " + file + ")");
-        }
+        Arguments.refuse(!Files.exists(file), "FILE must exist; check the path", file);
         files.check();
         boolean isDemo = WireFiles.at(file) != null;
         if (!isDemo) {
