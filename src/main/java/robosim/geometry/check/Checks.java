@@ -22,6 +22,13 @@ public final class Checks {
         return value;
     }
 
+    /** Refuses an argument if something is so; {@code rule} says what it must be. */
+    public static void refuse(boolean isSo, String rule, Object got) {
+        if (isSo) {
+            throw new IllegalArgumentException(rule + " (got: " + got + ")");
+        }
+    }
+
     /** An immutable copy of a list, which must not be null or contain null. */
     public static <T> List<T> list(String argument, @Nullable List<? extends @Nullable T> values) {
         int k = 0;

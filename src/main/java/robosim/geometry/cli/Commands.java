@@ -54,7 +54,6 @@ public final class Commands implements Terminal.Program {
     /** What people who do not know a program type first. */
     private static final String HELP = "help";
 
-    /** What asks for help. */
     private static final Set<String> HELPS = Set.of(HELP, "--help", "-h");
 
     private static final List<Class<?>> COMMANDS = List.of(

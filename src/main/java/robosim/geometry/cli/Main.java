@@ -84,7 +84,6 @@ public final class Main {
         return Math.max(USUAL_GIGABYTES, (most >> 30) * 2 + 2);
     }
 
-    /** What to do about a missing class. */
     static String sentence(NoClassDefFoundError missing) {
         String name = String.valueOf(missing.getMessage());
         return LIBRARIES.entrySet().stream()

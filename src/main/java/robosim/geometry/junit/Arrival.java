@@ -1,5 +1,6 @@
 package robosim.geometry.junit;
 
+import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 
 /** An assertion that a robot reaches a goal. */
@@ -21,9 +22,7 @@ public final class Arrival {
      *     follows} a behaviour
      */
     public Robot within(int steps) {
-        if (steps < 0) {
-            throw new IllegalArgumentException("steps must be at least 0 (got: " + steps + ")");
-        }
+        Checks.refuse(steps < 0, "steps must be at least 0", steps);
         world.seek(goal);
         long start = world.clock().steps();
         Goal.Pursuit pursuit = goal.pursue();

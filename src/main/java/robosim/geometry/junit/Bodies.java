@@ -127,7 +127,6 @@ final class Bodies {
         return new Reply(last, problems);
     }
 
-    /** Whether an object is a body. */
     boolean has(String name) {
         return last.bodies().stream().anyMatch(body -> body.objectName().equals(name));
     }

@@ -31,17 +31,13 @@ final class Evidence {
 
     /** Deletes the files of an earlier run, and the folder unless it contains other files. */
     void clear() throws IOException {
-        Files.deleteIfExists(folder.resolve(REPLAY));
-        Files.deleteIfExists(folder.resolve(PICTURE));
-        Files.deleteIfExists(folder.resolve(BITMAP));
-        Files.deleteIfExists(folder.resolve(PAGE));
-        Files.deleteIfExists(folder.resolve(WORDS));
-        int connection = 1;
-        while (Files.deleteIfExists(talk(connection))) {
-            Files.deleteIfExists(picture(connection));
-            Files.deleteIfExists(bitmap(connection));
-            Files.deleteIfExists(page(connection));
-            connection++;
+        for (String name : List.of(REPLAY, PICTURE, BITMAP, PAGE, WORDS)) {
+            Files.deleteIfExists(folder.resolve(name));
+        }
+        for (int connection = 1; Files.deleteIfExists(file(connection, ScenarioReader.ENDING)); connection++) {
+            for (String ending : List.of(".svg", ".png", ".html")) {
+                Files.deleteIfExists(file(connection, ending));
+            }
         }
         if (Files.isDirectory(folder)) {
             try {
@@ -52,20 +48,8 @@ final class Evidence {
         }
     }
 
-    private Path talk(int connection) {
-        return folder.resolve("connection-" + connection + ScenarioReader.ENDING);
-    }
-
-    private Path picture(int connection) {
-        return folder.resolve("connection-" + connection + ".svg");
-    }
-
-    private Path bitmap(int connection) {
-        return folder.resolve("connection-" + connection + ".png");
-    }
-
-    private Path page(int connection) {
-        return folder.resolve("connection-" + connection + ".html");
+    private Path file(int connection, String ending) {
+        return folder.resolve("connection-" + connection + ending);
     }
 
     /**
@@ -103,7 +87,7 @@ final class Evidence {
         if (recording.length == 0) {
             return "none of connection " + connection + ", which said nothing or could not be recorded";
         }
-        Path file = talk(connection);
+        Path file = file(connection, ScenarioReader.ENDING);
         String written = unlessItFails("written", () -> {
             Files.createDirectories(folder);
             Files.write(file, recording);
@@ -111,9 +95,10 @@ final class Evidence {
         });
         String images = images(
                 () -> Pictures.lastMoments(Scenario.read(file), List.of(), null),
-                picture(connection),
-                bitmap(connection));
-        String page = unlessItFails("written", () -> page(Scenario.read(file), List.of(), null, page(connection)));
+                file(connection, ".svg"),
+                file(connection, ".png"));
+        String page =
+                unlessItFails("written", () -> page(Scenario.read(file), List.of(), null, file(connection, ".html")));
         return written + images + "\n  page:   " + page;
     }
 
@@ -161,7 +146,6 @@ final class Evidence {
     /** Writes one piece of evidence. */
     @FunctionalInterface
     private interface Leaving {
-        /** Returns its name. */
         String leave() throws IOException;
     }
 

@@ -154,7 +154,6 @@ public final class Goal {
         }
     }
 
-    /** Begins to pursue it. */
     Pursuit pursue() {
         return pursuit.get();
     }
@@ -165,9 +164,7 @@ public final class Goal {
     }
 
     private static Pursuit turn(double heading, double tolerance) {
-        if (!Double.isFinite(heading)) {
-            throw new IllegalArgumentException("heading must be a finite angle in degrees (got: " + heading + ")");
-        }
+        Checks.refuse(!Double.isFinite(heading), "heading must be a finite angle in degrees", heading);
         if (!(tolerance >= 0 && tolerance <= 180)) { // written so that NaN fails it
             throw new IllegalArgumentException("tolerance must be 0 to 180 degrees (got: " + tolerance + ")");
         }
@@ -224,7 +221,6 @@ public final class Goal {
             return stages < other.stages || (stages == other.stages && amount < other.amount);
         }
 
-        /** This with more of the goal ahead. */
         Shortfall before(int more) {
             return new Shortfall(stages + more, amount, words);
         }

@@ -222,9 +222,10 @@ public sealed class Robot permits Range, Sonar {
      * @param width full opening angle in degrees, from 0 (a line) up to, not including, 180
      */
     public double range(double direction, double width) {
-        if (!(width >= 0 && width < 180)) { // written so that NaN fails it
-            throw new IllegalArgumentException("width must be 0 to below 180 degrees (got: " + width + ")");
-        }
+        Checks.refuse(
+                !(width >= 0 && width < 180),
+                "width must be 0 to below 180 degrees",
+                width); // written so that NaN fails it
         return world.measure(
                 name,
                 Degrees.cos(direction),
@@ -266,76 +267,63 @@ public sealed class Robot permits Range, Sonar {
     /** Fails if nothing echoes in a cone within a range; {@code width} is its full opening angle in degrees. */
     public Robot senses(double direction, double range, double width) {
         check("range", range);
-        double distance = range(direction, width);
-        if (distance > range) {
-            throw failure(" was to sense something within " + Words.number(range) + sight(direction, width) + ", but "
-                    + heard(distance, range) + "; it stands " + Words.place(object()));
-        }
-        return this;
+        return senses(true, range, range(direction, width), sight(direction, width), "");
     }
 
     /** Fails if something echoes in a cone within a range; {@code width} is its full opening angle in degrees. */
     public Robot sensesNothing(double direction, double range, double width) {
         check("range", range);
-        double distance = range(direction, width);
-        if (distance <= range) {
-            throw failure(" was to sense nothing within " + Words.number(range) + sight(direction, width) + ", but "
-                    + heard(distance, range) + "; it stands " + Words.place(object()));
-        }
-        return this;
+        return senses(false, range, range(direction, width), sight(direction, width), "");
     }
 
     private String sight(double direction, double width) {
         return " in a cone of " + Words.number(width) + " degrees" + sight(direction);
     }
 
-    private static String heard(double distance, double range) {
-        return Double.isInfinite(distance)
-                ? "nothing echoes there at any distance"
-                : "the first echo is " + Words.apart(distance, range) + " away";
+    private Robot senses(boolean something, double range, double distance, String sight, String place) {
+        if (distance > range == something) {
+            throw failure(" was to sense " + (something ? "something" : "nothing") + " within " + Words.number(range)
+                    + sight + ", but "
+                    + (Double.isInfinite(distance)
+                            ? "nothing echoes there at any distance"
+                            : "the first echo is " + Words.apart(distance, range) + " away" + place)
+                    + "; it stands " + Words.place(object()));
+        }
+        return this;
     }
 
     /** Fails if nothing echoes in a direction within a range. */
     public Robot senses(double direction, double range) {
         check("range", range);
         double distance = range(direction);
-        if (distance > range) {
-            throw failure(" was to sense something within " + Words.number(range) + sight(direction) + ", but "
-                    + echo(direction, distance, range) + "; it stands " + Words.place(object()));
-        }
-        return this;
+        return senses(true, range, distance, sight(direction), echo(direction, distance));
     }
 
     /** Fails if something echoes in a direction within a range. */
     public Robot sensesNothing(double direction, double range) {
         check("range", range);
         double distance = range(direction);
-        if (distance <= range) {
-            throw failure(" was to sense nothing within " + Words.number(range) + sight(direction) + ", but "
-                    + echo(direction, distance, range) + "; it stands " + Words.place(object()));
-        }
-        return this;
+        return senses(false, range, distance, sight(direction), echo(direction, distance));
     }
 
     static void check(String argument, double distance) {
-        if (!(distance >= 0)) {
-            throw new IllegalArgumentException(argument + " must be at least 0 (got: " + distance + ")");
-        }
+        Checks.refuse(!(distance >= 0), argument + " must be at least 0", distance);
     }
 
     private String sight(double direction) {
         return " at " + Words.number(direction) + " degrees" + world.moment();
     }
 
-    private String echo(double direction, double distance, double range) {
+    /** Where an echo comes from, for a message; empty if there is none. */
+    private String echo(double direction, double distance) {
         if (Double.isInfinite(distance)) {
-            return "nothing echoes there at any distance";
+            return "";
         }
         Point from = center();
         double heading = heading() + direction;
         Point at = new Point(
                 from.x() + distance * Degrees.cos(heading), from.y(), from.z() - distance * Degrees.sin(heading));
-        return "the first echo is " + Words.apart(distance, range) + " away, at about " + Words.point(at, distance);
+        return ", at about " + Words.point(at, distance);
     }
 
     /**

@@ -133,12 +133,10 @@ public final class RobotWorld {
         watches.check(meetings());
     }
 
-    /** What an object was given as its body. */
     BodyRequest body(String name) {
         return bodies().of(name);
     }
 
-    /** Gives an object a body. */
     void give(BodyRequest body) {
         Bodies all = bodies();
         run(all, new StepBundle(0, List.of(body), List.of()));
@@ -157,10 +155,10 @@ public final class RobotWorld {
     void elapse(double seconds) {
         double step = clock.step().toNanos() / 1e9;
         double steps = Math.rint(seconds / step);
-        if (!(seconds >= 0 && Math.abs(steps * step - seconds) <= 1e-9 * (1 + seconds) && steps <= MOST_STEPS)) {
-            throw new IllegalArgumentException("seconds must be a multiple of the clock's step of " + step
-                    + " s, of at most " + MOST_STEPS + " steps (got: " + seconds + ")");
-        }
+        Checks.refuse(
+                !(seconds >= 0 && Math.abs(steps * step - seconds) <= 1e-9 * (1 + seconds) && steps <= MOST_STEPS),
+                "seconds must be a multiple of the clock's step of " + step + " s, of at most " + MOST_STEPS + " steps",
+                seconds);
         bodies();
         clock.advance((int) steps);
     }
@@ -344,9 +342,7 @@ public final class RobotWorld {
     /** Watches that two objects never touch, from now on and in what happened so far. */
     void watch(String robot, String other) {
         known(other);
-        if (robot.equals(other)) {
-            throw new IllegalArgumentException("other must not be the robot itself (got: " + Text.quoted(other) + ")");
-        }
+        Checks.refuse(robot.equals(other), "other must not be the robot itself", Text.quoted(other));
         watches.add(robot, other, meetings());
     }
 

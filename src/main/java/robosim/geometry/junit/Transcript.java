@@ -67,7 +67,6 @@ final class Transcript {
         known = geometry.objects();
     }
 
-    /** Called after a distance was measured. */
     void measured(String name, double x, double z, Beam beam, double distance, long clock) {
         add(
                 new SonarRequestBundle(List.of(new SonarRequest(name, x, z, beam))),

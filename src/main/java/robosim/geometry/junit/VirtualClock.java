@@ -8,6 +8,7 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 
 /**
  * A clock that advances in steps of a fixed length, and only when told to. It begins at the epoch, and is a {@link
@@ -20,9 +21,7 @@ public final class VirtualClock extends Clock {
     private long steps;
 
     VirtualClock(Duration step) {
-        if (step.isNegative() || step.isZero()) {
-            throw new IllegalArgumentException("a step of the clock must be longer than nothing (got: " + step + ")");
-        }
+        Checks.refuse(step.isNegative() || step.isZero(), "a step of the clock must be longer than nothing", step);
         this.step = step;
     }
 
@@ -57,9 +56,7 @@ public final class VirtualClock extends Clock {
 
     /** Makes a number of steps. */
     public void advance(int count) {
-        if (count < 0) {
-            throw new IllegalArgumentException("count must be at least 0 (got: " + count + ")");
-        }
+        Checks.refuse(count < 0, "count must be at least 0", count);
         for (int k = 0; k < count; k++) {
             advance();
         }

@@ -111,7 +111,6 @@ final class Watches {
         }
     }
 
-    /** Of one object. */
     private final class WatchOfOne extends Watch {
         private final String other;
 
@@ -237,7 +236,6 @@ final class Watches {
         return !geometry.hasObject(name) || !geometry.getObject(name).isMoveable();
     }
 
-    /** Whether an object carries a robot that touches it. */
     private boolean carries(GeometryObject robot, GeometryObject other, @Nullable Contact contact) {
         Point center = robot.center();
         double up = RAISED * robot.bounds().size();
@@ -265,7 +263,6 @@ final class Watches {
         return step == 0 ? "" : step(step) + " (after " + NumberText.digits(seconds, 9) + " s)";
     }
 
-    /** A move was refused. */
     void refused(String mover, @Nullable String obstacle, String asked, String blocked) {
         refusals.add(new Refusal(mover, obstacle, clock.steps(), asked, blocked));
     }

@@ -25,12 +25,10 @@ final class Words {
 
     private Words() {}
 
-    /** A number given in a test. */
     static String number(double value) {
         return NumberText.digits(value, ASKED.getPrecision());
     }
 
-    /** A measured number. */
     static String found(double value) {
         return NumberText.digits(value, FOUND.getPrecision());
     }
@@ -81,7 +79,6 @@ final class Words {
         return "at " + center(object) + ", heading " + NumberText.places(object.heading(), FOUND.getPrecision());
     }
 
-    /** Where an object is. */
     static String center(GeometryObject object) {
         return point(object.center(), object.bounds().size());
     }

@@ -46,7 +46,6 @@ final class WorldFile {
         }
     }
 
-    /** A world, or all that is wrong with it. */
     private static robosim.geometry.world.World read(Path file) throws WorldException {
         try {
             return WorldReader.read(file);

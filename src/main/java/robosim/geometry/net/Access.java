@@ -14,17 +14,14 @@ public record Access(@Nullable Tls tls, @Nullable Secret secret) {
     /** No authentication, for the loopback address. */
     public static final Access ANYBODY = new Access(null, null);
 
-    /**
-     * Refuses an address that other machines can reach unless something keeps strangers out.
-     *
-     * @throws IllegalArgumentException with a message that says what is required
-     */
+    /** Refuses an address that other machines can reach unless something keeps strangers out. */
     void check(InetAddress address) {
         if (tls == null && secret == null && !address.isLoopbackAddress()) {
             throw new IllegalArgumentException(
-                    "a server on any address but loopback must authenticate its peers: give it TLS with"
-                            + " the certificates that it trusts, or a secret for peers that speak JSON; or let a GeometryClient"
-                            + " dial the environment (got: " + address.getHostAddress() + " with neither)");
+                    "a server on any address but loopback must authenticate its peers: give it TLS with the"
+                            + " certificates that it trusts, or a secret for peers that speak JSON; or let a"
+                            + " GeometryClient dial the environment (got: " + address.getHostAddress()
+                            + " with neither)");
         }
     }
 

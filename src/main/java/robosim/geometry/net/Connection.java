@@ -86,7 +86,6 @@ final class Connection implements Runnable {
     /** What the peer sends; null before it may send requests. */
     private @Nullable ReadAhead bytes;
 
-    /** Where it gets its answers, and in which encoding. */
     private @Nullable OutputStream answering;
 
     private boolean isJson;
@@ -100,11 +99,7 @@ final class Connection implements Runnable {
         SSLSocket over(Socket plain) throws IOException;
     }
 
-    /**
-     * A connection over a socket.
-     *
-     * @param cipher null for none
-     */
+    /** A connection over a socket, with a cipher if it is not null. */
     Connection(Socket socket, String name, ConnectionContext around, @Nullable Cipher cipher) {
         this.socket = socket;
         this.name = name;
@@ -139,10 +134,7 @@ final class Connection implements Runnable {
         LOG.log(System.Logger.Level.DEBUG, name + ": open");
         try {
             converse();
-        } catch (CpuTurn.CutOff e) {
-            closed(String.valueOf(e.getMessage()), e);
-            partGently();
-        } catch (ProtocolException e) {
+        } catch (CpuTurn.CutOff | ProtocolException e) {
             closed(String.valueOf(e.getMessage()), e);
             partGently();
         } catch (IOException e) {
@@ -230,13 +222,16 @@ final class Connection implements Runnable {
                 messageMemory,
                 () -> stopping);
         PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, times.stall(), times.message(), turn);
-        Authenticator authenticator = new Authenticator(options.access(), in, times, newcomer);
-        MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
-        authenticator.watch(channel);
+        in.from(newcomer);
+        if (options.access().secret() != null) {
+            in.mayIdle(times.stall());
+        }
+        MessageChannel channel =
+                new MessageChannel(in, out, options.translator(), in, secret -> isAdmitted(in, secret));
+        this.channel = channel;
         WorkLimit limit = WorkLimit.of(options.quotas().work()).pausing(effort::breathe);
         channel.loadBy(load -> load(load, channel, limit.meter("a request")::take));
         channel.onWrongRequest(reason -> warn("answered with an error: " + Text.line(reason)));
-        this.channel = channel;
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
@@ -249,6 +244,20 @@ final class Connection implements Runnable {
         } finally {
             listener.ended();
         }
+    }
+
+    /** Whether the peer is admitted, by its encoding and its secret; until it is, shorter timeouts hold. */
+    private boolean isAdmitted(PacedInput in, @Nullable String secret) throws ProtocolException {
+        boolean isJava = channel != null && channel.encoding() == MessageChannel.Encoding.JAVA;
+        boolean isAdmitted =
+                isJava ? options.access().admitsJava() : options.access().admitsJson(secret);
+        if (isAdmitted) {
+            in.mayIdle(options.timeouts().idle());
+            if (!isJava) {
+                newcomer.admit(); // a hello is a complete message; one of Java has begun
+            }
+        }
+        return isAdmitted;
     }
 
     private void converse(MessageChannel channel, PacedInput in, Session session) throws IOException {
@@ -385,7 +394,6 @@ final class Connection implements Runnable {
         }
     }
 
-    /** A part of a request. */
     @FunctionalInterface
     private interface Part<T> {
         @Nullable
@@ -486,7 +494,6 @@ final class Connection implements Runnable {
         }
     }
 
-    /** What this connection does at the moment. */
     GeometryServer.Peer report(long id) {
         Object present = request;
         Duration age = present == null ? Duration.ZERO : Duration.ofNanos(System.nanoTime() - requestSince);

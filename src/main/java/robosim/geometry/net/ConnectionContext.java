@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import java.util.concurrent.TimeUnit;
 import robosim.geometry.net.pace.CpuTurns;
 import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.Watchdog;
@@ -17,6 +18,17 @@ record ConnectionContext(
         WorldMemory worldMemory,
         LogBudget log,
         Opening opening) {
+    // The deadlines for closing a server or client, counted from the call.
+
+    /** Requests already read are answered until then, and cut off afterwards. */
+    static final long ANSWERS_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
+
+    /** Peers that were cut off are told until then. */
+    static final long WORDS_NANOS = TimeUnit.MILLISECONDS.toNanos(1650);
+
+    /** Before the promised two seconds, as the process has to end as well, perhaps on a busy machine. */
+    static final long ALL_NANOS = TimeUnit.MILLISECONDS.toNanos(1750);
+
     ConnectionContext(NetOptions options, Figures figures, Watchdog watchdog) {
         this(
                 options,

@@ -41,7 +41,6 @@ final class Figures implements FiguresMXBean {
         errors.increment();
     }
 
-    /** Counts a request that was carried out. */
     void carriedOut(Bundle request, @Nullable Reply reply) {
         bundles.increment();
         if (request instanceof MoveBundle moves) {

@@ -233,11 +233,12 @@ public final class GeometryClient implements Runnable, AutoCloseable {
             return;
         }
         try {
-            if (!ended.await(Ending.ANSWERS_NANOS, TimeUnit.NANOSECONDS)) {
+            if (!ended.await(ConnectionContext.ANSWERS_NANOS, TimeUnit.NANOSECONDS)) {
                 own.cutOff();
-                if (!ended.await(Ending.WORDS_NANOS - Ending.ANSWERS_NANOS, TimeUnit.NANOSECONDS)) {
+                if (!ended.await(
+                        ConnectionContext.WORDS_NANOS - ConnectionContext.ANSWERS_NANOS, TimeUnit.NANOSECONDS)) {
                     own.abort();
-                    ended.await(Ending.ALL_NANOS - Ending.WORDS_NANOS, TimeUnit.NANOSECONDS);
+                    ended.await(ConnectionContext.ALL_NANOS - ConnectionContext.WORDS_NANOS, TimeUnit.NANOSECONDS);
                 }
             }
         } catch (InterruptedException e) {

@@ -308,13 +308,13 @@ public final class GeometryServer implements AutoCloseable {
         stopListening();
         long start = System.nanoTime();
         try {
-            join(acceptor, start + Ending.ANSWERS_NANOS);
+            join(acceptor, start + ConnectionContext.ANSWERS_NANOS);
             connections.keySet().forEach(Connection::stop);
-            joinAll(start + Ending.ANSWERS_NANOS);
+            joinAll(start + ConnectionContext.ANSWERS_NANOS);
             connections.keySet().forEach(Connection::cutOff);
-            joinAll(start + Ending.WORDS_NANOS);
+            joinAll(start + ConnectionContext.WORDS_NANOS);
             connections.keySet().forEach(Connection::abort);
-            joinAll(start + Ending.ALL_NANOS);
+            joinAll(start + ConnectionContext.ALL_NANOS);
         } catch (InterruptedException e) {
             connections.keySet().forEach(Connection::abort);
             Thread.currentThread().interrupt();

@@ -45,37 +45,10 @@ public record NetOptions(
         Checks.present("worlds", worlds);
         opening = Checks.copy("opening", opening, Bundle.class);
         boolean isWorldFirst = opening.isEmpty() || opening.get(0) instanceof InitBundle;
-        if (!isWorldFirst || opening.stream().anyMatch(Bundle::isAnswer)) {
-            throw new IllegalArgumentException("opening must be requests, the first of them an InitBundle (got: "
-                    + opening.stream()
-                            .map(each -> each.getClass().getSimpleName())
-                            .toList() + ")");
-        }
-    }
-
-    /** Options of connections that begin without a world. */
-    public NetOptions(
-            SessionOptions session,
-            Function<String, SessionListener> listeners,
-            MessageTranslator translator,
-            Timeouts timeouts,
-            Quotas quotas,
-            Access access,
-            @Nullable Redial redial) {
-        this(session, listeners, translator, timeouts, quotas, access, redial, List.of());
-    }
-
-    /** Options of connections whose peers send their objects, and no files. */
-    public NetOptions(
-            SessionOptions session,
-            Function<String, SessionListener> listeners,
-            MessageTranslator translator,
-            Timeouts timeouts,
-            Quotas quotas,
-            Access access,
-            @Nullable Redial redial,
-            List<Bundle> opening) {
-        this(session, listeners, translator, timeouts, quotas, access, redial, opening, InitBundle.Loader.NONE);
+        Checks.refuse(
+                !isWorldFirst || opening.stream().anyMatch(Bundle::isAnswer),
+                "opening must be requests, the first of them an InitBundle",
+                opening.stream().map(each -> each.getClass().getSimpleName()).toList());
     }
 
     /**
@@ -90,7 +63,9 @@ public record NetOptions(
                 Timeouts.DEFAULT,
                 Quotas.DEFAULT,
                 Access.ANYBODY,
-                null);
+                null,
+                List.of(),
+                InitBundle.Loader.NONE);
     }
 
     /** These options with another session. */

@@ -37,9 +37,7 @@ public record Quotas(int connections, int objects, int requests, Duration time, 
         Checks.atLeastOne("objects", objects);
         Checks.atLeastOne("requests", requests);
         Checks.time("time", time, LONGEST);
-        if (work < 1) {
-            throw new IllegalArgumentException("work must be at least 1 (got: " + work + ")");
-        }
+        Checks.refuse(work < 1, "work must be at least 1", work);
     }
 
     /** These quotas with another limit of each request. */

@@ -20,9 +20,7 @@ public record Redial(Duration first, Duration longest) {
     public Redial {
         Checks.time("first", first, Duration.ofDays(1));
         Checks.time("longest", longest, Duration.ofDays(1));
-        if (longest.compareTo(first) < 0) {
-            throw new IllegalArgumentException("longest must be at least first, " + first + " (got: " + longest + ")");
-        }
+        Checks.refuse(longest.compareTo(first) < 0, "longest must be at least first, " + first, longest);
     }
 
     /** The pause after a number of consecutive failed attempts. */

@@ -25,10 +25,8 @@ public final class Secret {
      */
     public static Secret of(char[] letters) {
         Checks.present("letters", letters);
-        if (letters.length < SHORTEST) {
-            throw new IllegalArgumentException(
-                    "a secret must have at least " + SHORTEST + " letters (got: " + letters.length + ")");
-        }
+        Checks.refuse(
+                letters.length < SHORTEST, "a secret must have at least " + SHORTEST + " letters", letters.length);
         return new Secret(digest(CharBuffer.wrap(letters)));
     }
 

@@ -209,8 +209,8 @@ public final class Session {
         }
         if (request == null || request.isAnswer()) {
             throw new IllegalArgumentException(
-                    "request must be an InitBundle, an InitBundle.Answered, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle"
-                            + " or a StepBundle (got: "
+                    "request must be an InitBundle, an InitBundle.Answered, a MoveBundle, a SonarRequestBundle, a"
+                            + " BatchRequestBundle or a StepBundle (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
         complaints.next();
@@ -364,7 +364,6 @@ public final class Session {
         }
     }
 
-    /** Answers a batch, or leaves all as it was. */
     private Reply answerOrNot(BatchRequestBundle batch) {
         boolean isMade = false;
         try {

@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -192,11 +193,11 @@ public final class WatchServer implements AutoCloseable {
         LOG.log(System.Logger.Level.WARNING, "watch " + port() + ", " + words);
     }
 
-    private static void abort(Socket socket) {
+    private static void abort(Closeable socket) {
         try {
             socket.close();
         } catch (IOException e) {
-            LOG.log(System.Logger.Level.DEBUG, "a watcher's socket could not be closed", e);
+            LOG.log(System.Logger.Level.DEBUG, "a socket for watchers could not be closed", e);
         }
     }
 
@@ -219,14 +220,6 @@ public final class WatchServer implements AutoCloseable {
             Thread.currentThread().interrupt();
         } finally {
             watchdog.close();
-        }
-    }
-
-    private static void abort(ServerSocket socket) {
-        try {
-            socket.close();
-        } catch (IOException e) {
-            LOG.log(System.Logger.Level.DEBUG, "the listening socket could not be closed", e);
         }
     }
 }

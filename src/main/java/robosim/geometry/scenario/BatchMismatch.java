@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import java.util.BitSet;
 import java.util.List;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Reply;
@@ -23,26 +24,14 @@ final class BatchMismatch {
     static Mismatch of(long number, Step step, List<BatchRequest> asked, Reply expected, Reply got) {
         List<BatchAnswer> wanted = ((BatchAnswerBundle) expected.bundle()).answers();
         List<BatchAnswer> answered = ((BatchAnswerBundle) got.bundle()).answers();
-        int first = -1;
-        int others = -1;
-        for (int k = 0; k < asked.size(); k++) {
-            if (!wanted.get(k).equals(answered.get(k))) {
-                first = first < 0 ? k : first;
-                others++;
-            }
-        }
+        BitSet different = Mismatch.differing(wanted, answered);
+        int first = different.nextSetBit(0);
         BatchAnswer before = wanted.get(first);
         BatchAnswer now = answered.get(first);
         int item = item(before, now);
         String reason = Mismatch.reason(got, first);
-        return new Mismatch(
-                number,
-                step.line(),
-                first,
-                words(asked.get(first)),
-                words(before, item),
-                words(now, item) + (reason.isEmpty() ? off(before, now, item) : ", " + reason),
-                others);
+        String found = words(now, item) + (reason.isEmpty() ? off(before, now, item) : ", " + reason);
+        return Mismatch.first(number, step, different, words(asked.get(first)), words(before, item), found);
     }
 
     /** The first beam, pose or edge whose answers differ; -1 if one of the two has none. */

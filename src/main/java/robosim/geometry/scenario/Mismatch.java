@@ -59,10 +59,24 @@ public record Mismatch(long step, long line, int index, String request, String e
             return BatchMismatch.of(number, step, batch.requests(), expected, got);
         }
         if (step.request() instanceof StepBundle) {
-            return StepMismatch.of(
-                    number, step, (StepBundle.Answer) expected.bundle(), (StepBundle.Answer) got.bundle());
+            return steps(number, step, (StepBundle.Answer) expected.bundle(), (StepBundle.Answer) got.bundle());
         }
         return moves(number, step, ((MoveBundle) step.request()).moves(), expected, got);
+    }
+
+    /** The mismatch of the first of the requests whose answers differ. */
+    static Mismatch first(long number, Step step, BitSet different, String request, String expected, String got) {
+        int first = different.nextSetBit(0);
+        return new Mismatch(number, step.line(), first, request, expected, got, different.cardinality() - 1);
+    }
+
+    /** The indices at which two lists of one length differ. */
+    static BitSet differing(List<?> wanted, List<?> answered) {
+        BitSet different = new BitSet();
+        for (int k = 0; k < wanted.size(); k++) {
+            different.set(k, !wanted.get(k).equals(answered.get(k)));
+        }
+        return different;
     }
 
     static Mismatch whole(long number, Step step, String expected, String got) {
@@ -82,38 +96,54 @@ public record Mismatch(long step, long line, int index, String request, String e
         return request instanceof SonarRequestBundle sonars ? sonars.requests().size() + " distances" : "a new world";
     }
 
+    /** Compares two answers that are not equal; null if they differ only in reasons that the expected one does not give. */
+    private static @Nullable Mismatch steps(long number, Step step, StepBundle.Answer expected, StepBundle.Answer got) {
+        if (!expected.bodies().equals(got.bodies())) {
+            return differ(number, step, "bodies", expected.bodies(), got.bodies());
+        }
+        if (!expected.contacts().equals(got.contacts())) {
+            return differ(number, step, "contacts", expected.contacts(), got.contacts());
+        }
+        if (!expected.stopped().equals(got.stopped())) {
+            return differ(number, step, "stopped", expected.stopped(), got.stopped());
+        }
+        return expected.stops().isEmpty() ? null : differ(number, step, "stops", expected.stops(), got.stops());
+    }
+
+    private static Mismatch differ(long number, Step step, String what, List<?> wanted, List<?> answered) {
+        int first = 0;
+        while (first < wanted.size()
+                && first < answered.size()
+                && wanted.get(first).equals(answered.get(first))) {
+            first++;
+        }
+        String place = what + "[" + first + "]: ";
+        return Mismatch.whole(number, step, place + at(wanted, first), at(answered, first));
+    }
+
+    private static String at(List<?> items, int index) {
+        return index < items.size() ? Text.line(String.valueOf(items.get(index))) : "no more";
+    }
+
     private static Mismatch distances(long number, Step step, List<SonarRequest> asked, Reply expected, Reply got) {
         List<Double> wanted = ((DistanceBundle) expected.bundle()).distances();
         List<Double> answered = ((DistanceBundle) got.bundle()).distances();
-        int first = -1;
-        int others = -1;
-        for (int k = 0; k < asked.size(); k++) {
-            if (!wanted.get(k).equals(answered.get(k))) {
-                first = first < 0 ? k : first;
-                others++;
-            }
-        }
+        BitSet different = differing(wanted, answered);
+        int first = different.nextSetBit(0);
         double before = wanted.get(first);
         double now = answered.get(first);
         String error = reason(got, first);
-        return new Mismatch(
-                number,
-                step.line(),
-                first,
-                words(asked.get(first)),
-                distance(before),
-                distance(now) + (error.isEmpty() ? off(before, now) : ", " + error),
-                others);
+        String found = distance(now) + (error.isEmpty() ? off(before, now) : ", " + error);
+        return first(number, step, different, words(asked.get(first)), distance(before), found);
     }
 
     private static Mismatch moves(long number, Step step, List<MoveRequest> asked, Reply expected, Reply got) {
         List<MoveRequest> wanted = ((MoveBundle) expected.bundle()).moves();
         List<MoveRequest> made = ((MoveBundle) got.bundle()).moves();
-        int first = -1;
-        int others = -1;
+        BitSet different = new BitSet();
+        boolean firstMade = false;
         int nextWanted = 0;
         int nextMade = 0;
-        boolean firstMade = false;
         for (int k = 0; k < asked.size(); k++) {
             MoveRequest move = asked.get(k);
             boolean isWanted =
@@ -121,26 +151,18 @@ public record Mismatch(long step, long line, int index, String request, String e
             boolean isMade = nextMade < made.size() && made.get(nextMade).equals(move);
             nextWanted += isWanted ? 1 : 0;
             nextMade += isMade ? 1 : 0;
-            if (isWanted != isMade) {
-                firstMade = first < 0 ? isMade : firstMade;
-                first = first < 0 ? k : first;
-                others++;
-            }
+            firstMade = different.isEmpty() ? isMade : firstMade;
+            different.set(k, isWanted != isMade);
         }
         if (nextWanted < wanted.size()) {
             MoveRequest stray = wanted.get(nextWanted);
             return whole(number, step, "among those made a " + words(stray), "no such request in its place");
         }
-        String reason = reason(got, first);
-        String refused = reason.isEmpty() ? "refused" : "refused, " + reason;
-        return new Mismatch(
-                number,
-                step.line(),
-                first,
-                words(asked.get(first)),
-                firstMade ? "refused" : "made",
-                firstMade ? "made" : refused,
-                others);
+        int first = different.nextSetBit(0);
+        String words = words(asked.get(first));
+        return firstMade
+                ? first(number, step, different, words, "refused", "made")
+                : first(number, step, different, words, "made", refusal(got, first));
     }
 
     /**
@@ -161,15 +183,13 @@ public record Mismatch(long step, long line, int index, String request, String e
         if (first >= asked.size()) {
             return whole(number, step, "move " + first + " refused", "no such move");
         }
-        String reason = reason(got, first);
-        return new Mismatch(
+        return first(
                 number,
-                step.line(),
-                first,
+                step,
+                different,
                 words(asked.get(first)),
                 wanted.get(first) ? "refused" : "made",
-                answered.get(first) ? "refused" + (reason.isEmpty() ? "" : ", " + reason) : "made",
-                different.cardinality() - 1);
+                answered.get(first) ? refusal(got, first) : "made");
     }
 
     private static BitSet refused(Reply reply) {
@@ -178,6 +198,11 @@ public record Mismatch(long step, long line, int index, String request, String e
             indices.set(problem.index());
         }
         return indices;
+    }
+
+    private static String refusal(Reply reply, int index) {
+        String reason = reason(reply, index);
+        return reason.isEmpty() ? "refused" : "refused, " + reason;
     }
 
     static String reason(Reply reply, int index) {

@@ -74,9 +74,7 @@ public final class Recordings implements Function<String, SessionListener> {
 
     /** These recordings with another maximum size of each file, at which recording stops and the session goes on. */
     public Recordings atMost(long bytes) {
-        if (bytes < 1) {
-            throw new IllegalArgumentException("bytes must be at least 1 (got: " + bytes + ")");
-        }
+        Checks.refuse(bytes < 1, "bytes must be at least 1", bytes);
         return new Recordings(files, session, bytes, clock, maker);
     }
 

@@ -20,6 +20,7 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.scenario.recording.QuietLog;
 
 /**
  * Replays a conversation without sockets and compares the answers bit for bit. Players, watchers and sweeps do it step

@@ -1,8 +1,5 @@
 package robosim.geometry.scenario;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.net.SessionOptions;
@@ -36,21 +33,19 @@ public record ScenarioHeader(String title, String madeBy, SessionOptions options
 
     /** The file's first line. */
     String line() {
-        Map<String, @Nullable Object> beam = new LinkedHashMap<>();
-        beam.put("min", options.beam().min());
-        beam.put("max", options.beam().max());
-        beam.put("width", options.beam().width());
-        Map<String, @Nullable Object> session = new LinkedHashMap<>();
-        session.put("dimension", options.dimension());
-        session.put("accuracy", options.accuracy());
-        session.put("beam", beam);
-        Map<String, @Nullable Object> header = new LinkedHashMap<>();
-        header.put("type", "scenario");
-        header.put("version", VERSION);
-        header.put("title", title);
-        header.put("madeBy", madeBy);
-        header.put("options", session);
-        return JsonRecord.write(header);
+        Beam beam = options.beam();
+        return JsonRecord.line(
+                "type", "scenario",
+                "version", VERSION,
+                "title", title,
+                "madeBy", madeBy,
+                "options",
+                        JsonRecord.fields(
+                                "dimension", options.dimension(),
+                                "accuracy", options.accuracy(),
+                                "beam",
+                                        JsonRecord.fields(
+                                                "min", beam.min(), "max", beam.max(), "width", beam.width())));
     }
 
     static ScenarioHeader of(JsonRecord line) throws ProtocolException {

@@ -36,7 +36,6 @@ public final class ScenarioReader implements StepReader {
 
     private String type = "";
 
-    /** The notes before it. */
     private final List<String> notes = new ArrayList<>();
 
     private final Checksums sums = new Checksums();
@@ -286,7 +285,6 @@ public final class ScenarioReader implements StepReader {
         return timing;
     }
 
-    /** An operation that reads. */
     @FunctionalInterface
     private interface Reading<T> {
         T read() throws IOException;

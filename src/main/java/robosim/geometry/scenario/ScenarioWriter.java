@@ -6,9 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.Bundle;
@@ -72,10 +70,7 @@ public final class ScenarioWriter implements Closeable {
 
     /** Writes a note for people, which belongs to the next request. */
     public void note(String text) throws IOException {
-        Map<String, String> note = new LinkedHashMap<>();
-        note.put("type", "note");
-        note.put("text", Checks.present("text", text));
-        String line = JsonRecord.write(note);
+        String line = JsonRecord.line("type", "note", "text", Checks.present("text", text));
         JsonRecord.read(line);
         put(line);
     }
@@ -93,10 +88,7 @@ public final class ScenarioWriter implements Closeable {
     /** Marks the end of a recording, after which nothing may be written; without checksums there is no such mark. */
     public void end() throws IOException {
         if (sums != null) {
-            Map<String, Object> end = new LinkedHashMap<>();
-            end.put("type", "end");
-            end.put("requests", requests);
-            put(JsonRecord.write(end));
+            put(JsonRecord.line("type", "end", "requests", requests));
         }
     }
 
@@ -111,11 +103,7 @@ public final class ScenarioWriter implements Closeable {
             lines.add(line);
         }
         if (timing != null) {
-            Map<String, Object> time = new LinkedHashMap<>();
-            time.put("type", "time");
-            time.put("at", timing.at());
-            time.put("took", timing.took());
-            lines.add(JsonRecord.write(time));
+            lines.add(JsonRecord.line("type", "time", "at", timing.at(), "took", timing.took()));
         }
         if (!lines.isEmpty()) {
             put(lines.toArray(String[]::new));

@@ -1,5 +1,7 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.check.Checks;
+
 /**
  * When a request was carried out; for people and viewers, never compared.
  *
@@ -17,9 +19,9 @@ public record Timing(long at, long took) {
     }
 
     private static void check(String argument, long nanoseconds) {
-        if (nanoseconds < 0 || nanoseconds > MOST) {
-            throw new IllegalArgumentException(
-                    argument + " must be 0 to " + MOST + " nanoseconds (got: " + nanoseconds + ")");
-        }
+        Checks.refuse(
+                nanoseconds < 0 || nanoseconds > MOST,
+                argument + " must be 0 to " + MOST + " nanoseconds",
+                nanoseconds);
     }
 }

@@ -197,7 +197,6 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             moved.clear();
         }
 
-        /** Whether a request may change which objects there are. */
         private static boolean isOtherObjects(Bundle request) {
             return request instanceof InitBundle
                     || (request instanceof BatchRequestBundle batch
@@ -251,7 +250,6 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         }
     }
 
-    /** One watcher. */
     private final class Watcher extends WatcherQueue {
         /** The session that it watches; null if there is none. */
         private @Nullable Watched session;

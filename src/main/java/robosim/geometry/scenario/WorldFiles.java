@@ -31,11 +31,7 @@ final class WorldFiles {
         return new WorldFiles(scenario.toAbsolutePath().getParent(), root);
     }
 
-    /**
-     * Reads a world file as a request for its world.
-     *
-     * @throws IOException with the reason, if it cannot be read
-     */
+    /** Reads a world file as a request for its world; the exception says why it cannot be read. */
     InitBundle read(String name) throws IOException {
         if (folder == null || root == null) {
             throw new IOException("a world file can only be named in a file (got: " + name + ")");

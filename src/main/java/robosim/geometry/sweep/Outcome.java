@@ -75,19 +75,21 @@ public record Outcome(
 
     /** The outcome as a line of JSON, without a checksum. */
     public String line() {
-        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
-        fields.put("type", isFailed() ? "failure" : "result");
-        fields.put("index", index);
-        fields.put("world", world);
-        fields.put("parameters", parameters);
-        fields.put("replicate", replicate);
-        fields.put("seed", hex(seed));
-        if (error == null) {
-            fields.put("values", values);
-        } else {
-            fields.put("error", error);
-        }
-        return JsonRecord.write(fields);
+        return JsonRecord.line(
+                "type",
+                isFailed() ? "failure" : "result",
+                "index",
+                index,
+                "world",
+                world,
+                "parameters",
+                parameters,
+                "replicate",
+                replicate,
+                "seed",
+                hex(seed),
+                isFailed() ? "error" : "values",
+                isFailed() ? error : values);
     }
 
     /** The line of a file, with its checksum. */

@@ -3,6 +3,7 @@ package robosim.geometry.sweep;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import robosim.geometry.check.Checks;
 import robosim.geometry.sweep.lines.Names;
 
 /**
@@ -34,10 +35,10 @@ public final class Result {
             throw new IllegalArgumentException("name must have at most " + Names.MOST
                     + " characters and no half of a surrogate pair (got: " + name + ")");
         }
-        if (!(value > Double.NEGATIVE_INFINITY)) {
-            throw new IllegalArgumentException(
-                    "value of " + name + " must be a number, or +Infinity where there is none (got: " + value + ")");
-        }
+        Checks.refuse(
+                !(value > Double.NEGATIVE_INFINITY),
+                "value of " + name + " must be a number, or +Infinity where there is none",
+                value);
         Map<String, Double> more = new LinkedHashMap<>(values);
         if (more.put(name, value + 0.0) != null) { // no -0.0
             throw new IllegalArgumentException("name must be given once (got: " + name + " again)");

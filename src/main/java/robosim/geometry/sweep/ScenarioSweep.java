@@ -124,8 +124,8 @@ public final class ScenarioSweep implements SweepScenario {
             }
             if (step.request() instanceof BatchRequestBundle) {
                 throw new SweepException(file + " line " + step.line()
-                        + ": a scenario that is swept must have moves and sonars (got: a batch, for which a sweep knows no"
-                        + " noise)");
+                        + ": a scenario that is swept must have moves and sonars (got: a batch, for which a sweep"
+                        + " knows no noise)");
             }
             Reply expected = step.expected();
             sweep.requests.add(step.request());
@@ -223,9 +223,10 @@ public final class ScenarioSweep implements SweepScenario {
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException(parameter + " must be a number (got: " + value + ")", e);
         }
-        if (!(amount >= 0 && amount < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException(parameter + " must be at least 0 and finite (got: " + value + ")");
-        }
+        Checks.refuse(
+                !(amount >= 0 && amount < Double.POSITIVE_INFINITY),
+                parameter + " must be at least 0 and finite",
+                value);
         if (parameter.equals(MASS) && amount == 0) { // which would ask for the mass of the shape
             throw new IllegalArgumentException(parameter + " must be above 0 (got: " + value + ")");
         }

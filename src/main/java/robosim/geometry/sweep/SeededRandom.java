@@ -1,6 +1,7 @@
 package robosim.geometry.sweep;
 
 import java.util.random.RandomGenerator;
+import robosim.geometry.check.Checks;
 
 /**
  * A random generator that gives the same bits on every JVM for a seed: SplitMix64 (Steele, Lea and Flood 2014). The
@@ -33,9 +34,7 @@ public final class SeededRandom implements RandomGenerator {
     /** A uniformly distributed whole number from 0 up to, not including, a bound above 0. */
     @Override
     public int nextInt(int bound) {
-        if (bound <= 0) {
-            throw new IllegalArgumentException("bound must be above 0 (got: " + bound + ")");
-        }
+        Checks.refuse(bound <= 0, "bound must be above 0", bound);
         // 31 random bits are restricted to a multiple of the bound, so that all results are equally likely.
         int most = Integer.MAX_VALUE - (int) ((Integer.MAX_VALUE - bound + 1L) % bound);
         int drawn = (int) (nextLong() >>> 33);

@@ -31,9 +31,7 @@ public record Shard(int number, int count) implements Serializable {
     public static Shard parse(String text) {
         Checks.present("text", text);
         Matcher matcher = FORM.matcher(text);
-        if (!matcher.matches()) {
-            throw new IllegalArgumentException("shard must be a number and a count, as in 0/4 (got: " + text + ")");
-        }
+        Checks.refuse(!matcher.matches(), "shard must be a number and a count, as in 0/4", text);
         return new Shard(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
     }
 

@@ -105,10 +105,10 @@ public final class Sweep implements Serializable {
     public Sweep vary(String parameter, String... values) {
         Names.check("name of a parameter", parameter);
         Checks.present("values", values);
-        if (values.length == 0 || Arrays.stream(values).distinct().count() < values.length) {
-            throw new IllegalArgumentException("values of " + parameter + " must be at least one, and each once (got: "
-                    + Arrays.toString(values) + ")");
-        }
+        Checks.refuse(
+                values.length == 0 || Arrays.stream(values).distinct().count() < values.length,
+                "values of " + parameter + " must be at least one, and each once",
+                Arrays.toString(values));
         for (String value : values) {
             Names.check("value of " + parameter, value);
             if (parameter.equals(ACCURACY)) {
@@ -136,10 +136,8 @@ public final class Sweep implements Serializable {
 
     /** This sweep with another number of replicates of each cell, at least 1. */
     public Sweep replicates(long number) {
-        if (number < 1 || number > Integer.MAX_VALUE) {
-            throw new IllegalArgumentException(
-                    "replicates must be from 1 to " + Integer.MAX_VALUE + " (got: " + number + ")");
-        }
+        Checks.refuse(
+                number < 1 || number > Integer.MAX_VALUE, "replicates must be from 1 to " + Integer.MAX_VALUE, number);
         return new Sweep(name, scenario, worlds, parameters, number, seed).with(work);
     }
 
@@ -221,7 +219,6 @@ public final class Sweep implements Serializable {
         return shard.has(index % cells(), index / cells());
     }
 
-    /** The parameters' values of a cell. */
     private SortedMap<String, String> values(long cell) {
         SortedMap<String, String> values = new TreeMap<>();
         long rest = cell / worlds.size();

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.json.JsonRecord;
@@ -135,16 +134,15 @@ public record SweepHeader(
     }
 
     private String line(long number) {
-        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
-        fields.put("type", "sweep");
-        fields.put("version", VERSION);
-        fields.put("scenario", scenario);
-        fields.put("fingerprint", print);
-        fields.put("seed", Outcome.hex(seed));
-        fields.put("replicates", number);
-        fields.put("worlds", worlds);
-        fields.put("parameters", parameters);
-        return JsonRecord.write(fields);
+        return JsonRecord.line(
+                "type", "sweep",
+                "version", VERSION,
+                "scenario", scenario,
+                "fingerprint", print,
+                "seed", Outcome.hex(seed),
+                "replicates", number,
+                "worlds", worlds,
+                "parameters", parameters);
     }
 
     static SweepHeader of(JsonRecord line) throws ProtocolException {

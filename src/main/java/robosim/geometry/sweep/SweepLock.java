@@ -32,11 +32,7 @@ final class SweepLock implements AutoCloseable {
         this.lock = lock;
     }
 
-    /**
-     * Locks a file of results, which need not exist yet.
-     *
-     * @throws SweepException if another run has it
-     */
+    /** Locks a file of results, which need not exist yet; throws if another run has it. */
     static SweepLock of(Path file) throws IOException {
         Path path = path(file);
         if (!HELD.add(path)) {

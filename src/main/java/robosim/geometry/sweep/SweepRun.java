@@ -54,9 +54,7 @@ public final class SweepRun {
 
     /** A run on a number of threads, at least 1. */
     public SweepRun threads(int count) {
-        if (count < 1) {
-            throw new IllegalArgumentException("threads must be at least 1 (got: " + count + ")");
-        }
+        Checks.refuse(count < 1, "threads must be at least 1", count);
         threads = count;
         return this;
     }
@@ -127,10 +125,10 @@ public final class SweepRun {
     }
 
     private void checkSize() {
-        if (sweep.size() > Integer.MAX_VALUE) {
-            throw new IllegalArgumentException(
-                    "a sweep must have at most " + Integer.MAX_VALUE + " replicates (got: " + sweep.size() + ")");
-        }
+        Checks.refuse(
+                sweep.size() > Integer.MAX_VALUE,
+                "a sweep must have at most " + Integer.MAX_VALUE + " replicates",
+                sweep.size());
     }
 
     private SweepException isThere(@Nullable IOException cause) {

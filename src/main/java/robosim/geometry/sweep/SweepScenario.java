@@ -2,6 +2,7 @@ package robosim.geometry.sweep;
 
 import java.io.Serializable;
 import java.util.SortedMap;
+import robosim.geometry.check.Checks;
 
 /**
  * The code that runs in each replicate of a sweep. Many threads run it at once, each with its own replicate: an
@@ -50,9 +51,7 @@ public interface SweepScenario extends Serializable {
      */
     default String name() {
         Class<?> type = getClass();
-        if (type.isHidden() || type.isSynthetic()) {
-            throw new IllegalArgumentException("a scenario that is a lambda must be given a name (got: " + type + ")");
-        }
+        Checks.refuse(type.isHidden() || type.isSynthetic(), "a scenario that is a lambda must be given a name", type);
         return type.getName();
     }
 }

@@ -83,10 +83,10 @@ public record SweepWorld(String name, Snapshot snapshot) implements Serializable
         private static Snapshot made(Snapshot from, Dimension dimension, Accuracy accuracy) {
             Geometry world = new Geometry(from.width(), from.height(), from.length(), dimension, accuracy);
             for (GeometryObject object : from.objects()) {
-                if (!world.addObjectUnchecked(object)) {
-                    throw new IllegalArgumentException(
-                            "every object must be within the world, in " + dimension + " too (got: " + object + ")");
-                }
+                Checks.refuse(
+                        !world.addObjectUnchecked(object),
+                        "every object must be within the world, in " + dimension + " too",
+                        object);
             }
             return world.snapshot();
         }

@@ -32,6 +32,7 @@ import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.scenario.recording.QuietLog;
 
 /** Batches are recorded, replayed and compared bit for bit. */
 class BatchReplayTest {

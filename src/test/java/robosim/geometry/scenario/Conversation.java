@@ -18,6 +18,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.scenario.recording.QuietLog;
 
 /** What an environment says, to be recorded. */
 final class Conversation {

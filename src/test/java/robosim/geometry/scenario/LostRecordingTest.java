@@ -23,6 +23,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.scenario.recording.QuietLog;
 import robosim.geometry.scenario.recording.RecordingFile;
 
 /** What cannot be recorded is told, what was recorded before can be read, and no answer is another for it. */

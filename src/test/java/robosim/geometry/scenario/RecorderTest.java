@@ -30,6 +30,7 @@ import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.scenario.recording.QuietLog;
 
 class RecorderTest {
     private static final ScenarioHeader HEADER = new ScenarioHeader("a test", ScenarioReaderTest.OPTIONS);

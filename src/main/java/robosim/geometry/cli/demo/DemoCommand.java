@@ -37,9 +37,9 @@ import robosim.geometry.world.WorldWriter;
 @Command(
         name = "demo",
         description =
-                "Lets the robots of a world wander. The reference environment and this module run as two processes over"
-                        + " TCP. Writes a picture, the recording and a summary, and fails if the audit of the recording finds"
-                        + " anything wrong.",
+                "Lets the robots of a world wander. The reference environment and this module run as two processes"
+                        + " over TCP. Writes a picture, the recording and a summary, and fails if the audit of the"
+                        + " recording finds anything wrong.",
         showDefaultValues = true,
         exitCodeList = {
             ExitCodes.FINE + ":the audit found nothing wrong",
@@ -109,9 +109,9 @@ public final class DemoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        check(steps >= 1, "--steps must be at least 1 (got: " + steps + ")");
-        check(seed >= 0, "--seed must be at least 0 (got: " + seed + ")");
-        check(speed > 0 && speed < 1e9, "--speed must be above 0 (got: " + speed + ")");
+        Arguments.refuse(steps < 1, "--steps must be at least 1", steps);
+        Arguments.refuse(seed < 0, "--seed must be at least 0", seed);
+        Arguments.refuse(!(speed > 0 && speed < 1e9), "--speed must be above 0", speed);
         List<String> environment = program("ReferenceEnvironment");
         List<String> audit = program("ConversationAudit");
         output = place != null ? place : Path.of(Files.isDirectory(Path.of("target")) ? "target/demo" : "robosim-demo");
@@ -150,12 +150,6 @@ public final class DemoCommand implements Callable<Integer> {
                 + " from-module.bin, summary.txt");
         out.flush();
         return audited == 0 ? 0 : ExitCodes.FINDINGS;
-    }
-
-    private void check(boolean good, String message) {
-        if (!good) {
-            throw new UsageException(message);
-        }
     }
 
     /** What to start: a class of the jar, or a source file. */

@@ -19,11 +19,7 @@ public final class DemoProgram {
 
     private DemoProgram() {}
 
-    /**
-     * Runs a program that the jar contains.
-     *
-     * @param arguments the program's name, then its own arguments
-     */
+    /** Runs a program that the jar contains, named by the first argument, with the others. */
     public static void main(String[] arguments) throws ReflectiveOperationException, IOException {
         URL program = find(arguments[0]);
         if (program == null) {

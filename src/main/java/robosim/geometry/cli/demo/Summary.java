@@ -11,6 +11,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Properties;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
 
 /** The summary that the demo prints at its end. */
 public final class Summary {
@@ -63,11 +66,7 @@ public final class Summary {
                 right ? "nothing" : "something");
     }
 
-    /**
-     * The whole summary.
-     *
-     * @param verdict the output of the audit
-     */
+    /** The whole summary, with the output of the audit. */
     String text(String verdict) {
         long asked = count("moves.asked");
         long made = count("moves.made");
@@ -104,23 +103,23 @@ public final class Summary {
     }
 
     private void row(StringBuilder text, String what, String kind, long share) {
-        double median = timed(kind, 0.5);
-        double most = timed(kind, 0.99);
         text.append(format(
                 "  %-26s %7.1f us %6.1f us %7.1f us %6.1f us%n",
                 what,
                 micros(kind + ".median.us") / share,
                 micros(kind + ".99.us") / share,
-                median / share,
-                most / share));
+                timed(kind, 0.5) / share,
+                timed(kind, 0.99) / share));
     }
 
     private double timed(String kind, double share) {
-        return switch (kind) {
-            case "sonar" -> timings.sonarMicros(share);
-            case "step" -> timings.stepMicros(share);
-            default -> timings.moveMicros(share);
-        };
+        return timings.micros(
+                switch (kind) {
+                    case "sonar" -> SonarRequestBundle.class;
+                    case "step" -> StepBundle.class;
+                    default -> MoveBundle.class;
+                },
+                share);
     }
 
     private void refusals(StringBuilder text) {

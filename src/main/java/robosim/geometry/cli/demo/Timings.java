@@ -8,17 +8,14 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
-import robosim.geometry.protocol.SonarRequestBundle;
-import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.Text;
 
 /** How long the module's side of a conversation took, and what blocked moves. */
 public final class Timings implements SessionListener {
-    private final Times sonar = new Times();
-    private final Times moves = new Times();
-    private final Times steps = new Times();
+    /** By the kind of request. */
+    private final Map<Class<?>, Times> times = new HashMap<>();
+
     private final Map<String, Integer> refusedBy = new HashMap<>();
 
     @Override
@@ -37,13 +34,7 @@ public final class Timings implements SessionListener {
 
     @Override
     public synchronized void answered(Bundle request, @Nullable Bundle answer, long nanoseconds) {
-        if (request instanceof SonarRequestBundle) {
-            sonar.add(nanoseconds);
-        } else if (request instanceof MoveBundle) {
-            moves.add(nanoseconds);
-        } else if (request instanceof StepBundle) {
-            steps.add(nanoseconds);
-        }
+        times.computeIfAbsent(request.getClass(), kind -> new Times()).add(nanoseconds);
     }
 
     /** The obstacles that blocked moves, each with how many moves it blocked. */
@@ -51,19 +42,10 @@ public final class Timings implements SessionListener {
         return new HashMap<>(refusedBy);
     }
 
-    /** The time within which a given share of all sonar bundles was answered, in microseconds. */
-    synchronized double sonarMicros(double share) {
-        return sonar.micros(share);
-    }
-
-    /** The time within which a given share of all move bundles was answered, in microseconds. */
-    synchronized double moveMicros(double share) {
-        return moves.micros(share);
-    }
-
-    /** The time within which a given share of all steps was answered, in microseconds. */
-    synchronized double stepMicros(double share) {
-        return steps.micros(share);
+    /** The time within which a given share of all requests of a kind was answered, in microseconds. */
+    synchronized double micros(Class<? extends Bundle> kind, double share) {
+        Times all = times.get(kind);
+        return all == null ? 0 : all.micros(share);
     }
 
     /** A growing list of durations in nanoseconds. */

@@ -8,9 +8,6 @@ import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -125,25 +122,26 @@ final class AdminPort implements AutoCloseable {
                         ? Answer.plain(200, "ok")
                         : Answer.plain(503, "no new connections: the server is ending");
             case "/metrics" -> new Answer(200, "text/plain; version=0.0.4; charset=utf-8", metrics());
-            case "/connections" -> new Answer(200, "application/json", JsonText.of(connections()) + "\n");
+            case "/connections" ->
+                new Answer(
+                        200,
+                        "application/json",
+                        JsonText.of(server.peers().stream()
+                                        .map(AdminPort::fields)
+                                        .toList()) + "\n");
             default -> Answer.plain(404, "there are /health, /metrics and /connections; POST /connections/NUMBER/end");
         };
     }
 
-    private List<Map<String, @Nullable Object>> connections() {
-        List<Map<String, @Nullable Object>> all = new ArrayList<>();
-        for (GeometryServer.Peer peer : server.peers()) {
-            Map<String, @Nullable Object> fields = new LinkedHashMap<>();
-            fields.put("id", peer.id());
-            fields.put("peer", peer.address());
-            fields.put("since", peer.since().toString());
-            fields.put("admitted", peer.admitted());
-            fields.put("message", peer.message());
-            fields.put("request", peer.request());
-            fields.put("requestSeconds", peer.age().toMillis() / 1e3);
-            all.add(fields);
-        }
-        return all;
+    private static Map<String, @Nullable Object> fields(GeometryServer.Peer peer) {
+        return JsonText.fields(
+                "id", peer.id(),
+                "peer", peer.address(),
+                "since", peer.since().toString(),
+                "admitted", peer.admitted(),
+                "message", peer.message(),
+                "request", peer.request(),
+                "requestSeconds", peer.age().toMillis() / 1e3);
     }
 
     private String metrics() {

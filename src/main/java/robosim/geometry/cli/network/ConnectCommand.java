@@ -55,22 +55,20 @@ public final class ConnectCommand implements Callable<Integer> {
     private ConnectionOptions common;
 
     @Mixin
-    private RecordOptions record;
-
-    @Mixin
-    private WatchOptions watch;
+    private ObserverOptions observers;
 
     @Override
     public Integer call() {
         Arguments.port(port, 1);
-        NetOptions options = record.inFile(common.options(
+        NetOptions options = observers
+                .recordedInFile(common.options(
                         Quotas.DEFAULT.connections(),
                         Timeouts.DEFAULT.admission().toSeconds()))
                 .withRedial(once ? null : Redial.DEFAULT)
                 .withWorlds(WorldLoading.of(null, List.of()));
         AtomicBoolean isAsked = new AtomicBoolean();
         options = options.withListeners(told(options.listeners(), isAsked));
-        WatchOptions.Watch watched = watch.begin(options);
+        ObserverOptions.Watch watched = observers.watched(options);
         int seconds = common.figuresSeconds();
         GeometryClient client = new GeometryClient(host, port, watched.options());
         common.keepFresh(client::renew);

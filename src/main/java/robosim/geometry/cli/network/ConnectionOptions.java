@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.net.Access;
 import robosim.geometry.net.NetOptions;
@@ -160,9 +161,7 @@ public final class ConnectionOptions {
     }
 
     private void useLog() {
-        if (!log.equals("text") && !log.equals("json")) {
-            throw new UsageException("--log must be text or json (got: " + log + ")");
-        }
+        Arguments.refuse(!log.equals("text") && !log.equals("json"), "--log must be text or json", log);
         LogLines.use(log.equals("json") ? LogLines.Form.JSON : LogLines.Form.TEXT);
     }
 
@@ -181,9 +180,7 @@ public final class ConnectionOptions {
 
     /** 0 for never. */
     int figuresSeconds() {
-        if (figures < 0) {
-            throw new UsageException("--figures must be at least 0 (got: " + figures + ")");
-        }
+        Arguments.refuse(figures < 0, "--figures must be at least 0", figures);
         return figures;
     }
 

@@ -2,7 +2,6 @@ package robosim.geometry.cli.network;
 
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
-import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.logging.Formatter;
@@ -21,11 +20,9 @@ public final class LogLines extends Formatter {
 
     private final Form form;
 
-    /** The forms of a line. */
     public enum Form {
         /** Time, level and message. */
         TEXT,
-        /** A JSON object. */
         JSON
     }
 
@@ -58,11 +55,8 @@ public final class LogLines extends Formatter {
             String line = time + " " + level + " " + message + (thrown == null ? "" : ": " + stack(thrown));
             return line.replace('\n', ' ').replace('\r', ' ') + System.lineSeparator();
         }
-        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
-        fields.put("time", time);
-        fields.put("level", level);
-        fields.put("logger", entry.getLoggerName());
-        fields.put("message", message);
+        Map<String, @Nullable Object> fields =
+                JsonText.fields("time", time, "level", level, "logger", entry.getLoggerName(), "message", message);
         if (thrown != null) {
             fields.put("error", stack(thrown));
         }

@@ -25,11 +25,7 @@ final class Renewal {
 
     private List<String> seen;
 
-    /**
-     * Files that have just been read.
-     *
-     * @param read reads them; fails with an IllegalArgumentException that says why
-     */
+    /** Files that have just been read by {@code read}, which fails with an IllegalArgumentException that says why. */
     Renewal(List<Path> files, Supplier<Access> read, Consumer<Access> renew) {
         this.files = files;
         this.read = read;

@@ -111,10 +111,7 @@ public final class ServeCommand implements Callable<Integer> {
     private ConnectionOptions common;
 
     @Mixin
-    private RecordOptions record;
-
-    @Mixin
-    private WatchOptions watch;
+    private ObserverOptions observers;
 
     @Override
     public Integer call() throws Exception {
@@ -123,13 +120,11 @@ public final class ServeCommand implements Callable<Integer> {
         NetOptions options = common.options(connections, admission).withWorlds(loading);
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
-        if (drain < 0) {
-            throw new UsageException("--drain must be at least 0 (got: " + drain + ")");
-        }
+        Arguments.refuse(drain < 0, "--drain must be at least 0", drain);
         if (admin != null) {
             Arguments.port(admin, 0);
         }
-        WatchOptions.Watch watched = watch.begin(record.inFolder(options.withOpening(opening)));
+        ObserverOptions.Watch watched = observers.watched(observers.recordedInFolder(options.withOpening(opening)));
         GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, watched.options());
         common.keepFresh(server::renew);
         PrintWriter out = spec.commandLine().getOut();

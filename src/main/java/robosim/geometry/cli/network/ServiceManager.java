@@ -16,7 +16,6 @@ final class ServiceManager {
 
     private ServiceManager() {}
 
-    /** The service is ready. */
     static void ready(String status) {
         report("READY=1", "STATUS=" + status);
     }

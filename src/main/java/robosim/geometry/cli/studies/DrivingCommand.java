@@ -91,8 +91,8 @@ public final class DrivingCommand implements Callable<Integer> {
             names = "--turn",
             paramLabel = "DEGREES",
             description =
-                    "degrees a second, counter-clockwise; of a car the angle of its front wheels, of a force newton metres"
-                            + " (default: 0)")
+                    "degrees a second, counter-clockwise; of a car the angle of its front wheels, of a force newton"
+                            + " metres (default: 0)")
     private double turn;
 
     @Option(
@@ -204,9 +204,7 @@ public final class DrivingCommand implements Callable<Integer> {
             known(read, "--tell", pair[0]);
             once(named, pair[0], "--tell=" + text);
             String[] numbers = pair[1].split(",", -1);
-            if (numbers.length > 2) {
-                throw new UsageException("--tell must be " + TOLD + " (got: " + text + ")");
-            }
+            Arguments.refuse(numbers.length > 2, "--tell must be " + TOLD, text);
             double forward = number("--tell", TOLD, text, numbers[0]);
             double turns = numbers.length == 1 ? 0 : number("--tell", TOLD, text, numbers[1]);
             commands.add(new DriveCommand(
@@ -251,9 +249,7 @@ public final class DrivingCommand implements Callable<Integer> {
     /** A name and what is given to it, which has no equals sign. */
     private String[] pair(String option, String form, String text) {
         int equals = text.lastIndexOf('=');
-        if (equals < 1) {
-            throw new UsageException(option + " must be " + form + " (got: " + text + ")");
-        }
+        Arguments.refuse(equals < 1, option + " must be " + form, text);
         return new String[] {text.substring(0, equals), text.substring(equals + 1)};
     }
 
@@ -267,9 +263,10 @@ public final class DrivingCommand implements Callable<Integer> {
 
     /** What a {@link DriveCommand} takes; the message names the option. */
     private double quantity(String option, double value) {
-        if (!(Math.abs(value) <= MOST)) { // written so that NaN fails it
-            throw new UsageException(option + " must be from -10^9 to 10^9 (got: " + value + ")");
-        }
+        Arguments.refuse(
+                !(Math.abs(value) <= MOST),
+                option + " must be from -10^9 to 10^9",
+                value); // written so that NaN fails it
         return value;
     }
 
@@ -306,10 +303,10 @@ public final class DrivingCommand implements Callable<Integer> {
                     .findFirst()
                     .orElse(BodyRequest.of(name));
             double mass = number("--mass", WEIGHED, text, pair[1]);
-            if (mass == 0) { // which would ask for the mass of the shape
-                throw new UsageException(
-                        "--mass must be above 0; leave it out for the mass of the shape (got: " + text + ")");
-            }
+            Arguments.refuse(
+                    mass == 0,
+                    "--mass must be above 0; leave it out for the mass of the shape",
+                    text); // which would ask for the mass of the shape
             try {
                 all.put(name, known.withMass(mass));
             } catch (IllegalArgumentException e) {

@@ -18,11 +18,7 @@ final class PlanOverlaps {
 
     private PlanOverlaps() {}
 
-    /**
-     * A line for each body that overlaps anything where it begins; none in a world where heights count.
-     *
-     * @param remedy what else to do than to take the object out
-     */
+    /** A line for each body that overlaps anything where it begins, with what else to do than to take it out. */
     static List<String> of(World world, Collection<String> bodies, String remedy) {
         List<String> lines = new ArrayList<>();
         if (world.dimension() != Dimension.PLANAR) {

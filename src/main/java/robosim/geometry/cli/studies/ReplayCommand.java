@@ -20,7 +20,6 @@ import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.FailureText;
 import robosim.geometry.cli.terminal.Progress;
-import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
@@ -135,19 +134,18 @@ public final class ReplayCommand implements Callable<Integer> {
             if (Files.exists(place) && !Files.isDirectory(place)) {
                 Arguments.input("FILE|FOLDER", place); // which refuses it
             }
-            if (!Files.isDirectory(place)) {
-                throw new UsageException("FILE|FOLDER must exist (got: " + place + ")");
-            }
+            Arguments.refuse(!Files.isDirectory(place), "FILE|FOLDER must exist", place);
             int before = files.size();
             try (Stream<Path> tree = Files.walk(place)) {
                 tree.filter(file -> isRecording(file) && Files.isRegularFile(file))
                         .sorted()
                         .forEach(files::add);
             }
-            if (files.size() == before) {
-                throw new UsageException("FOLDER must contain a *" + ScenarioReader.ENDING + " or the demo's "
-                        + WireFiles.TO_MODULE + ", directly or in a subfolder (got: " + place + ")");
-            }
+            Arguments.refuse(
+                    files.size() == before,
+                    "FOLDER must contain a *" + ScenarioReader.ENDING + " or the demo's " + WireFiles.TO_MODULE
+                            + ", directly or in a subfolder",
+                    place);
         }
         return files;
     }

@@ -11,11 +11,7 @@ final class Stopped implements AutoCloseable {
         hook = new Thread(() -> sentence.accept(done), "stopped");
     }
 
-    /**
-     * Lets a sentence be said if the process ends before this is closed.
-     *
-     * @param sentence called with how much was done by then
-     */
+    /** Says a sentence about how much was done if the process ends before this is closed. */
     static Stopped tell(LongConsumer sentence) {
         Stopped stopped = new Stopped(sentence);
         Runtime.getRuntime().addShutdownHook(stopped.hook);

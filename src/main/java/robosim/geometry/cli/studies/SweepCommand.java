@@ -146,9 +146,10 @@ public final class SweepCommand implements Callable<Integer> {
         if (!sweep.canDiffer()) {
             spec.commandLine()
                     .getErr()
-                    .println("warning: the " + replicates + " replicates of each world and combination of values cannot"
-                            + " differ: give place, heading, slip, aim or range a value above 0 that applies to what was"
-                            + " recorded, or -n 1");
+                    .println("warning: the " + replicates + " replicates of each world and combination of values"
+                            + " cannot differ: give place, heading, slip, aim or range a"
+                            + " value above 0 that applies to what was recorded, or -n"
+                            + " 1");
         }
         if (resumed) {
             run.resume();
@@ -254,9 +255,7 @@ public final class SweepCommand implements Callable<Integer> {
         Set<String> names = new HashSet<>();
         for (String parameter : parameters) {
             int end = parameter.indexOf('=');
-            if (end < 1) {
-                throw new UsageException("--parameter must be NAME=VALUE[,VALUE...] (got: " + parameter + ")");
-            }
+            Arguments.refuse(end < 1, "--parameter must be NAME=VALUE[,VALUE...]", parameter);
             String name = parameter.substring(0, end);
             if (!names.add(name)) {
                 throw new UsageException(
@@ -272,9 +271,7 @@ public final class SweepCommand implements Callable<Integer> {
         ScenarioSweep sweep = conversation;
         for (String goal : goals) {
             Matcher words = GOAL.matcher(goal);
-            if (!words.matches()) {
-                throw new UsageException("--goal must be ROBOT@X,Z,RADIUS, as in cart@4,-2,0.5 (got: " + goal + ")");
-            }
+            Arguments.refuse(!words.matches(), "--goal must be ROBOT@X,Z,RADIUS, as in cart@4,-2,0.5", goal);
             try {
                 sweep = sweep.toGoal(
                         words.group(1),

@@ -17,21 +17,21 @@ public final class Arguments {
 
     /** Returns a file if it exists and can be read. */
     public static Path input(String parameter, Path file) {
-        check(!Files.isDirectory(file), parameter + " must be a file, not a folder; name a file in it", file);
-        check(Files.exists(file), parameter + " must be a file that exists; check the path", file);
-        check(
-                Files.isRegularFile(file),
+        refuse(Files.isDirectory(file), parameter + " must be a file, not a folder; name a file in it", file);
+        refuse(!Files.exists(file), parameter + " must be a file that exists; check the path", file);
+        refuse(
+                !Files.isRegularFile(file),
                 parameter + " must be a regular file, not a pipe, a socket or a device; save its contents to"
                         + " a file first",
                 file);
-        check(Files.isReadable(file), parameter + " must be a file that you may read; check who owns it", file);
+        refuse(!Files.isReadable(file), parameter + " must be a file that you may read; check who owns it", file);
         return file;
     }
 
     /** Checks that folders exist. */
     public static void folders(String option, List<Path> folders) {
         for (Path folder : folders) {
-            check(Files.isDirectory(folder), option + " must be a folder that exists", folder);
+            refuse(!Files.isDirectory(folder), option + " must be a folder that exists", folder);
         }
     }
 
@@ -42,26 +42,30 @@ public final class Arguments {
      */
     public static Path output(String parameter, Path file, String... endings) {
         String name = file.toString().toLowerCase(Locale.ROOT);
-        check(
-                endings.length == 0 || Arrays.stream(endings).anyMatch(name::endsWith),
+        refuse(
+                endings.length > 0 && Arrays.stream(endings).noneMatch(name::endsWith),
                 parameter + " must end in " + either(List.of(endings)),
                 file);
         boolean isFolder = file.getFileName() == null || name.isEmpty() || Files.isDirectory(file);
-        check(!isFolder, parameter + " must be a file, not a folder", file);
-        boolean isWritable = !Files.exists(file) || Files.isWritable(file);
-        check(isWritable, parameter + " must be a file that you may write; check who owns it", file);
+        refuse(isFolder, parameter + " must be a file, not a folder", file);
+        boolean isLocked = Files.exists(file) && !Files.isWritable(file);
+        refuse(isLocked, parameter + " must be a file that you may write; check who owns it", file);
         Path folder = file.toAbsolutePath().resolveSibling("");
-        boolean hasFolder = Files.isDirectory(folder);
-        check(hasFolder, parameter + " must be in a folder that exists; create the folder first", file);
+        refuse(
+                !Files.isDirectory(folder),
+                parameter + " must be in a folder that exists; create the folder first",
+                file);
         // A file is written under another name and then moved to its own.
-        boolean hasRoom = Files.isWritable(folder);
-        check(hasRoom, parameter + " must be in a folder that you may write to; check who owns it", file);
+        refuse(
+                !Files.isWritable(folder),
+                parameter + " must be in a folder that you may write to; check who owns it",
+                file);
         return file;
     }
 
     /** Returns a file that can be written and does not exist yet. */
     public static Path newFile(String parameter, Path file) {
-        check(!Files.exists(file), parameter + " must be a new file; existing files are not overwritten", file);
+        refuse(Files.exists(file), parameter + " must be a new file; existing files are not overwritten", file);
         return output(parameter, file);
     }
 
@@ -71,7 +75,7 @@ public final class Arguments {
     }
 
     public static void port(int port, int least) {
-        check(port >= least && port <= 65535, "PORT must be " + least + " to 65535", port);
+        refuse(port < least || port > 65535, "PORT must be " + least + " to 65535", port);
     }
 
     /** Reads numbers between commas; null if they are others than numbers, or fewer or more than asked for. */
@@ -104,10 +108,10 @@ public final class Arguments {
         throw new UsageException(parameter + " must be " + form + " (got: " + text + ")");
     }
 
-    /** Throws an exception unless something holds. */
-    public static void check(boolean holds, String message, Object got) {
-        if (!holds) {
-            throw new UsageException(message + " (got: " + got + ")");
+    /** Refuses an argument if something is so; {@code rule} says what it must be. */
+    public static void refuse(boolean isSo, String rule, Object got) {
+        if (isSo) {
+            throw new UsageException(rule + " (got: " + got + ")");
         }
     }
 }

@@ -10,15 +10,6 @@ import picocli.CommandLine;
  * redrawn in place. Nothing is shown if the standard error is not a terminal, or for a task that takes less than half a
  * second.
  *
- * <pre>{@code
- * try (Progress progress = Progress.of(spec.commandLine(), "rays", count)) {
- *     for (long k = 0; k < count; k++) {
- *         progress.at(k);
- *         ...
- *     }
- * }
- * }</pre>
- *
  * May be updated from any number of threads.
  */
 public final class Progress implements AutoCloseable {
@@ -63,11 +54,7 @@ public final class Progress implements AutoCloseable {
         at(done, () -> "");
     }
 
-    /**
-     * Reports how much is done.
-     *
-     * @param note the current item, shown after the bar; called only when the line is drawn; may be empty
-     */
+    /** Reports how much is done; the note, which may be empty, is made only when the line is drawn. */
     public void at(long done, Supplier<String> note) {
         if (watched && System.nanoTime() - next >= 0) {
             draw(done, note.get());

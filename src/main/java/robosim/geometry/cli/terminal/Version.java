@@ -4,7 +4,6 @@ import picocli.CommandLine.IVersionProvider;
 
 /** The text that {@code --version} prints. */
 public final class Version implements IVersionProvider {
-    /** What the program is called. */
     public static final String PROGRAM = "robosim-geometry";
 
     /** The version in the pom; a test compares the two. */

@@ -26,7 +26,6 @@ public final class WireFiles {
         return name.equals(TO_MODULE) || name.equals(FROM_MODULE) ? place.resolveSibling(TO_MODULE) : null;
     }
 
-    /** Opens the two files. */
     public static WireReader open(Path toModule) throws IOException {
         return WireReader.open(toModule, toModule.resolveSibling(FROM_MODULE));
     }

@@ -45,11 +45,7 @@ public final class WorldFiles {
         return ModelFolders.with(models);
     }
 
-    /**
-     * Reads a world of any format.
-     *
-     * @param options the models of which are replaced by {@link #folders()}
-     */
+    /** Reads a world of any format; models are those of {@link #folders()}, not of the options. */
     public WorldImport read(Path file, ImportOptions options) throws WorldException {
         ImportOptions all = options.withModels(folders());
         try {
@@ -88,19 +84,14 @@ public final class WorldFiles {
         return opened.size() > 1;
     }
 
-    /**
-     * Refuses a file to write that is one of those read: it would be lost.
-     *
-     * @param parameter its name in the help
-     */
+    /** Refuses a file to write that is one of those read: it would be lost. */
     public Path output(String parameter, Path file) throws IOException {
         if (Files.exists(file)) {
             for (Path input : opened) {
-                if (Files.exists(input) && Files.isSameFile(file, input)) {
-                    throw new UsageException(parameter
-                            + " must not be a file that is read, which it would overwrite; name another (got: "
-                            + file + ")");
-                }
+                Arguments.refuse(
+                        Files.exists(input) && Files.isSameFile(file, input),
+                        parameter + " must not be a file that is read, which it would overwrite; name another",
+                        file);
             }
         }
         return file;

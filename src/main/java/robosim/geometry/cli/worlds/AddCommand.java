@@ -103,7 +103,6 @@ public final class AddCommand implements Callable<Integer> {
         return ExitCodes.FINE;
     }
 
-    /** The text of the new file. */
     private String text(World world, List<WorldObject> added) throws IOException {
         String own = WorldWriter.toXml(world.withObjects(added));
         String elements = own.substring(own.indexOf('\n', own.indexOf("<world ")) + 1, own.lastIndexOf(END));

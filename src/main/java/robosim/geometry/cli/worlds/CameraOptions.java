@@ -34,9 +34,9 @@ public final class CameraOptions {
     @Option(
             names = "--camera",
             paramLabel = "CAMERA",
-            description = "overview (three-quarter view of all, the default), top, front, side, four (these four in one"
-                    + " picture), orbit (a picture from each of --frames places around), robot:NAME (from a robot), sensor:NAME (a"
-                    + " camera that WORLD, in SDFormat, describes, with its size and field of view), or"
+            description = "overview (three-quarter view of all, the default), top, front, side, four (these four in"
+                    + " one picture), orbit (a picture from each of --frames places around), robot:NAME (from a robot),"
+                    + " sensor:NAME (a camera that WORLD, in SDFormat, describes, with its size and field of view), or"
                     + " X,Y,Z (from a point)")
     private String camera = "overview";
 
@@ -140,9 +140,7 @@ public final class CameraOptions {
     /** The pictures to take, each made of one shot or of four. */
     List<List<Shot>> pictures(Studio studio) {
         try {
-            if (frames < 1 || frames > 10_000) {
-                throw new UsageException("--frames must be from 1 to 10000 (got: " + frames + ")");
-            }
+            Arguments.refuse(frames < 1 || frames > 10_000, "--frames must be from 1 to 10000", frames);
             return shots(studio);
         } catch (IllegalArgumentException e) {
             throw new UsageException(String.valueOf(e.getMessage()));

@@ -1,9 +1,11 @@
 package robosim.geometry.cli.worlds;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -19,70 +21,65 @@ import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.check.StandIn;
 import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.shared.JsonText;
 
 /** A checked world as JSON, for scripts. docs/command-line.md describes the fields. */
 public final class CheckJson {
     private CheckJson() {}
 
-    /** A file that is not a valid world. */
     static Map<String, @Nullable Object> problems(Path file, List<WorldException> problems) {
-        Map<String, @Nullable Object> json = new LinkedHashMap<>();
-        json.put("file", file);
-        json.put("valid", false);
-        json.put("fine", false);
-        json.put(
+        return JsonText.fields(
+                "file",
+                file,
+                "valid",
+                false,
+                "fine",
+                false,
                 "problems",
                 problems.stream()
-                        .map(problem -> fields(
+                        .map(problem -> JsonText.fields(
                                 "file", problem.source(),
                                 "line", problem.line(),
                                 "column", problem.column(),
                                 "message", problem.getMessage()))
                         .toList());
-        return json;
     }
 
     /** @param read the result of reading the file */
     static Map<String, @Nullable Object> of(Path file, WorldCheck check, WorldImport read) {
-        Map<String, @Nullable Object> json = new LinkedHashMap<>();
-        json.put("file", file);
-        json.put("valid", true);
-        json.put("fine", check.isFine() && read.isWhole());
-        json.put("problems", List.of());
-        json.put("skipped", read.skipped().stream().map(CheckJson::skipped).toList());
-        json.put("notes", read.remarks());
-        json.put("world", world(check.world()));
         Map<String, @Nullable Object> counts = new LinkedHashMap<>();
         check.counts().forEach((kind, count) -> counts.put(kind.word(), count));
-        json.put("counts", counts);
-        json.put("members", check.members());
-        json.put("triangles", check.triangles());
-        json.put("robots", check.robots().stream().map(o -> o.object().name()).toList());
-        json.put("sonars", check.sonars());
-        json.put(
-                "outside", check.outside().stream().map(o -> object(o.object())).toList());
-        json.put("overlaps", check.overlaps().stream().map(CheckJson::overlap).toList());
-        json.put("staticOverlaps", check.staticOverlaps());
         Pile pile = check.pile();
-        json.put("pile", pile == null ? null : fields("at", point(pile.at()), "objects", pile.objects()));
-        json.put(
-                "falls",
-                WorldCheck.falls(check.world()).stream().map(CheckJson::fall).toList());
-        json.put("rooms", check.rooms().stream().map(CheckJson::room).toList());
-        json.put("needs", needs(check.needs()));
-        return json;
+        return JsonText.fields(
+                "file", file,
+                "valid", true,
+                "fine", check.isFine() && read.isWhole(),
+                "problems", List.of(),
+                "skipped", list(read.skipped(), CheckJson::skipped),
+                "notes", read.remarks(),
+                "world", world(check.world()),
+                "counts", counts,
+                "members", check.members(),
+                "triangles", check.triangles(),
+                "robots", list(check.robots(), each -> each.object().name()),
+                "sonars", check.sonars(),
+                "outside", list(check.outside(), each -> object(each.object())),
+                "overlaps", list(check.overlaps(), CheckJson::overlap),
+                "staticOverlaps", check.staticOverlaps(),
+                "pile", pile == null ? null : JsonText.fields("at", point(pile.at()), "objects", pile.objects()),
+                "falls", list(WorldCheck.falls(check.world()), CheckJson::fall),
+                "rooms", list(check.rooms(), CheckJson::room),
+                "needs", needs(check.needs()));
     }
 
-    private static Map<String, @Nullable Object> fields(@Nullable Object... pairs) {
-        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
-        for (int k = 0; k < pairs.length; k += 2) {
-            fields.put(String.valueOf(pairs[k]), pairs[k + 1]);
-        }
-        return fields;
+    private static <T> List<@Nullable Object> list(List<T> items, Function<T, @Nullable Object> made) {
+        List<@Nullable Object> all = new ArrayList<>();
+        items.forEach(item -> all.add(made.apply(item)));
+        return all;
     }
 
     private static Map<String, @Nullable Object> skipped(Skipped skipped) {
-        return fields(
+        return JsonText.fields(
                 "file", skipped.source(),
                 "line", skipped.line(),
                 "what", skipped.what(),
@@ -90,12 +87,12 @@ public final class CheckJson {
     }
 
     private static Map<String, @Nullable Object> fall(WorldCheck.Fall fall) {
-        return fields("robot", fall.robot().object().name(), "drop", fall.drop());
+        return JsonText.fields("robot", fall.robot().object().name(), "drop", fall.drop());
     }
 
     private static Map<String, @Nullable Object> world(World world) {
         Unit unit = world.unit();
-        return fields(
+        return JsonText.fields(
                 "width", world.width(),
                 "height", world.height(),
                 "length", world.length(),
@@ -105,7 +102,7 @@ public final class CheckJson {
     }
 
     private static Map<String, @Nullable Object> object(GeometryObject object) {
-        return fields("name", object.name(), "kind", object.kind().word(), "center", point(object.center()));
+        return JsonText.fields("name", object.name(), "kind", object.kind().word(), "center", point(object.center()));
     }
 
     private static List<Double> point(Point p) {
@@ -113,7 +110,7 @@ public final class CheckJson {
     }
 
     private static Map<String, @Nullable Object> overlap(Overlap overlap) {
-        return fields(
+        return JsonText.fields(
                 "first", object(overlap.first().object()),
                 "second", object(overlap.second().object()),
                 "start", overlap.isStart(),
@@ -123,7 +120,7 @@ public final class CheckJson {
     }
 
     private static Map<String, @Nullable Object> room(Room room) {
-        return fields(
+        return JsonText.fields(
                 "robots", room.robots(),
                 "minX", room.minX(),
                 "minZ", room.minZ(),
@@ -137,7 +134,7 @@ public final class CheckJson {
     }
 
     private static Map<String, @Nullable Object> needs(Needs needs) {
-        return fields(
+        return JsonText.fields(
                 "dimension", needs.dimension(),
                 "accuracy", needs.accuracy(),
                 "told", needs.isTold(),
@@ -151,14 +148,14 @@ public final class CheckJson {
     private static @Nullable Map<String, @Nullable Object> standIn(@Nullable StandIn standIn) {
         return standIn == null
                 ? null
-                : fields(
+                : JsonText.fields(
                         "radius", standIn.body().radius(),
                         "height", standIn.body().height(),
                         "floor", standIn.floor());
     }
 
     private static Map<String, @Nullable Object> setting(Setting setting) {
-        return fields(
+        return JsonText.fields(
                 "dimension", setting.dimension(),
                 "accuracy", setting.accuracy(),
                 "same", setting.isSame(),

@@ -77,6 +77,12 @@ public final class CheckText {
         text.append(String.format(Locale.ROOT, "%-9s %s%n", what, told));
     }
 
+    private void more(int count, String where) {
+        if (count > 0) {
+            add("", "  and %,d more; --json %s", count, where);
+        }
+    }
+
     /** The noun for a kind, singular or plural. */
     private static String kinds(GeometryObject.Kind kind, int count) {
         String one = kind.word();
@@ -120,13 +126,9 @@ public final class CheckText {
 
     private void skipped() {
         skipped.stream().limit(SKIPPED).forEach(each -> add("skipped", "%s", each));
-        if (skipped.size() > SKIPPED) {
-            add("", "  and %,d more; --json tells all", skipped.size() - SKIPPED);
-        }
+        more(skipped.size() - SKIPPED, "tells all");
         notes.stream().limit(SKIPPED).forEach(each -> add("note", "%s", each));
-        if (notes.size() > SKIPPED) {
-            add("", "  and %,d more; --json tells all", notes.size() - SKIPPED);
-        }
+        more(notes.size() - SKIPPED, "tells all");
     }
 
     private void outside() {
@@ -149,9 +151,7 @@ public final class CheckText {
                 .limit(STARTS)
                 .forEach(overlap ->
                         add("contacts", "%s starts out %s", overlap(overlap).toArray()));
-        if (starts.size() > STARTS) {
-            add("", "  and %,d more; --json lists them", starts.size() - STARTS);
-        }
+        more(starts.size() - STARTS, "lists them");
         pile();
         if (check.staticOverlaps() == 0) {
             add("overlaps", "no static objects touch or overlap");
@@ -182,7 +182,8 @@ public final class CheckText {
         if (pile != null) {
             add(
                     "overlaps",
-                    "%,d objects overlap in one place, at %s; not all pairs were compared, and not all contacts are listed",
+                    "%,d objects overlap in one place, at %s; not all pairs were compared, and not all contacts are"
+                            + " listed",
                     pile.objects(),
                     point(pile.at()));
         }
@@ -191,9 +192,7 @@ public final class CheckText {
     private void falls() {
         List<WorldCheck.Fall> falls = WorldCheck.falls(world);
         falls.stream().limit(FALLS).forEach(fall -> add("falls", "%s", fall(fall, world)));
-        if (falls.size() > FALLS) {
-            add("", "  and %,d more; --json tells all", falls.size() - FALLS);
-        }
+        more(falls.size() - FALLS, "tells all");
     }
 
     /** What comes of a robot without a floor. */
@@ -390,7 +389,6 @@ public final class CheckText {
         return missing;
     }
 
-    /** The number of findings of each kind. */
     private List<String> findings() {
         List<String> findings = missing();
         count(

@@ -36,9 +36,8 @@ import robosim.geometry.world.WorldWriter;
 /** Converts a file of another format to a world file. */
 @Command(
         name = "convert",
-        description =
-                "Reads a world, a ROS map, an SDFormat file or a mesh, and writes it as a world, or as a mesh for other viewers."
-                        + " Reports what was read, what was left out and why, and what was written.",
+        description = "Reads a world, a ROS map, an SDFormat file or a mesh, and writes it as a world, or as a mesh for"
+                + " other viewers. Reports what was read, what was left out and why, and what was written.",
         exitCodeList = {
             ExitCodes.DONE,
             ExitCodes.FINDINGS + ":with --strict: something of IN would be left out, and OUT was not written",
@@ -60,7 +59,6 @@ public final class ConvertCommand implements Callable<Integer> {
     private static final List<String> OPTIONS_OF_MAPS = List.of("--wall-height", "--unknown", "--centred");
     private static final List<String> OPTIONS_OF_MESHES = List.of("--scale", "--up");
 
-    /** Of a length. */
     private static final int DIGITS = 6;
 
     @Spec
@@ -94,8 +92,8 @@ public final class ConvertCommand implements Callable<Integer> {
             names = "--scale",
             paramLabel = "UNITS",
             defaultValue = "1",
-            description =
-                    "world units per mesh unit: 0.001 for a mesh in millimetres and a world in metres (default: ${DEFAULT-VALUE})")
+            description = "world units per mesh unit: 0.001 for a mesh in millimetres and a world in metres (default:"
+                    + " ${DEFAULT-VALUE})")
     private double scale;
 
     @Option(

@@ -92,9 +92,7 @@ public final class ExportCommand implements Callable<Integer> {
                 .toLowerCase(Locale.ROOT)
                 .endsWith(MCAP);
         StepRange range = StepRange.of(steps);
-        if (!Files.exists(file)) {
-            throw new UsageException("FILE must exist; check the path (got: " + file + ")");
-        }
+        Arguments.refuse(!Files.exists(file), "FILE must exist; check the path", file);
         files.check();
         boolean isDemo = WireFiles.at(file) != null;
         if (!isDemo) {

@@ -36,11 +36,7 @@ final class FreePlace {
     /** The closed surfaces in which the place asked for is not: where one of them has room for a robot, it could not leave. */
     private final List<GeometryObject> closed = new ArrayList<>();
 
-    /**
-     * Begins a search.
-     *
-     * @param robot where it cannot stand, a little larger than it is, so that it can move
-     */
+    /** Begins a search for a robot that is a little larger than the real one, so that this can move. */
     FreePlace(Geometry geometry, GeometryObject robot) {
         this.geometry = geometry;
         this.robot = robot;

@@ -23,7 +23,6 @@ enum PictureStyle {
     LABELS,
     POINTS;
 
-    /** What nothing is seen in. */
     static final int NOTHING = 0x0d1117;
 
     /** Of surfaces without a label. */

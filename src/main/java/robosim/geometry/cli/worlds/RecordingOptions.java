@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
@@ -35,7 +36,6 @@ public final class RecordingOptions {
             description = "for a recording: only every N-th of these steps (default: ${DEFAULT-VALUE})")
     private int every;
 
-    /** Whether a file is a recording, by its name. */
     static boolean isRecording(Path file) {
         return WireFiles.at(file) != null
                 || file.toString().toLowerCase(Locale.ROOT).endsWith(ScenarioReader.ENDING);
@@ -48,11 +48,7 @@ public final class RecordingOptions {
         }
     }
 
-    /**
-     * Reads a recording.
-     *
-     * @param lender lends the colours of its objects; null for none
-     */
+    /** Reads a recording; the lender, if there is one, lends the colours of its objects. */
     StateHistory read(Path file, @Nullable World lender) throws IOException {
         Colours colours = lender == null ? Colours.NONE : Colours.of(lender);
         try (StepReader reader = WireFiles.recording(file);
@@ -64,9 +60,7 @@ public final class RecordingOptions {
     /** The numbers of the frames to show, in order; each has a world. */
     int[] frames(StateHistory film, Path file) {
         StepRange range = StepRange.of(steps);
-        if (every < 1) {
-            throw new UsageException("--every must be at least 1 (got: " + every + ")");
-        }
+        Arguments.refuse(every < 1, "--every must be at least 1", every);
         int first = film.first();
         while (first < film.size() && film.world(first) < 0) {
             first++;

@@ -35,15 +35,15 @@ import robosim.geometry.world.WorldException;
 @Command(
         name = "render",
         description = {
-            "Takes a picture of a world, in colour and with shadows, as a .png; or draws its plan from above, as an .svg or"
-                    + " with --plan. Needs no display.",
+            "Takes a picture of a world, in colour and with shadows, as a .png; or draws its plan from above, as an"
+                    + " .svg or with --plan. Needs no display.",
             "",
-            "The picture shows heights, also of a PLANAR world, and lays a floor under what stands lowest. An orbit is a"
-                    + " series of pictures, FILE with a number before its ending.",
+            "The picture shows heights, also of a PLANAR world, and lays a floor under what stands lowest. An orbit is"
+                    + " a series of pictures, FILE with a number before its ending.",
             "",
-            "Of a recording (*.scenario.jsonl, or a folder with the demo's to-module.bin and from-module.bin) it takes a"
-                    + " picture of each step, FILE with a number before its ending, of which other programs"
-                    + " make a video: ffmpeg -i frame-%%03d.png film.mp4"
+            "Of a recording (*.scenario.jsonl, or a folder with the demo's to-module.bin and from-module.bin) it takes"
+                    + " a picture of each step, FILE with a number before its ending, of which other programs make a"
+                    + " video: ffmpeg -i frame-%%03d.png film.mp4"
         },
         footer = {
             "  robosim-geometry render worlds/rooms.xml -o rooms.svg",
@@ -179,16 +179,12 @@ public final class RenderCommand implements Callable<Integer> {
         return slice == null ? title : title + ", at Y " + NumberText.digits(slice, DIGITS);
     }
 
-    /**
-     * Refuses a height that is not within a world.
-     *
-     * @param tall the height of the world
-     */
+    /** Refuses a height that is not within a world, which is so tall. */
     private void checkSlice(double tall, double height) {
-        if (!(Math.abs(height) <= tall / 2)) { // written so that NaN fails it
-            throw new UsageException("--slice must be a height within the world, from " + -tall / 2 + " to " + tall / 2
-                    + " (got: " + height + ")");
-        }
+        Arguments.refuse(
+                !(Math.abs(height) <= tall / 2),
+                "--slice must be a height within the world, from " + -tall / 2 + " to " + tall / 2,
+                height); // written so that NaN fails it
     }
 
     /** A picture of each step of a recording; an orbit goes once around while it is played. */

@@ -48,8 +48,8 @@ import robosim.geometry.world.WorldObject;
 @Command(
         name = "scan",
         description =
-                "Scans a world with a lidar or a depth camera and writes what it sees as a point cloud, or its ranges or"
-                        + " depths as an array.",
+                "Scans a world with a lidar or a depth camera and writes what it sees as a point cloud, or its ranges"
+                        + " or depths as an array.",
         footer = {
             "  robosim-geometry scan worlds/rooms.xml -o cloud.ply",
             "  robosim-geometry scan worlds/warehouse.xml --lidar os1-128 --at 0,2,0 --in-world -o cloud.pcd",
@@ -145,7 +145,6 @@ public final class ScanCommand implements Callable<Integer> {
         }
     }
 
-    /** Of a direction. */
     private static final int DIGITS = 6;
 
     private static final Pattern PIXELS = Pattern.compile("(\\d{1,5})x(\\d{1,5})(?:,(\\d{1,3}(?:\\.\\d{1,9})?))?");
@@ -157,9 +156,10 @@ public final class ScanCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         String name = output.toString().toLowerCase(Locale.ROOT);
         Arguments.output("FILE", output, ".ply", ".pcd", ".npy");
-        if (!(noise >= 0 && noise <= 1000)) { // written so that NaN fails it
-            throw new UsageException("--noise must be from 0 to 1000 (got: " + noise + ")");
-        }
+        Arguments.refuse(
+                !(noise >= 0 && noise <= 1000),
+                "--noise must be from 0 to 1000",
+                noise); // written so that NaN fails it
         if (sensor != null && (carrier != null || at != null)) {
             throw new UsageException("--on and --at must not be given with --sensor, which is where WORLD says");
         }
@@ -285,11 +285,7 @@ public final class ScanCommand implements Callable<Integer> {
         progress.at(3, () -> "writing");
     }
 
-    /**
-     * Writes distances or points; answers what they are.
-     *
-     * @param word what the distances are called
-     */
+    /** Writes distances, called by the word, or points; returns what was written. */
     private String write(
             RayFrame frame, RayPattern pattern, double[] distances, String word, String name, PointCloud cloud)
             throws IOException {

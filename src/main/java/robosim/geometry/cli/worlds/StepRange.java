@@ -20,7 +20,7 @@ record StepRange(@Nullable String words, int first, int end) {
             return new StepRange(null, 0, 0);
         }
         Matcher match = FORM.matcher(words);
-        Arguments.check(match.matches(), "--steps must be FIRST-LAST, such as 1-500", words);
+        Arguments.refuse(!match.matches(), "--steps must be FIRST-LAST, such as 1-500", words);
         return new StepRange(words, Integer.parseInt(match.group(1)) - 1, Integer.parseInt(match.group(2)));
     }
 
@@ -29,8 +29,8 @@ record StepRange(@Nullable String words, int first, int end) {
         if (words == null) {
             return new StepRange(null, least, most);
         }
-        boolean isWithin = first >= least && first < end && end <= most;
-        Arguments.check(isWithin, "--steps must be within " + (least + 1) + "-" + most, words);
+        boolean isOutside = first < least || first >= end || end > most;
+        Arguments.refuse(isOutside, "--steps must be within " + (least + 1) + "-" + most, words);
         return this;
     }
 }

@@ -128,7 +128,6 @@ final class Studio {
         return object.bounds().maxY() - object.center().y();
     }
 
-    /** Where a camera is in the world. */
     Pose pose(ColorCamera camera) {
         String carrier = camera.carrier();
         if (carrier == null) {

@@ -35,17 +35,12 @@ public final class WorldOptions {
         return world;
     }
 
-    /** Reads the world. */
     World read() throws WorldException {
         Arguments.input("WORLD", world);
         return files.world(world);
     }
 
-    /**
-     * Reads another world.
-     *
-     * @param parameter its name in the help
-     */
+    /** Reads another world, given for the parameter. */
     World other(String parameter, Path file) throws WorldException {
         return files.world(Arguments.input(parameter, file));
     }
@@ -63,9 +58,8 @@ public final class WorldOptions {
      */
     SdfReader.Sensor sensor(String option, String name) throws WorldException {
         String file = world.toString().toLowerCase(Locale.ROOT);
-        if (!file.endsWith(".sdf") && !file.endsWith(".world")) {
-            throw new UsageException(option + " must be for a WORLD in SDFormat (got: " + world + ")");
-        }
+        Arguments.refuse(
+                !file.endsWith(".sdf") && !file.endsWith(".world"), option + " must be for a WORLD in SDFormat", world);
         List<SdfReader.Sensor> all = SdfReader.sensors(world, files.folders());
         List<SdfReader.Sensor> found = all.stream()
                 .filter(each -> each.name().equals(name) || each.name().endsWith("::" + name))

@@ -194,18 +194,13 @@ public final class Admissions {
             return chosen;
         }
 
-        /**
-         * Admits it; does nothing the second time.
-         *
-         * @throws ProtocolException if there are too many connections
-         */
+        /** Admits it; does nothing the second time. Throws if there are too many connections. */
         public void admit() throws ProtocolException {
             if (admissions != null && !isAdmitted) {
                 admissions.admit(this);
             }
         }
 
-        /** Whether it is admitted. */
         public boolean isAdmitted() {
             return isAdmitted;
         }

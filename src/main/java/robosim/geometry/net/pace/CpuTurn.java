@@ -99,11 +99,7 @@ public final class CpuTurn {
         }
     }
 
-    /**
-     * Called often while computing; gives way to others when it is time.
-     *
-     * @throws CutOff if computing must stop
-     */
+    /** Called often while computing; gives way to others when it is time, and throws if it must stop. */
     public void breathe() {
         if (turns.areWanted()) {
             hold();

@@ -1,7 +1,5 @@
 package robosim.geometry.net.pace;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
@@ -48,7 +46,7 @@ public final class Effort {
      * @param isGone whether the peer has ended the connection
      */
     public Effort(CpuTurn turn, long most, BooleanSupplier isGone) {
-        this(turn, most, isGone, cpuTime());
+        this(turn, most, isGone, CpuTurns.ofThread());
     }
 
     Effort(CpuTurn turn, long most, BooleanSupplier isGone, LongSupplier cpu) {
@@ -56,17 +54,6 @@ public final class Effort {
         this.most = most;
         this.isGone = isGone;
         this.cpu = cpu;
-    }
-
-    /** The time that the calling thread has computed, or where the machine does not know that, the time. */
-    private static LongSupplier cpuTime() {
-        try {
-            ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-            boolean isKnown = threads.isCurrentThreadCpuTimeSupported() && threads.isThreadCpuTimeEnabled();
-            return isKnown ? threads::getCurrentThreadCpuTime : System::nanoTime;
-        } catch (LinkageError e) {
-            return System::nanoTime; // the module java.management is not there
-        }
     }
 
     /** Takes the turn and begins a request. */

@@ -39,7 +39,6 @@ public final class MessageMemory {
         return taken;
     }
 
-    /** The share of one connection. */
     public final class Share {
         private long own;
         private boolean closed;
@@ -55,11 +54,7 @@ public final class MessageMemory {
             return isEldest() || taken + bytes - own <= most;
         }
 
-        /**
-         * Grows to the given size; waits until that is possible.
-         *
-         * @throws IOException if it is closed
-         */
+        /** Grows to the given size; waits until that is possible, and throws if it is closed. */
         public void growTo(long bytes) throws IOException {
             synchronized (MessageMemory.this) {
                 shares.add(this);
@@ -86,7 +81,6 @@ public final class MessageMemory {
             return !shares.isEmpty() && shares.iterator().next() == this;
         }
 
-        /** Returns all of it. */
         public void free() {
             if (own == 0 && !closed) {
                 return; // as after nearly every message

@@ -19,11 +19,7 @@ public final class ReadAhead extends InputStream {
     private boolean isEnded;
     private boolean hasFailed;
 
-    /**
-     * Reads what comes from a socket.
-     *
-     * @param in its bytes, decrypted if need be
-     */
+    /** Reads the bytes that come from a socket, decrypted if need be. */
     public ReadAhead(Socket socket, InputStream in) {
         this.socket = socket;
         this.in = in;

@@ -72,7 +72,6 @@ public final class Watchdog implements AutoCloseable {
         }
     }
 
-    /** The guard of one connection. */
     public final class Guard implements AutoCloseable {
         private static final long NOTHING = 0;
         private static final long BROKEN = -1;
@@ -96,7 +95,6 @@ public final class Watchdog implements AutoCloseable {
             }
         }
 
-        /** Ends the operation. */
         public void end() {
             long last = due.get();
             if (last != BROKEN) {

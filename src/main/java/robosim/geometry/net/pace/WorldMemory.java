@@ -23,7 +23,6 @@ public final class WorldMemory {
         return new WorldMemory(Runtime.getRuntime().maxMemory() / 2);
     }
 
-    /** The share of one connection. */
     public Share share() {
         return new Share();
     }
@@ -37,11 +36,7 @@ public final class WorldMemory {
 
         private Share() {}
 
-        /**
-         * Claims memory for a new world from a message of the given size, in addition to the present world.
-         *
-         * @return null if it is granted; else why not
-         */
+        /** Claims memory for a new world from a message of that size, beside the present one; returns why not, or null. */
         @Nullable
         public String claim(int messageBytes) {
             return claimAll(messageBytes);

@@ -68,12 +68,10 @@ public final class DriveRun {
             others.add(other);
         }
 
-        /** Where it was at first. */
         public BodyAnswer first() {
             return first;
         }
 
-        /** Where it is. */
         public BodyAnswer last() {
             return last;
         }

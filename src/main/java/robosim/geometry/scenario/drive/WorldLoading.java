@@ -48,7 +48,6 @@ public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
 
     private boolean isClosed;
 
-    /** The files of one load. */
     private static final class Kept {
         private final Path place;
         private boolean isRemoved;

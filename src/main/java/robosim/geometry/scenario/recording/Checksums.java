@@ -28,7 +28,6 @@ public final class Checksums {
         return line.substring(0, line.length() - 1) + BEGIN + last + END;
     }
 
-    /** Whether a line has a checksum. */
     public static boolean isSealed(String line) {
         return line.endsWith(END) && line.startsWith(BEGIN, line.length() - LENGTH - 1);
     }

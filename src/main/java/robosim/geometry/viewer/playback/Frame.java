@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -138,42 +139,28 @@ public record Frame(
             return of(world, Colours.NONE);
         }
 
-        /**
-         * The setting of a world in its present state.
-         *
-         * @param colours of objects that a world file has a colour for
-         */
+        /** The setting of a world in its present state, with the colours that a world file has for its objects. */
         public static Setting of(Geometry world, Colours colours) {
-            List<Scene.Thing> statics = new ArrayList<>();
-            List<Scene.Thing> movers = new ArrayList<>();
-            for (GeometryObject object : world.objects()) {
-                (object.isMoveable() ? movers : statics).add(new Scene.Thing(object, colours.of(object)));
-            }
-            return new Setting(
-                    world.width(),
-                    world.height(),
-                    world.length(),
-                    world.dimension(),
-                    world.accuracy(),
-                    List.copyOf(statics),
-                    List.copyOf(movers));
+            return new Setting(world.width(), world.height(), world.length(), world.dimension(), world.accuracy())
+                    .with(world.objects().stream()
+                            .map(object -> new Scene.Thing(object, colours.of(object)))
+                            .toList());
         }
 
-        /** The setting of a world file. */
         public static Setting of(World world) {
-            List<Scene.Thing> statics = new ArrayList<>();
-            List<Scene.Thing> movers = new ArrayList<>();
-            for (Scene.Thing thing : Pictures.things(world)) {
-                (thing.object().isMoveable() ? movers : statics).add(thing);
-            }
-            return new Setting(
-                    world.width(),
-                    world.height(),
-                    world.length(),
-                    world.dimension(),
-                    world.accuracy(),
-                    List.copyOf(statics),
-                    List.copyOf(movers));
+            return new Setting(world.width(), world.height(), world.length(), world.dimension(), world.accuracy())
+                    .with(Pictures.things(world));
+        }
+
+        private Setting(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
+            this(width, height, length, dimension, accuracy, List.of(), List.of());
+        }
+
+        private Setting with(List<Scene.Thing> things) {
+            Map<Boolean, List<Scene.Thing>> sorted = things.stream()
+                    .collect(Collectors.partitioningBy(
+                            thing -> thing.object().isMoveable(), Collectors.toUnmodifiableList()));
+            return new Setting(width, height, length, dimension, accuracy, sorted.get(false), sorted.get(true));
         }
 
         /** The number of its objects with their members, vertices and triangles. */
@@ -194,7 +181,6 @@ public record Frame(
             return weight;
         }
 
-        /** Its edge. */
         public Scene.View border() {
             return Scene.View.world(width, length);
         }

@@ -31,7 +31,6 @@ public final class Pictures {
 
     private Pictures() {}
 
-    /** The scene of a world file. */
     public static Scene of(World world, String title) {
         Checks.present("world", world);
         Checks.present("title", title);
@@ -171,11 +170,7 @@ public final class Pictures {
             this.scene = scene;
         }
 
-        /**
-         * Draws it to a file whose name ends in {@code .svg} or {@code .png}.
-         *
-         * @throws IOException if the file cannot be written
-         */
+        /** Draws it to a file whose name ends in {@code .svg} or {@code .png}. */
         public void write(Path file) throws IOException {
             Painter.write(scene, Theme.LIGHT, file);
         }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.ResourceBundle;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -37,6 +36,7 @@ import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.recording.QuietLog;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
@@ -53,11 +53,7 @@ public final class Replayer {
         this(options, Colours.NONE);
     }
 
-    /**
-     * A replayer with colours.
-     *
-     * @param colours the colours of a world file's objects
-     */
+    /** A replayer with the colours of a world file's objects. */
     public Replayer(SessionOptions options, Colours colours) {
         this.options = options;
         this.colours = colours;
@@ -67,7 +63,7 @@ public final class Replayer {
                 tried = result;
             }
         };
-        this.session = new Session(options, listener, "viewer", new Silence());
+        this.session = new Session(options, listener, "viewer", new QuietLog());
     }
 
     /** Carries out a step and returns what it changed. */
@@ -340,26 +336,5 @@ public final class Replayer {
             throw new IllegalStateException("the record puts " + name + " out of the world");
         }
         return object;
-    }
-
-    /** Suppresses the warnings of a session, which were given when it was recorded. */
-    private static final class Silence implements System.Logger {
-        @Override
-        public String getName() {
-            return "viewer";
-        }
-
-        @Override
-        public boolean isLoggable(Level level) {
-            return false;
-        }
-
-        @Override
-        public void log(
-                Level level, @Nullable ResourceBundle bundle, @Nullable String message, @Nullable Throwable thrown) {}
-
-        @Override
-        public void log(
-                Level level, @Nullable ResourceBundle bundle, @Nullable String format, @Nullable Object... parts) {}
     }
 }

@@ -38,7 +38,6 @@ public final class Sandbox {
      * @param obstacles what is in the way; empty for the world's bounds
      */
     public record Refused(GeometryObject ghost, List<GeometryObject> obstacles) {
-        /** What is in the way, in words. */
         public String words() {
             if (obstacles.isEmpty()) {
                 return "the border of the world";

@@ -84,7 +84,6 @@ public final class StateHistory {
         }
     }
 
-    /** Appends a frame. */
     public void append(Frame frame) {
         int number = size();
         frames.add(frame);
@@ -340,7 +339,6 @@ public final class StateHistory {
             }
         }
 
-        /** The number of its bumps up to a frame. */
         int bumpsUpTo(int number) {
             int from = 0;
             int to = bumps.size();
@@ -366,7 +364,6 @@ public final class StateHistory {
         }
     }
 
-    /** One moveable object. */
     private static final class Track {
         private final Column<Pose> poses = new Column<>();
         private final Column<List<Scene.Ping>> pings = new Column<>();

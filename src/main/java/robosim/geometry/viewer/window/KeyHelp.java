@@ -48,7 +48,6 @@ final class KeyHelp {
         };
     }
 
-    /** The actions, each with its keys. */
     Map<String, String> keys() {
         return keys;
     }

@@ -29,7 +29,6 @@ final class Saving {
         this.folder = folder;
     }
 
-    /** Saves a picture and returns its file. */
     Path picture(BufferedImage image, String title) throws IOException {
         int width = image.getWidth();
         int height = image.getHeight();

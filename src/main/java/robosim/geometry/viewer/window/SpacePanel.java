@@ -43,7 +43,6 @@ public final class SpacePanel extends JComponent {
 
     private static final double LABEL_SIZE = 12;
 
-    /** The most cells. */
     private static final int MOST_DRAWN = 4;
 
     final transient Gallery gallery = new Gallery();

@@ -16,11 +16,7 @@ import robosim.geometry.viewer.playback.StateHistory;
 final class StatusText {
     private StatusText() {}
 
-    /**
-     * Of a world whose robots can be dragged.
-     *
-     * @param step the step of a conversation of which it is a copy; -1 for none
-     */
+    /** Of a world whose robots can be dragged; a copy of a step of a conversation, or of none (-1). */
     static String ofCopy(Sandbox world, int step) {
         Sandbox.Refused refused = world.refused();
         String words = refused == null
@@ -29,7 +25,6 @@ final class StatusText {
         return step < 0 ? words : "a local copy of step " + (step + 1) + ", Esc goes back: " + words;
     }
 
-    /** Of a step of a conversation. */
     static String ofStep(StateHistory film, int position, @Nullable Feed feed, String end) {
         if (film.size() == 0) {
             return (feed != null && feed.isEnded() ? "nothing was recorded" : "waiting for a world") + end;

@@ -29,7 +29,6 @@ public final class Viewer {
 
     private Viewer() {}
 
-    /** Whether there is a display. */
     public static boolean hasDisplay() {
         try {
             return !GraphicsEnvironment.isHeadless()

@@ -90,12 +90,10 @@ final class ViewerModel {
         return viewing;
     }
 
-    /** A model of a recording, from its beginning. */
     static ViewerModel ofRecording(Feed feed, String title, String unit) {
         return new ViewerModel(title, unit, feed, false);
     }
 
-    /** A model of a live session. */
     static ViewerModel ofLive(Feed feed, String title, String unit) {
         return new ViewerModel(title, unit, feed, true);
     }
@@ -109,11 +107,7 @@ final class ViewerModel {
         return feed != null;
     }
 
-    /**
-     * Advances the time.
-     *
-     * @return whether anything visible has changed
-     */
+    /** Advances the time; returns whether anything visible has changed. */
     boolean tick(long nanos) {
         int before = player.position();
         int drained = feed == null ? 0 : feed.drain(film, AT_ONCE);
@@ -281,7 +275,6 @@ final class ViewerModel {
         grip = held;
     }
 
-    /** Selects an object, or nothing. */
     void select(@Nullable GeometryObject object) {
         selection.select(object, world);
     }

@@ -85,7 +85,6 @@ final class ViewerPane extends JPanel {
         this(viewing, theme, worker, Path.of(""));
     }
 
-    /** A pane that saves to a folder. */
     ViewerPane(ViewerModel viewing, Theme theme, Executor worker, Path folder) {
         super(new BorderLayout());
         this.saving = new Saving(folder);

@@ -48,6 +48,15 @@ public final class JsonText {
         return text.toString();
     }
 
+    /** Fields in their order, given as their names and values in turns. */
+    public static Map<String, @Nullable Object> fields(@Nullable Object... pairs) {
+        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
+        for (int k = 0; k < pairs.length; k += 2) {
+            fields.put(String.valueOf(pairs[k]), pairs[k + 1]);
+        }
+        return fields;
+    }
+
     private static void write(@Nullable Object value, StringBuilder out) {
         if (value instanceof Map<?, ?> map) {
             String before = "{";

@@ -1,10 +1,10 @@
-package robosim.geometry.scenario;
+package robosim.geometry.scenario.recording;
 
 import java.util.ResourceBundle;
 import org.jspecify.annotations.Nullable;
 
 /** Logs the warnings of a replay at a low level, since they were given when it was recorded. */
-final class QuietLog implements System.Logger {
+public final class QuietLog implements System.Logger {
     private final System.Logger log = System.getLogger(QuietLog.class.getPackageName());
 
     @Override

@@ -1,0 +1,106 @@
+package robosim.geometry.cli.network;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.Arguments;
+import robosim.geometry.cli.terminal.UsageException;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.net.WatchServer;
+import robosim.geometry.scenario.Recordings;
+import robosim.geometry.scenario.Watching;
+
+/** How {@code serve} and {@code connect} record their sessions, and let them be watched. */
+public final class ObserverOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Option(
+            names = "--record",
+            paramLabel = "PLACE",
+            description = "record each session as a scenario for `replay`: serve takes a folder and writes a"
+                    + " file for each connection; connect takes a file, and numbers those of further connections")
+    private @Nullable Path place;
+
+    @Option(
+            names = "--record-bytes",
+            paramLabel = "N",
+            description =
+                    "largest size of a file; at that size recording stops and the session goes on (default: 1 GiB)")
+    private long bytes = Recordings.DEFAULT_BYTES;
+
+    @Option(
+            names = "--watch",
+            paramLabel = "PORT",
+            description = "open a second, read-only port on this machine that reports what happens, for"
+                    + " `view --watch`; 0 for any free port")
+    private @Nullable Integer port;
+
+    /** Records into a folder, which is created if it does not exist. */
+    NetOptions recordedInFolder(NetOptions options) {
+        Path folder = place;
+        if (folder == null) {
+            return options;
+        }
+        try {
+            Files.createDirectories(folder);
+        } catch (IOException e) {
+            throw new UsageException(
+                    "--record must be a folder, or a path where one can be created (got: " + folder + ")");
+        }
+        Arguments.refuse(!Files.isWritable(folder), "--record must be a folder that can be written to", folder);
+        return options.withListeners(limited(Recordings.inFolder(folder, options.session())));
+    }
+
+    /** Records into a new file in an existing folder. */
+    NetOptions recordedInFile(NetOptions options) {
+        Path file = place;
+        if (file == null) {
+            return options;
+        }
+        return options.withListeners(
+                limited(Recordings.inFile(Arguments.newFile("--record", file), options.session())));
+    }
+
+    private Recordings limited(Recordings recordings) {
+        Arguments.refuse(bytes < 1, "--record-bytes must be at least 1", bytes);
+        return recordings.atMost(bytes);
+    }
+
+    /**
+     * The server for watchers, null if none was asked for, and the options that report to it. Closing it closes that
+     * server.
+     */
+    record Watch(NetOptions options, @Nullable WatchServer server) implements AutoCloseable {
+        @Override
+        public void close() {
+            if (server != null) {
+                server.close();
+            }
+        }
+    }
+
+    /** Starts to listen if watching was asked for. */
+    Watch watched(NetOptions options) {
+        if (port == null) {
+            return new Watch(options, null);
+        }
+        Arguments.port(port, 0);
+        Watching watching = new Watching(options.session());
+        WatchServer server = new WatchServer(port, watching);
+        PrintWriter out = spec.commandLine().getOut();
+        out.println("Watch on " + server.address());
+        out.flush();
+        Function<String, SessionListener> others = options.listeners();
+        NetOptions told =
+                options.withListeners(connection -> others.apply(connection).and(watching.apply(connection)));
+        return new Watch(told, server);
+    }
+}
