@@ -10,7 +10,6 @@ import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.sat.ExactCapsule;
 import robosim.geometry.narrow.sat.ExactCylinder;
 import robosim.geometry.narrow.sat.ExactPolytope;
-import robosim.geometry.narrow.sat.ExactSphere;
 
 /** Whether two leaves touch or overlap in space. */
 public final class SpatialOverlap {
@@ -83,10 +82,8 @@ public final class SpatialOverlap {
 
     private static boolean sphere(Leaf a, Leaf b, OverlapScratch s) {
         return switch (b.kind) {
-            case UPRIGHT_BOX, BOX, TRIANGLE -> new ExactSphere(a.row, a.at).touchesPolytope(new ExactPolytope(b));
-            case SPHERE -> new ExactSphere(a.row, a.at).touchesSphere(b.row, b.at);
-            case UPRIGHT_CYLINDER, CYLINDER -> new ExactSphere(a.row, a.at).touchesCylinder(new ExactCylinder(b));
-            case UPRIGHT_CAPSULE, CAPSULE -> capsule(b, a, s);
+            case UPRIGHT_CYLINDER, CYLINDER -> new ExactCapsule(a).sphereTouches(new ExactCylinder(b));
+            case UPRIGHT_BOX, BOX, TRIANGLE, SPHERE, UPRIGHT_CAPSULE, CAPSULE -> capsule(a, b, s);
             case PRISM, MESH, SOLID_MESH, GRID -> throw b.kind.refused();
         };
     }
@@ -131,6 +128,6 @@ public final class SpatialOverlap {
             return true;
         }
         EXACT_SPHERES.count();
-        return new ExactSphere(a.row, a.at).touchesSphere(b.row, b.at);
+        return new ExactCapsule(a).touches(new ExactCapsule(b));
     }
 }

@@ -47,7 +47,7 @@ public final class DiscPolygon {
             return true;
         }
         EXACT.count();
-        return ExactPlanar.of(b.kind, b.row, b.at).touchesDisc(px, pz, r);
+        return ExactPolygon.of(b.kind, b.row, b.at).touchesDisc(px, pz, r);
     }
 
     /** The distance; 0 in contact. */

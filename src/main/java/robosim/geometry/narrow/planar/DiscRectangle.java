@@ -114,7 +114,7 @@ public final class DiscRectangle {
     }
 
     private static boolean exactTouch(double px, double pz, double r, double[] row, int at) {
-        return ExactPlanar.of(LeafKind.UPRIGHT_BOX, row, at).touchesDisc(px, pz, r);
+        return ExactPolygon.of(LeafKind.UPRIGHT_BOX, row, at).touchesDisc(px, pz, r);
     }
 
     /** The distance; 0 in contact. Accurate to three ulp plus 2^-98 of the offset and the sizes. */

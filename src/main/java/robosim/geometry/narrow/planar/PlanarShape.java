@@ -11,7 +11,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * turned cylinder (an ellipse swept along its minor axis).
  *
  * <p>Corners are within {@link #error} of the true ones in each coordinate, ordered from x towards z. A degenerate
- * polygon has two corners or one. Exact decisions start from the row itself ({@link ExactPlanar}).
+ * polygon has two corners or one. Exact decisions start from the row itself ({@link ExactPolygon}).
  */
 public final class PlanarShape {
     /** What the projection is. */

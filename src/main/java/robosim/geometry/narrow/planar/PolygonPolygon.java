@@ -60,7 +60,7 @@ public final class PolygonPolygon {
 
     private static boolean exactTouch(Leaf a, Leaf b) {
         EXACT.count();
-        return ExactPlanar.of(a.kind, a.row, a.at).touches(ExactPlanar.of(b.kind, b.row, b.at));
+        return ExactPolygon.of(a.kind, a.row, a.at).touches(ExactPolygon.of(b.kind, b.row, b.at));
     }
 
     // 2 apart along the normal of a side of p, 1 in doubt, 0 overlapping along all normals

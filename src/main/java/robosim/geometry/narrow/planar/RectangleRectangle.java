@@ -82,7 +82,7 @@ public final class RectangleRectangle {
 
     private static boolean exactTouch(double[] a, int i, double[] b, int j) {
         EXACT.count();
-        return ExactPlanar.of(LeafKind.UPRIGHT_BOX, a, i).touches(ExactPlanar.of(LeafKind.UPRIGHT_BOX, b, j));
+        return ExactPolygon.of(LeafKind.UPRIGHT_BOX, a, i).touches(ExactPolygon.of(LeafKind.UPRIGHT_BOX, b, j));
     }
 
     // |p - q| <= h + k

@@ -5,7 +5,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.planar.ExactPlanar;
+import robosim.geometry.narrow.planar.ExactPolygon;
 import robosim.geometry.narrow.planar.PlanarShape;
 
 /** A ray and a convex polygon in the plane: the projection of a box, a triangle or an octagon. */
@@ -52,7 +52,7 @@ final class RayPolygon {
         }
         if (verdict == 0 && !isEnclosure) {
             EXACT.count();
-            ExactPlanar exact = ExactPlanar.of(kind, b, j);
+            ExactPolygon exact = ExactPolygon.of(kind, b, j);
             if (!exact.isHitBy(ray.ox, ray.oz, ray.dx, ray.dz)) {
                 return Double.POSITIVE_INFINITY;
             }

@@ -7,7 +7,7 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.DiscRectangle;
-import robosim.geometry.narrow.planar.ExactPlanar;
+import robosim.geometry.narrow.planar.ExactPolygon;
 
 /** A ray and a rectangle, the projection of an upright box. */
 public final class RayRectangle {
@@ -108,7 +108,7 @@ public final class RayRectangle {
 
     private static double doubtful(BeamAxis ray, double[] row, int at) {
         EXACT.count();
-        ExactPlanar exact = ExactPlanar.of(LeafKind.UPRIGHT_BOX, row, at);
+        ExactPolygon exact = ExactPolygon.of(LeafKind.UPRIGHT_BOX, row, at);
         if (exact.contains(ray.ox, ray.oz)) {
             return 0;
         }

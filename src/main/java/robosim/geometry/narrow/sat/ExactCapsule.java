@@ -5,8 +5,8 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
- * A capsule, or a sphere as one of length 0, against capsules, boxes and triangles in exact arithmetic. The squared
- * distance from its segment is compared with the squared radius, without roots. Slow.
+ * A capsule, or a sphere as one of length 0, against capsules, boxes and triangles, and a sphere against cylinders, in exact
+ * arithmetic. The squared distance from its segment is compared with the squared radius, without roots. Slow.
  */
 public final class ExactCapsule {
     private final ExactVector centre;
@@ -67,7 +67,9 @@ public final class ExactCapsule {
             Dyadic one = from.minus(side.corner()).dot(side.normal());
             Dyadic two = to.minus(side.corner()).dot(side.normal());
             Dyadic reach = square.multiply(side.normal().square());
-            if (isAbove(side, from, one, reach) || isAbove(side, to, two, reach) || crosses(side, from, one, to, two)) {
+            if (isAbove(side, from, one, reach)
+                    || (!half.isZero() && isAbove(side, to, two, reach))
+                    || crosses(side, from, one, to, two)) {
                 return true;
             }
         }
@@ -89,9 +91,37 @@ public final class ExactCapsule {
     }
 
     /**
+     * Whether a sphere touches or overlaps a cylinder. Let A = a.a, s the centre's coordinate along a (times A) and q its
+     * squared distance from the axis (times A). Beside the cylinder, q is compared with (r + R)^2 A. Beyond a cap, the
+     * distance to the disc's interior or rim is compared with R; squaring removes the only root, 2 r sqrt(q).
+     */
+    public boolean sphereTouches(ExactCylinder cylinder) {
+        ExactVector w = centre.minus(cylinder.centre);
+        Dyadic beyond = w.dot(cylinder.axis).abs().subtract(cylinder.half);
+        Dyadic q = w.cross(cylinder.axis).square();
+        Dyadic a = cylinder.axisSquare;
+        Dyadic r = cylinder.radius;
+        if (beyond.signum() <= 0) {
+            return q.compareTo(r.add(radius).square().multiply(a)) <= 0;
+        }
+        Dyadic square = radius.square();
+        Dyadic excess = beyond.square();
+        if (q.compareTo(r.square().multiply(a)) <= 0) {
+            return excess.compareTo(square.multiply(a)) <= 0;
+        }
+        // (sqrt(q/A) - r)^2 + excess/A <= R^2
+        Dyadic left = q.add(excess).add(r.square().subtract(square).multiply(a));
+        Dyadic right = r.square().multiply(q).multiply(a).scale(2);
+        return left.signum() <= 0 || left.square().compareTo(right) <= 0;
+    }
+
+    /**
      * Whether two segments, each given by a point and a vector, are no farther apart than the root of {@code square}.
      */
     private static boolean areNear(ExactVector p, ExactVector u, ExactVector q, ExactVector v, Dyadic square) {
+        if (u.isZero()) {
+            return isNear(p, q, v, square);
+        }
         if (isNear(p, q, v, square)
                 || isNear(p.plus(u), q, v, square)
                 || isNear(q, p, u, square)

@@ -6,8 +6,8 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.sat.ExactCapsule;
 import robosim.geometry.narrow.sat.ExactPolytope;
-import robosim.geometry.narrow.sat.ExactSphere;
 
 /**
  * A sphere translated against a sphere, box or triangle at rest, decided without rounding: its centre hits the set of
@@ -42,7 +42,7 @@ final class ExactBall {
         }
         ExactBall ball = new ExactBall(ExactVector.at(a.row, a.at), radius, move);
         ExactPolytope polytope = new ExactPolytope(b);
-        if (new ExactSphere(a.row, a.at).touchesPolytope(polytope)) {
+        if (new ExactCapsule(a).touchesPolytope(polytope)) {
             boolean blocked = polytope.contains(ball.centre) ? ball.deeperInside(polytope) : ball.deeper(polytope);
             return blocked ? 0 : NEVER;
         }

@@ -5,6 +5,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.planar.ExactPolygon;
 
 /**
  * A disc, or an upright cylinder, translated against an upright disc or polygon at rest: decided without rounding, as a
@@ -15,7 +16,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 public final class ExactDisc {
     private static final StageCounters.Counter EXACT = StageCounters.counter("MovingDisc");
 
-    private final ExactProjectedPolygon outline;
+    private final ExactPolygon outline;
     private final Dyadic radius;
     private final Dyadic[] move;
 
@@ -29,7 +30,7 @@ public final class ExactDisc {
         }
     }
 
-    private ExactDisc(ExactProjectedPolygon outline, Dyadic radius, Dyadic[] move, @Nullable Heights heights) {
+    private ExactDisc(ExactPolygon outline, Dyadic radius, Dyadic[] move, @Nullable Heights heights) {
         this.outline = outline;
         this.radius = radius;
         this.move = move;
@@ -47,25 +48,27 @@ public final class ExactDisc {
         if (b.kind.isDisc()) {
             radius = radius.add(Dyadic.of(b.get(3)));
         }
-        Dyadic[] centre = ExactProjectedPolygon.pair(Dyadic.of(a.get(0)), Dyadic.of(a.get(2)));
-        ExactProjectedPolygon outline = ExactProjectedPolygon.of(b).relative(centre, Dyadic.ONE);
-        Dyadic[] move = ExactProjectedPolygon.pair(Dyadic.of(dx), Dyadic.of(dz));
+        Dyadic[] centre = ExactPolygon.pair(Dyadic.of(a.get(0)), Dyadic.of(a.get(2)));
+        ExactPolygon outline = ExactPolygon.of(b.kind, b.row, b.at).relative(centre, Dyadic.ONE);
+        Dyadic[] move = ExactPolygon.pair(Dyadic.of(dx), Dyadic.of(dz));
         return new ExactDisc(outline, radius, move, heights);
     }
 
     /** The answer of {@code translation} for this pair. */
     double time() {
-        Dyadic[] origin = ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO);
-        boolean contact = contains(outline, origin, radius);
+        Dyadic[] origin = ExactPolygon.pair(Dyadic.ZERO, Dyadic.ZERO);
+        boolean contact = outline.isWithin(origin, radius);
         if (heights == null) {
-            return contact ? fromContact() : meets(outline, origin, move, radius) ? entry() : Double.POSITIVE_INFINITY;
+            return contact
+                    ? fromContact()
+                    : outline.comesNear(origin, move, radius) ? entry() : Double.POSITIVE_INFINITY;
         }
         return contact && heights.touch() ? fromContact() : whileLevel(heights);
     }
 
     /** Whether the two touch or overlap at the start, in the plane. */
     public boolean touches() {
-        return contains(outline, ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO), radius);
+        return outline.isWithin(ExactPolygon.pair(Dyadic.ZERO, Dyadic.ZERO), radius);
     }
 
     // Only while the heights touch, from enter / rate to leave / rate.
@@ -85,73 +88,17 @@ public final class ExactDisc {
         if (enter.compareTo(leave) > 0) {
             return Double.POSITIVE_INFINITY;
         }
-        ExactProjectedPolygon scaled = outline.relative(ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO), rate);
-        Dyadic[] from = ExactProjectedPolygon.scale(move, enter);
-        Dyadic[] to = ExactProjectedPolygon.scale(move, leave);
+        ExactPolygon scaled = outline.relative(ExactPolygon.pair(Dyadic.ZERO, Dyadic.ZERO), rate);
+        Dyadic[] from = ExactPolygon.scale(move, enter);
+        Dyadic[] to = ExactPolygon.scale(move, leave);
         Dyadic reach = radius.multiply(rate);
-        if (contains(scaled, from, reach)) {
+        if (scaled.isWithin(from, reach)) {
             return ExactMath.floorQuotient(enter, rate);
         }
-        if (!meets(scaled, from, to, reach)) {
+        if (!scaled.comesNear(from, to, reach)) {
             return Double.POSITIVE_INFINITY;
         }
         return Math.max(entry(), ExactMath.floorQuotient(enter, rate));
-    }
-
-    /** Whether a point lies within the radius of the outline. */
-    private static boolean contains(ExactProjectedPolygon outline, Dyadic[] p, Dyadic radius) {
-        return isInside(outline, p) || meets(outline, p, p, radius);
-    }
-
-    private static boolean isInside(ExactProjectedPolygon outline, Dyadic[] p) {
-        for (int k = 0; k < outline.normals().size(); k++) {
-            Dyadic[] away = ExactProjectedPolygon.subtract(p, outline.corner(k));
-            if (ExactProjectedPolygon.dot(outline.normals().get(k), away).signum() > 0) {
-                return false;
-            }
-        }
-        return !outline.normals().isEmpty();
-    }
-
-    /** Whether a segment comes within the radius of the outline's edges. */
-    private static boolean meets(ExactProjectedPolygon outline, Dyadic[] from, Dyadic[] to, Dyadic radius) {
-        Dyadic square = radius.square();
-        for (int k = 0; k < outline.size(); k++) {
-            Dyadic[] p = outline.corner(k);
-            Dyadic[] q = outline.corner(k + 1);
-            if (isNear(p, from, to, square)
-                    || isNear(from, p, q, square)
-                    || isNear(to, p, q, square)
-                    || cross(from, to, p, q)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Whether a point is no further than the root of {@code square} from a segment. */
-    private static boolean isNear(Dyadic[] point, Dyadic[] from, Dyadic[] to, Dyadic square) {
-        Dyadic[] along = ExactProjectedPolygon.subtract(to, from);
-        Dyadic[] away = ExactProjectedPolygon.subtract(point, from);
-        Dyadic length = ExactProjectedPolygon.dot(along, along);
-        Dyadic share = ExactProjectedPolygon.dot(along, away);
-        if (share.signum() <= 0 || length.signum() == 0) {
-            return ExactProjectedPolygon.dot(away, away).compareTo(square) <= 0;
-        }
-        if (share.compareTo(length) >= 0) {
-            Dyadic[] rest = ExactProjectedPolygon.subtract(point, to);
-            return ExactProjectedPolygon.dot(rest, rest).compareTo(square) <= 0;
-        }
-        return ExactProjectedPolygon.cross(along, away).square().compareTo(square.multiply(length)) <= 0;
-    }
-
-    private static boolean cross(Dyadic[] a, Dyadic[] b, Dyadic[] p, Dyadic[] q) {
-        return side(a, b, p) * side(a, b, q) < 0 && side(p, q, a) * side(p, q, b) < 0;
-    }
-
-    private static int side(Dyadic[] a, Dyadic[] b, Dyadic[] p) {
-        return ExactProjectedPolygon.cross(ExactProjectedPolygon.subtract(b, a), ExactProjectedPolygon.subtract(p, a))
-                .signum();
     }
 
     /** Time of the first touch in the plane, which is known to be one, after the start; rounded down. */
@@ -167,10 +114,10 @@ public final class ExactDisc {
     }
 
     private double cornerTime(Dyadic[] corner) {
-        Dyadic beyond = ExactProjectedPolygon.dot(corner, corner).subtract(radius.square());
-        Dyadic ahead = ExactProjectedPolygon.dot(corner, move);
-        Dyadic square = ExactProjectedPolygon.dot(move, move);
-        Dyadic aside = ExactProjectedPolygon.cross(corner, move);
+        Dyadic beyond = ExactPolygon.dot(corner, corner).subtract(radius.square());
+        Dyadic ahead = ExactPolygon.dot(corner, move);
+        Dyadic square = ExactPolygon.dot(move, move);
+        Dyadic aside = ExactPolygon.cross(corner, move);
         Dyadic chord = radius.square().multiply(square).subtract(aside.square());
         if (ahead.signum() <= 0 || chord.signum() < 0) {
             return Double.POSITIVE_INFINITY;
@@ -191,18 +138,17 @@ public final class ExactDisc {
     private double edgeTime(int k) {
         Dyadic[] n = outline.normals().get(k);
         Dyadic[] p = outline.corner(k);
-        Dyadic[] edge = ExactProjectedPolygon.subtract(outline.corner(k + 1), p);
-        Dyadic length = ExactProjectedPolygon.dot(edge, edge);
-        Dyadic speed = ExactProjectedPolygon.dot(n, move).negate();
-        Dyadic square = ExactProjectedPolygon.dot(n, n);
-        Dyadic height = ExactProjectedPolygon.dot(n, p).negate();
+        Dyadic[] edge = ExactPolygon.subtract(outline.corner(k + 1), p);
+        Dyadic length = ExactPolygon.dot(edge, edge);
+        Dyadic speed = ExactPolygon.dot(n, move).negate();
+        Dyadic square = ExactPolygon.dot(n, n);
+        Dyadic height = ExactPolygon.dot(n, p).negate();
         if (length.signum() == 0 || speed.signum() <= 0 || ExactMath.compareToRoot(height, radius, square) < 0) {
             return Double.POSITIVE_INFINITY;
         }
         // Times the speed, the foot is along the edge by a - b sqrt(square); past an end the corner's circle counts.
-        Dyadic along = ExactProjectedPolygon.dot(move, edge);
-        Dyadic a = height.multiply(along)
-                .subtract(ExactProjectedPolygon.dot(p, edge).multiply(speed));
+        Dyadic along = ExactPolygon.dot(move, edge);
+        Dyadic a = height.multiply(along).subtract(ExactPolygon.dot(p, edge).multiply(speed));
         Dyadic b = radius.multiply(along);
         if (ExactMath.compareToRoot(a, b, square) < 0
                 || ExactMath.compareToRoot(a.subtract(length.multiply(speed)), b, square) > 0) {
@@ -249,8 +195,8 @@ public final class ExactDisc {
     }
 
     private LeastWay leastWay() {
-        Dyadic[] origin = ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO);
-        return isInside(outline, origin) ? wayFromInside() : wayFromOutside();
+        Dyadic[] origin = ExactPolygon.pair(Dyadic.ZERO, Dyadic.ZERO);
+        return outline.contains(origin) ? wayFromInside() : wayFromOutside();
     }
 
     private LeastWay wayFromInside() {
@@ -259,9 +205,9 @@ public final class ExactDisc {
         boolean blocked = true;
         for (int k = 0; k < outline.normals().size(); k++) {
             Dyadic[] n = outline.normals().get(k);
-            Dyadic depth = ExactProjectedPolygon.dot(n, outline.corner(k)).square();
-            Dyadic square = ExactProjectedPolygon.dot(n, n);
-            boolean into = ExactProjectedPolygon.dot(n, move).signum() < 0;
+            Dyadic depth = ExactPolygon.dot(n, outline.corner(k)).square();
+            Dyadic square = ExactPolygon.dot(n, n);
+            boolean into = ExactPolygon.dot(n, move).signum() < 0;
             int order = den.signum() == 0 ? -1 : depth.multiply(den).compareTo(num.multiply(square));
             if (order < 0) {
                 num = depth;
@@ -280,21 +226,20 @@ public final class ExactDisc {
         boolean blocked = true;
         for (int k = 0; k < outline.size(); k++) {
             Dyadic[] p = outline.corner(k);
-            Dyadic[] edge = ExactProjectedPolygon.subtract(outline.corner(k + 1), p);
-            Dyadic length = ExactProjectedPolygon.dot(edge, edge);
-            Dyadic share = ExactProjectedPolygon.dot(p, edge).negate();
+            Dyadic[] edge = ExactPolygon.subtract(outline.corner(k + 1), p);
+            Dyadic length = ExactPolygon.dot(edge, edge);
+            Dyadic share = ExactPolygon.dot(p, edge).negate();
             // What is flat has an edge for either side, of which only the one that faces the centre counts.
             boolean face = share.signum() > 0
                     && share.compareTo(length) < 0
-                    && ExactProjectedPolygon.dot(outline.normals().get(k), p).signum() <= 0;
-            Dyadic distance = face ? ExactProjectedPolygon.cross(edge, p).square() : ExactProjectedPolygon.dot(p, p);
+                    && ExactPolygon.dot(outline.normals().get(k), p).signum() <= 0;
+            Dyadic distance = face ? ExactPolygon.cross(edge, p).square() : ExactPolygon.dot(p, p);
             Dyadic square = face ? length : Dyadic.ONE;
             if (den.signum() == 0 || distance.multiply(den).compareTo(num.multiply(square)) < 0) {
                 num = distance;
                 den = square;
-                Dyadic[] inward =
-                        face ? ExactProjectedPolygon.scale(outline.normals().get(k), Dyadic.ONE.negate()) : p;
-                blocked = ExactProjectedPolygon.dot(inward, move).signum() > 0;
+                Dyadic[] inward = face ? ExactPolygon.scale(outline.normals().get(k), Dyadic.ONE.negate()) : p;
+                blocked = ExactPolygon.dot(inward, move).signum() > 0;
             }
         }
         return new LeastWay(false, num, den, blocked);

@@ -6,7 +6,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.leaf.Turn;
-import robosim.geometry.narrow.planar.ExactPlanar;
+import robosim.geometry.narrow.planar.ExactPolygon;
 import robosim.geometry.narrow.sat.ExactExtent;
 
 /**
@@ -79,7 +79,7 @@ final class VerticalTurn {
             return polygons.free(angle);
         }
         boolean apart = polygons.gap > -polygons.error
-                && !ExactPlanar.of(a.kind, a.row, a.at).touches(ExactPlanar.of(b.kind, b.row, b.at));
+                && !ExactPolygon.of(a.kind, a.row, a.at).touches(ExactPolygon.of(b.kind, b.row, b.at));
         if (!apart) {
             return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(angle);
         }

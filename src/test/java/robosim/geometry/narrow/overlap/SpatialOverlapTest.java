@@ -10,9 +10,9 @@ import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.sat.ExactCapsule;
 import robosim.geometry.narrow.sat.ExactCylinder;
 import robosim.geometry.narrow.sat.ExactPolytope;
-import robosim.geometry.narrow.sat.ExactSphere;
 
 class SpatialOverlapTest {
     private final Scratch scratch = new Scratch();
@@ -261,9 +261,9 @@ class SpatialOverlapTest {
                         Arrays.toString(cylinder) + " with " + kind + " " + Arrays.toString(b) + Arrays.toString(ball);
                 ExactPolytope polytope = new ExactPolytope(new Leaf(kind, b, 0));
                 ExactCylinder exact = new ExactCylinder(new Leaf(LeafKind.CYLINDER, cylinder, 0));
-                ExactSphere sphere = new ExactSphere(ball, 0);
+                ExactCapsule sphere = new ExactCapsule(new Leaf(LeafKind.SPHERE, ball, 0));
                 boolean[] truths = {
-                    exact.touchesPolytope(polytope), sphere.touchesPolytope(polytope), sphere.touchesCylinder(exact)
+                    exact.touchesPolytope(polytope), sphere.touchesPolytope(polytope), sphere.sphereTouches(exact)
                 };
                 for (int k = 0; k < 3; k++) {
                     asked++;
