@@ -20,6 +20,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Move;
@@ -112,6 +113,37 @@ class WorkLimitTest {
         assertThat(same.move("m", UP)).isEqualTo(free);
         assertThat(same.workDone()).isEqualTo(units);
         assertThat(state(same)).isEqualTo(state(world));
+    }
+
+    /** The trees over an object are counted when it is added, whoever has built them: so later calls take the same units. */
+    @Test
+    void addingCountsWhatTreesAreBuiltOf() {
+        List<Point> vertices = new ArrayList<>();
+        int[][] faces = new int[700][];
+        for (int k = 0; k < 702; k++) {
+            vertices.add(new Point(k / 100.0, k % 2, k % 3));
+        }
+        Arrays.setAll(faces, k -> new int[] {k, k + 1, k + 2});
+        MeshObject mesh = new MeshObject(vertices, faces);
+        BitSet cells = new BitSet();
+        cells.set(0, 64 * 100);
+        for (GeometryObject object : List.of(
+                mesh,
+                new ObjectGroup(List.of(mesh, new SphereObject(new Point(), 1))),
+                new GridObject(new Point(), 0.05, 1, 64, 100, cells))) {
+            long parts = object instanceof GridObject ? 200 : object instanceof ObjectGroup ? 701 : 700;
+            for (int run = 0; run < 2; run++) {
+                Geometry world = new Geometry(40, 10, 40);
+                world.limitWork(WorkLimit.of(parts - 1));
+                assertThat(refused(() -> world.addObjectUnchecked(object)))
+                        .hasMessageStartingWith("addObjectUnchecked must take at most " + (parts - 1));
+                assertThat(world.objects()).isEmpty();
+                world.limitWork(WorkLimit.of(parts));
+                assertThat(world.addObjectUnchecked(object)).isTrue();
+                assertThat(world.workDone()).isEqualTo(parts);
+                world.testObject(new BoxObject(new Point(0, 3, 0), 1, 1, 1)); // builds the trees
+            }
+        }
     }
 
     @Test

@@ -2,11 +2,13 @@ package robosim.geometry.world;
 
 import java.io.InputStream;
 import java.nio.file.Path;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 
 /**
  * Reads the surface of a COLLADA file ({@code .dae}): the meshes that its visual scene shows, each where its nodes put
@@ -61,5 +63,16 @@ public final class ColladaReader {
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
+    }
+
+    /**
+     * Reads a mesh from a stream as {@link #read(InputStream, String, double)} does, within a limit of work.
+     *
+     * @throws robosim.geometry.WorkLimitException if reading it takes more, or the limit is cancelled
+     */
+    public static MeshObject read(InputStream in, String source, double scale, WorkLimit limit) throws WorldException {
+        Checks.present("in", in);
+        WorkLimit.Meter meter = Checks.present("limit", limit).meter("reading a mesh");
+        return FileWork.counted(meter::take, () -> read(FileWork.watched(in), source, scale));
     }
 }

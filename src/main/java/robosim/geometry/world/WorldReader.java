@@ -5,8 +5,10 @@ import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.WorkLimit;
 import robosim.geometry.check.Checks;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 
 /**
  * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
@@ -73,6 +75,18 @@ public final class WorldReader {
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
+    }
+
+    /**
+     * Reads a world from a stream as {@link #read(InputStream, String, Path)} does, within a limit of work.
+     *
+     * @throws robosim.geometry.WorkLimitException if reading it takes more, or the limit is cancelled
+     */
+    public static World read(InputStream in, String source, @Nullable Path base, WorkLimit limit)
+            throws WorldException {
+        Checks.present("in", in);
+        WorkLimit.Meter meter = Checks.present("limit", limit).meter("reading a world");
+        return FileWork.counted(meter::take, () -> read(FileWork.watched(in), source, base));
     }
 
     /**

@@ -3,7 +3,9 @@ package robosim.geometry.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -246,6 +248,38 @@ class LimitedImportTest {
                         WorkLimitException.class,
                         e -> assertThat(e.isCancelled()).isTrue());
         assertThat(pauses[0]).isEqualTo(1);
+    }
+
+    private interface Reading {
+        void of(InputStream in, WorkLimit limit) throws WorldException;
+    }
+
+    /** Streams are counted as files are: the least limit that is enough reads all, one unit less does not. */
+    @ParameterizedTest
+    @EnumSource(
+            value = Kind.class,
+            names = {"WORLD", "OBJ", "STL_TEXT", "STL_BINARY", "COLLADA"})
+    void aStreamIsReadWithinALimitToo(Kind kind) throws IOException {
+        byte[] bytes = Files.readAllBytes(kind.file(folder, 300));
+        Reading reading = switch (kind) {
+            case WORLD -> (in, limit) -> WorldReader.read(in, "here", null, limit);
+            case OBJ -> (in, limit) -> ObjReader.read(in, "here", 1, limit);
+            case COLLADA -> (in, limit) -> ColladaReader.read(in, "here", 1, limit);
+            default -> (in, limit) -> StlReader.read(in, "here", 1, limit);
+        };
+        long tooFew = 0;
+        long enough = 1 << 20;
+        while (enough - tooFew > 1) {
+            long units = (tooFew + enough) / 2;
+            try {
+                reading.of(new ByteArrayInputStream(bytes), WorkLimit.of(units));
+                enough = units;
+            } catch (WorkLimitException e) {
+                assertThat(e).hasMessageContaining("must take at most " + units + " units of work");
+                tooFew = units;
+            }
+        }
+        assertThat(enough).isGreaterThanOrEqualTo(300 + bytes.length / 64);
     }
 
     /** What is thrown is no mistake of a file, even if it looks like one. */

@@ -20,6 +20,9 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Overlap;
@@ -45,6 +48,9 @@ public final class ObjectRegistry {
 
     /** Counts what is done. */
     public final Work work;
+
+    /** So many cells of a grid are looked at in about the time of a unit. */
+    private static final int CELLS = 64;
 
     /** What limits a call; null for nothing. */
     private Work.@Nullable Limit limit;
@@ -188,6 +194,7 @@ public final class ObjectRegistry {
         if (name != null && objects.find(name) >= 0) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
+        work.take(parts(object));
         if (!fitsAsPlaced(object) || (checked && touchesAny())) {
             return false;
         }
@@ -200,6 +207,23 @@ public final class ObjectRegistry {
             journal.added(id);
         }
         return true;
+    }
+
+    /**
+     * Units of work that adding an object takes, for the trees over its faces, members or cells and the index of the world: these
+     * are built once, at the first use of any, so whoever uses them first is not charged for them.
+     */
+    private static long parts(GeometryObject object) {
+        return switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE, CAPSULE -> 1;
+            case MESH -> ((MeshObject) object).triangles().size();
+            case GROUP ->
+                ((ObjectGroup) object)
+                        .members().stream().mapToLong(ObjectRegistry::parts).sum();
+            case GRID ->
+                ((GridObject) object).rows()
+                        + (long) ((GridObject) object).rows() * ((GridObject) object).columns() / CELLS;
+        };
     }
 
     /** Adds an object that has been in such a world, at its place among the arrivals there. */

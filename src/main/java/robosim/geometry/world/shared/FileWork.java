@@ -67,7 +67,7 @@ public final class FileWork {
     }
 
     /** A stream whose bytes are counted, if this thread reads within {@link #counted}. */
-    static InputStream watched(InputStream in) {
+    public static InputStream watched(InputStream in) {
         long[] bytes = {0};
         return COUNTER.get() == null
                 ? in
