@@ -62,134 +62,70 @@ final class Watches {
         this.clock = clock;
     }
 
-    /** A robot and what it must not touch. Moves and meetings are looked at once. */
-    private abstract class Watch {
-        final String robot;
+    /**
+     * A robot and what it must not touch: one object, or everything but some objects and what carries the robot, the
+     * ground or a floor. Moves and meetings are looked at once.
+     */
+    private final class Watch {
+        private final String robot;
+        private final @Nullable String only;
+        private final Set<String> except;
         private int refusalsSeen;
         private int meetingsSeen;
 
-        Watch(String robot) {
+        Watch(String robot, @Nullable String only, Set<String> except) {
             this.robot = robot;
+            this.only = only;
+            this.except = except;
         }
 
         /** Whether it is about an object; null for one without a name and for the border of the world. */
-        abstract boolean isAbout(@Nullable String other);
-
-        boolean isAbout(Bodies.Meeting meeting) {
-            return isAbout(meeting.other(robot));
+        private boolean isAbout(@Nullable String other) {
+            return only == null ? other == null || !except.contains(other) : only.equals(other);
         }
 
-        abstract String sentence();
+        private boolean isAbout(Bodies.Meeting meeting) {
+            return meeting.isOf(robot) && isAbout(meeting.other(robot)) && (only != null || !isGround(meeting));
+        }
 
-        abstract String words(Refusal refusal);
-
-        abstract String words(Bodies.Meeting meeting);
-
-        /** Fails if the robot touches such an object where it is now. */
-        abstract void checkPresent();
+        private String moment(long step) {
+            return only == null ? time(step) : step(step);
+        }
 
         void check(List<Bodies.Meeting> meetings) {
             for (; refusalsSeen < refusals.size(); refusalsSeen++) {
                 Refusal refusal = refusals.get(refusalsSeen);
                 if (refusal.isOf(robot) && isAbout(refusal.other(robot))) {
-                    throw failure(words(refusal));
+                    throw failure(refusal.words(moment(refusal.step)));
                 }
             }
             for (; meetingsSeen < meetings.size(); meetingsSeen++) {
                 Bodies.Meeting meeting = meetings.get(meetingsSeen);
-                if (meeting.isOf(robot) && isAbout(meeting)) {
-                    throw failure(words(meeting));
+                if (isAbout(meeting)) {
+                    throw failure((only == null
+                                    ? "it met " + other(meeting, robot) + time(meeting.step())
+                                    : "they met in step " + meeting.step())
+                            + " at " + Words.point(meeting.contact().point(), 0));
                 }
             }
-            if (geometry.hasObject(robot)) {
-                checkPresent();
+            if (!geometry.hasObject(robot)) {
+                return;
+            }
+            if (only == null) {
+                checkAll(geometry.getObject(robot));
+            } else if (geometry.hasObject(only)) {
+                checkOne(geometry.getObject(robot), geometry.getObject(only));
             }
         }
 
-        AssertionFailedError failure(String words) {
-            return new AssertionFailedError("robot " + Text.quoted(robot) + sentence() + ", but " + words);
-        }
-    }
-
-    private final class WatchOfOne extends Watch {
-        private final String other;
-
-        WatchOfOne(String robot, String other) {
-            super(robot);
-            this.other = other;
-        }
-
-        @Override
-        boolean isAbout(@Nullable String met) {
-            return other.equals(met);
-        }
-
-        @Override
-        String sentence() {
-            return " must never touch " + Text.quoted(other);
-        }
-
-        @Override
-        String words(Refusal refusal) {
-            return refusal.words(step(refusal.step));
-        }
-
-        @Override
-        String words(Bodies.Meeting meeting) {
-            return "they met in step " + meeting.step() + " at "
-                    + Words.point(meeting.contact().point(), 0);
-        }
-
-        @Override
-        void checkPresent() {
-            if (geometry.hasObject(other) && touch(geometry.getObject(robot), geometry.getObject(other))) {
-                throw failure("they touch" + step(clock.steps()) + ": " + Words.object(geometry.getObject(robot))
-                        + " and " + Words.object(geometry.getObject(other)));
+        private void checkOne(GeometryObject present, GeometryObject other) {
+            if (touch(present, other)) {
+                throw failure("they touch" + step(clock.steps()) + ": " + Words.object(present) + " and "
+                        + Words.object(other));
             }
         }
-    }
 
-    /** Of everything but some objects, and what carries the robot: the ground, or a floor. */
-    private final class WatchOfAll extends Watch {
-        private final Set<String> except;
-
-        WatchOfAll(String robot, Set<String> except) {
-            super(robot);
-            this.except = except;
-        }
-
-        @Override
-        boolean isAbout(@Nullable String met) {
-            return met == null || !except.contains(met);
-        }
-
-        @Override
-        String sentence() {
-            return " must never touch anything"
-                    + (except.isEmpty()
-                            ? ""
-                            : except.stream().map(Text::quoted).collect(Collectors.joining(", ", " but ", "")));
-        }
-
-        @Override
-        String words(Refusal refusal) {
-            return refusal.words(time(refusal.step));
-        }
-
-        @Override
-        boolean isAbout(Bodies.Meeting meeting) {
-            return super.isAbout(meeting) && !isGround(meeting);
-        }
-
-        @Override
-        String words(Bodies.Meeting meeting) {
-            return "it met " + other(meeting, robot) + time(meeting.step()) + " at "
-                    + Words.point(meeting.contact().point(), 0);
-        }
-
-        @Override
-        void checkPresent() {
-            GeometryObject present = geometry.getObject(robot);
+        private void checkAll(GeometryObject present) {
             for (GeometryObject other : geometry.search().touching(present)) {
                 if (!robot.equals(other.name()) && isAbout(other.name()) && touch(present, other)) {
                     Contact contact = ContactQuery.contacts(present, other, geometry.dimension(), 1).stream()
@@ -208,6 +144,16 @@ final class Watches {
                             + "; it stands " + Words.place(present));
                 }
             }
+        }
+
+        private AssertionFailedError failure(String words) {
+            String what = only != null
+                    ? Text.quoted(only)
+                    : except.isEmpty()
+                            ? "anything"
+                            : except.stream().map(Text::quoted).collect(Collectors.joining(", ", "anything but ", ""));
+            return new AssertionFailedError(
+                    "robot " + Text.quoted(robot) + " must never touch " + what + ", but " + words);
         }
     }
 
@@ -279,12 +225,12 @@ final class Watches {
 
     /** Watches two objects, from now on and in what happened so far. */
     void add(String robot, String other, List<Bodies.Meeting> meetings) {
-        add(new WatchOfOne(robot, other), meetings);
+        add(new Watch(robot, other, Set.of()), meetings);
     }
 
     /** Watches a robot and everything but some objects, from now on and in what happened so far. */
     void add(String robot, Set<String> except, List<Bodies.Meeting> meetings) {
-        add(new WatchOfAll(robot, except), meetings);
+        add(new Watch(robot, null, except), meetings);
     }
 
     private void add(Watch watch, List<Bodies.Meeting> meetings) {

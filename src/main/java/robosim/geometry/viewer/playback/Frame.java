@@ -7,7 +7,6 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -157,10 +156,14 @@ public record Frame(
         }
 
         private Setting with(List<Scene.Thing> things) {
-            Map<Boolean, List<Scene.Thing>> sorted = things.stream()
-                    .collect(Collectors.partitioningBy(
-                            thing -> thing.object().isMoveable(), Collectors.toUnmodifiableList()));
-            return new Setting(width, height, length, dimension, accuracy, sorted.get(false), sorted.get(true));
+            return new Setting(
+                    width,
+                    height,
+                    length,
+                    dimension,
+                    accuracy,
+                    things.stream().filter(each -> !each.object().isMoveable()).toList(),
+                    things.stream().filter(each -> each.object().isMoveable()).toList());
         }
 
         /** The number of its objects with their members, vertices and triangles. */
