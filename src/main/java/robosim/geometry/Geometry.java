@@ -130,8 +130,8 @@ public final class Geometry implements WorldQueries {
             Accuracy accuracy,
             @Nullable SharedIndex shared,
             Scratch scratch) {
-        engine = new World(width, height, length, dimension, accuracy, shared, scratch);
-        registry = engine.registry;
+        registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
+        engine = new World(registry, scratch);
         objects = engine.objects;
         view = engine.view;
     }

@@ -55,13 +55,13 @@ public final class ObjectSearch {
      */
     public List<GeometryObject> touching(GeometryObject object) {
         registry.begin("touching");
-        return found(touching.ask(registry.view, object, -1));
+        return found(touching.find(registry.view, object, -1));
     }
 
     /** Of those the one that was added first. */
     public Optional<GeometryObject> firstTouching(GeometryObject object) {
         registry.begin("firstTouching");
-        return first(touching.ask(registry.view, object, -1));
+        return first(touching.find(registry.view, object, -1));
     }
 
     /**
@@ -74,14 +74,14 @@ public final class ObjectSearch {
     public List<GeometryObject> inTheWay(String name, Point center, double heading) {
         registry.begin("inTheWay");
         int id = registry.mover(name);
-        return found(touching.ask(registry.view, placed(id, center, heading), id));
+        return found(touching.find(registry.view, placed(id, center, heading), id));
     }
 
     /** Of those the one that was added first. */
     public Optional<GeometryObject> firstInTheWay(String name, Point center, double heading) {
         registry.begin("firstInTheWay");
         int id = registry.mover(name);
-        return first(touching.ask(registry.view, placed(id, center, heading), id));
+        return first(touching.find(registry.view, placed(id, center, heading), id));
     }
 
     /**
@@ -134,14 +134,14 @@ public final class ObjectSearch {
     }
 
     private Optional<GeometryObject> first(int count) {
-        @Nullable GeometryObject one = count == 0 ? null : objects.present(touching.met(0));
+        @Nullable GeometryObject one = count == 0 ? null : objects.present(touching.touched(0));
         return Optional.ofNullable(one);
     }
 
     private List<GeometryObject> found(int count) {
         List<GeometryObject> list = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
-            list.add(objects.present(touching.met(k)));
+            list.add(objects.present(touching.touched(k)));
         }
         return list;
     }

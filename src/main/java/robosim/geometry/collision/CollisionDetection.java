@@ -41,10 +41,10 @@ public final class CollisionDetection {
         }
         LeafColumn first = LocalLeaves.placed(a);
         LeafColumn second = LocalLeaves.placed(b);
-        return mayMeet(a, second) && mayMeet(b, first) && meet(first, second);
+        return mayTouch(a, second) && mayTouch(b, first) && touch(first, second);
     }
 
-    private static boolean meet(LeafColumn first, LeafColumn second) {
+    private static boolean touch(LeafColumn first, LeafColumn second) {
         Scratch scratch = SCRATCH.get();
         for (int i = 0; i < first.size(); i++) {
             for (int j = 0; j < second.size(); j++) {
@@ -60,9 +60,9 @@ public final class CollisionDetection {
      * Whether the bounding volume that an object was given, if any, meets the other object. It can only rule out
      * contact.
      */
-    private static boolean mayMeet(GeometryObject object, LeafColumn other) {
+    private static boolean mayTouch(GeometryObject object, LeafColumn other) {
         GeometryObject volume = boundingVolume(object);
-        return volume == null || meet(LocalLeaves.placed(volume), other);
+        return volume == null || touch(LocalLeaves.placed(volume), other);
     }
 
     private static @Nullable GeometryObject boundingVolume(GeometryObject object) {

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
-import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.broadphase.TouchQuery;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.motion.Motion;
@@ -60,25 +59,17 @@ public final class World {
     private final double[] place = new double[ObjectTable.PLACE];
 
     /**
-     * A world without objects of its own.
+     * A world of the objects of a registry.
      *
-     * @param shared  static objects that other worlds have too; null for none
-     * @param scratch may be shared with other worlds of the same thread
+     * @param scratch that of the registry
      */
-    public World(
-            double width,
-            double height,
-            double length,
-            Dimension dimension,
-            Accuracy accuracy,
-            @Nullable SharedIndex shared,
-            Scratch scratch) {
-        this.width = width;
-        this.height = height;
-        this.length = length;
-        this.dimension = dimension;
+    public World(ObjectRegistry registry, Scratch scratch) {
+        this.registry = registry;
         this.scratch = scratch;
-        registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
+        width = registry.width;
+        height = registry.height;
+        length = registry.length;
+        dimension = registry.dimension;
         objects = registry.objects;
         view = registry.view;
         beams = new BeamQuery(objects, scratch);

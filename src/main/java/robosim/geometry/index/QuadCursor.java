@@ -114,7 +114,7 @@ public final class QuadCursor {
         probe.start(x, z, halfX, halfZ, tree.most);
         for (int k = 0; k < layers.count(); k++) {
             if (!layers.get(k).isEmpty()) {
-                int asked = probe.ask(layers.get(k), FEW_TILES, outlines, target);
+                int asked = probe.query(layers.get(k), FEW_TILES, outlines, target);
                 if (asked != ALL) {
                     return asked;
                 }

@@ -194,7 +194,7 @@ final class Watches {
     }
 
     private boolean touch(GeometryObject robot, GeometryObject other) {
-        return ContactQuery.ask(robot, other, geometry.dimension(), Budget.UNLIMITED)
+        return ContactQuery.touches(robot, other, geometry.dimension(), Budget.UNLIMITED)
                         .answer()
                 != Verdict.Answer.NO;
     }

@@ -320,7 +320,7 @@ public final class Sweep {
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
             s.leaf.outer.corners(t, s.leaf.triangleA, 0);
             bounds(s.leaf.faceA, swept);
-            if (meets(swept, s.leaf.triangleBox)) {
+            if (overlaps(swept, s.leaf.triangleBox)) {
                 own = t;
                 int before = otherPiece;
                 double share = kindB.hasPieces()
@@ -378,7 +378,7 @@ public final class Sweep {
         b.bounds(j, s.leaf.triangleBox);
     }
 
-    private boolean meets(double[] a, double[] b) {
+    private boolean overlaps(double[] a, double[] b) {
         return a[0] <= b[3]
                 && b[0] <= a[3]
                 && a[2] <= b[5]

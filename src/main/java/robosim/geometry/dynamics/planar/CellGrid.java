@@ -169,7 +169,7 @@ final class CellGrid {
         double toZ = Math.floor(maxZ / cell);
         if (!isSmall(fromX, fromZ, toX, toZ)) {
             for (int item = above + 1; item < count; item++) {
-                if (meets(item, minX, minZ, maxX, maxZ)) {
+                if (overlaps(item, minX, minZ, maxX, maxZ)) {
                     found[foundCount++] = item;
                 }
             }
@@ -195,13 +195,13 @@ final class CellGrid {
     private void see(int item, double minX, double minZ, double maxX, double maxZ) {
         if (seen[item] != stamp) {
             seen[item] = stamp;
-            if (meets(item, minX, minZ, maxX, maxZ)) {
+            if (overlaps(item, minX, minZ, maxX, maxZ)) {
                 found[foundCount++] = item;
             }
         }
     }
 
-    private boolean meets(int item, double minX, double minZ, double maxX, double maxZ) {
+    private boolean overlaps(int item, double minX, double minZ, double maxX, double maxZ) {
         int at = 4 * item;
         return boxes[at] <= maxX && boxes[at + 2] >= minX && boxes[at + 1] <= maxZ && boxes[at + 3] >= minZ;
     }

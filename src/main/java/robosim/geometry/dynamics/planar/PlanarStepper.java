@@ -228,7 +228,7 @@ public final class PlanarStepper {
             meetings.predict(p, 0);
         }
         for (double time = pairs.nextTime(); time <= end; time = pairs.nextTime()) {
-            meet(time);
+            collide(time);
         }
         finish();
     }
@@ -258,7 +258,7 @@ public final class PlanarStepper {
     }
 
     /** Takes all that meet at a time, and solves them, those that touch each other together. */
-    private void meet(double time) {
+    private void collide(double time) {
         hitCount = 0;
         double last = time + TOGETHER * end;
         for (double next = time; next <= last; next = pairs.nextTime()) {

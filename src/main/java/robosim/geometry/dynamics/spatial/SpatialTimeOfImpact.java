@@ -50,7 +50,7 @@ final class SpatialTimeOfImpact {
                 motion(one, seconds, wayA, turnA);
                 for (int b = a + 1; b < bodies.size(); b++) {
                     if (!bodies.get(b).isAsleep) {
-                        first = Math.min(first, meet(one, bodies.get(b), seconds, first));
+                        first = Math.min(first, impact(one, bodies.get(b), seconds, first));
                     }
                 }
             }
@@ -66,7 +66,7 @@ final class SpatialTimeOfImpact {
         }
     }
 
-    private double meet(RigidBody a, RigidBody b, double seconds, double before) {
+    private double impact(RigidBody a, RigidBody b, double seconds, double before) {
         motion(b, seconds, wayB, turnB);
         double px = b.place[0] - a.place[0];
         double py = b.place[1] - a.place[1];

@@ -300,7 +300,7 @@ final class TurningSweep {
         if (measured[k] != parts) {
             measured[k] = parts;
             near.apart[k] = Double.NEGATIVE_INFINITY;
-            if (!meets(before, k)) {
+            if (!overlaps(before, k)) {
                 return false;
             }
             near.apart[k] = meeting.apart + passed;
@@ -315,7 +315,7 @@ final class TurningSweep {
             }
         }
         // No direction separates them by more than they are apart.
-        if (near.most[k] > sagitta && meets(after, k)) {
+        if (near.most[k] > sagitta && overlaps(after, k)) {
             adopt(k);
             if (room <= sagitta) {
                 return isPastTurning(k);
@@ -384,7 +384,7 @@ final class TurningSweep {
         return along(after, k, near.direction);
     }
 
-    private boolean meets(LeafColumn leaf, int k) {
+    private boolean overlaps(LeafColumn leaf, int k) {
         return meeting.measure(leaf.kind(0), leaf.rows(), 0, near.kind[k], near.rows, k * Leaf.STRIDE);
     }
 

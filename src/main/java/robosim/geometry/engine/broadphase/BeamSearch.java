@@ -54,7 +54,7 @@ public abstract class BeamSearch {
     }
 
     /** Looks at an object, perhaps not for the first time; answers how far to look from now on. */
-    protected abstract double meet(LeafTable table, int id, double reach);
+    protected abstract double hit(LeafTable table, int id, double reach);
 
     /**
      * Looks at an object of a world without heights by its outline alone.
@@ -63,7 +63,7 @@ public abstract class BeamSearch {
      * @param local the object's place in them
      * @return how far to look from now on; NaN where the outline does not tell
      */
-    protected abstract double meetOutline(int id, double[] outlines, int local, double reach);
+    protected abstract double hitOutline(int id, double[] outlines, int local, double reach);
 
     /** Whether an object is the nearest so far, which has nothing new to tell. */
     protected abstract boolean isNearest(int id);
@@ -104,8 +104,8 @@ public abstract class BeamSearch {
         double reach = limit;
         for (LeafTable table = view.first(); ; table = view.own) {
             for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
-                if (table.grid(k) != ignored && !table.meets(table.grid(k), done)) {
-                    reach = meet(table, table.grid(k), reach);
+                if (table.grid(k) != ignored && !table.overlaps(table.grid(k), done)) {
+                    reach = hit(table, table.grid(k), reach);
                 }
             }
             SpaceIndex space = table.space;
@@ -155,10 +155,10 @@ public abstract class BeamSearch {
         double within = loose(reach, slack);
         for (int k = 0; k < around.count() && around.distance(k) <= within; k++) {
             int id = around.id(k);
-            if (around.mayMeet(k, cone) && id != ignored) {
+            if (around.mayTouch(k, cone) && id != ignored) {
                 LeafTable table = view.table(id);
-                if (coneMeets(table, id, within)) {
-                    reach = meet(table, id, reach);
+                if (coneHits(table, id, within)) {
+                    reach = hit(table, id, reach);
                     within = loose(reach, slack);
                 }
             }
@@ -183,9 +183,9 @@ public abstract class BeamSearch {
         for (int k = 0; k < count; k++) {
             int id = objects.mover(k);
             if (id != ignored
-                    && !table.meets(id, done)
-                    && (beam.isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
-                reach = meet(table, id, reach);
+                    && !table.overlaps(id, done)
+                    && (beam.isCone ? coneHits(table, id, loose(reach, slack)) : lineHits(table, id, reach))) {
+                reach = hit(table, id, reach);
             }
         }
         return reach;
@@ -206,8 +206,8 @@ public abstract class BeamSearch {
             // What is the nearest so far comes again where it lies across regions.
             int id = local | mark;
             if (id != ignored && !isNearest(id)) {
-                double found = meetOutline(id, outlines, local, reach);
-                reach = !Double.isNaN(found) ? found : isNew(id) ? meet(table, id, reach) : reach;
+                double found = hitOutline(id, outlines, local, reach);
+                reach = !Double.isNaN(found) ? found : isNew(id) ? hit(table, id, reach) : reach;
                 last = loose(reach, slack) * inverse;
             }
         }
@@ -235,8 +235,8 @@ public abstract class BeamSearch {
                 local >= 0;
                 local = cursor.nextInSector(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored && !table.meets(id, done)) {
-                reach = meet(table, id, reach);
+            if (id != ignored && !table.overlaps(id, done)) {
+                reach = hit(table, id, reach);
             }
         }
         return reach;
@@ -247,7 +247,7 @@ public abstract class BeamSearch {
         int only = space.only();
         if (only >= 0 && table.count(only | table.mark) == 1) { // nothing to look for
             int id = only | table.mark;
-            return id == ignored ? limit : meet(table, id, limit);
+            return id == ignored ? limit : hit(table, id, limit);
         }
         RayCursor cursor = space.rays;
         cursor.aim(beam, space.most());
@@ -257,7 +257,7 @@ public abstract class BeamSearch {
             for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
                 int id = local | table.mark;
                 if (id != ignored) {
-                    reach = meet(table, id, reach);
+                    reach = hit(table, id, reach);
                 }
             }
             if (tree == space.moving) {
@@ -274,8 +274,8 @@ public abstract class BeamSearch {
         cursor.start(space.still, space.moving);
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored && !table.meets(id, done)) {
-                reach = meet(table, id, reach);
+            if (id != ignored && !table.overlaps(id, done)) {
+                reach = hit(table, id, reach);
             }
         }
         return reach;
@@ -295,7 +295,7 @@ public abstract class BeamSearch {
     }
 
     /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
-    private boolean lineMeets(LeafTable table, int id, double reach) {
+    private boolean lineHits(LeafTable table, int id, double reach) {
         double ux = beam.ux();
         double uz = beam.uz();
         double[] b = table.bounds();
@@ -313,7 +313,7 @@ public abstract class BeamSearch {
                 && (reach == Double.POSITIVE_INFINITY || ahead - half <= reach);
     }
 
-    private boolean coneMeets(LeafTable table, int id, double reach) {
+    private boolean coneHits(LeafTable table, int id, double reach) {
         double[] b = table.bounds();
         int k = table.boundsAt(id);
         double dx = Math.max(0, Math.max(b[k] - beam.ox, beam.ox - b[k + 3]));

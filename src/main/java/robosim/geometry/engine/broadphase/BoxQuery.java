@@ -88,7 +88,7 @@ public final class BoxQuery {
     }
 
     private void addNear(LeafTable of, int id, double[] box, int but) {
-        if (id != but && of.meets(id, box)) {
+        if (id != but && of.overlaps(id, box)) {
             add(id);
         }
     }
@@ -138,29 +138,30 @@ public final class BoxQuery {
 
     private boolean passOn(int local) {
         int id = local | table.mark;
-        return id != ignored && target.meet(table, id);
+        return id != ignored && target.visit(table, id);
     }
 
     private boolean meetsInTree(LeafTable of, double[] box, int but) {
         SpaceIndex space = of.space;
         if (space != null) {
-            return meets(of, space.boxes, space.still, box, but) || meets(of, space.boxes, space.moving, box, but);
+            return overlaps(of, space.boxes, space.still, box, but)
+                    || overlaps(of, space.boxes, space.moving, box, but);
         }
         of.cursor.startBox(box[0], box[2], box[3], box[5]);
         for (int local = of.cursor.next(); local >= 0; local = of.cursor.next()) {
             int id = local | of.mark;
-            if (id != but && of.meets(id, box) && target.meet(of, id)) {
+            if (id != but && of.overlaps(id, box) && target.visit(of, id)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean meets(LeafTable of, BoxCursor cursor, Hierarchy tree, double[] box, int but) {
+    private boolean overlaps(LeafTable of, BoxCursor cursor, Hierarchy tree, double[] box, int but) {
         cursor.startSettled(tree, box);
         for (int local = cursor.next(); local >= 0; local = cursor.next()) {
             int id = local | of.mark;
-            if (id != but && of.meets(id, box) && target.meet(of, id)) {
+            if (id != but && of.overlaps(id, box) && target.visit(of, id)) {
                 return true;
             }
         }
@@ -169,19 +170,19 @@ public final class BoxQuery {
 
     private boolean meetsBesideTree(LeafTable of, double[] box, int but) {
         for (int k = 0; k < of.gridCount(); k++) {
-            if (meets(of, of.grid(k), box, but)) {
+            if (overlaps(of, of.grid(k), box, but)) {
                 return true;
             }
         }
         for (int k = 0; k < of.moversBesideTree(); k++) {
-            if (meets(of, objects.mover(k), box, but)) {
+            if (overlaps(of, objects.mover(k), box, but)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean meets(LeafTable of, int id, double[] box, int but) {
-        return id != but && of.meets(id, box) && target.meet(of, id);
+    private boolean overlaps(LeafTable of, int id, double[] box, int but) {
+        return id != but && of.overlaps(id, box) && target.visit(of, id);
     }
 }

@@ -4,5 +4,5 @@ package robosim.geometry.engine.broadphase;
 @FunctionalInterface
 public interface BoxTarget {
     /** Looks at an object that may meet the box, perhaps not for the first time; answers whether it needs no more of them. */
-    boolean meet(LeafTable table, int id);
+    boolean visit(LeafTable table, int id);
 }

@@ -194,7 +194,7 @@ public final class ConeCandidates {
     }
 
     /** Whether a cone may meet an object. */
-    boolean mayMeet(int number, int cone) {
+    boolean mayTouch(int number, int cone) {
         return (cones[number] >>> cone & 1) != 0;
     }
 

@@ -429,7 +429,7 @@ public final class LeafTable {
     }
 
     /** Whether an object's bounds meet a box of six numbers; heights count in SPATIAL only. */
-    public boolean meets(int id, double[] box) {
+    public boolean overlaps(int id, double[] box) {
         double[] bounds = tree.boxes();
         int b = boundsAt(id);
         return bounds[b] <= box[3]

@@ -35,12 +35,12 @@ public final class NearestSearch {
         double reach = searchTrees(table, box, limit, ignored);
         for (int k = 0; k < table.gridCount(); k++) {
             if (table.grid(k) != ignored) {
-                reach = target.meet(table, table.grid(k), reach);
+                reach = target.visit(table, table.grid(k), reach);
             }
         }
         for (int k = 0; k < table.moversBesideTree(); k++) {
             if (objects.mover(k) != ignored) {
-                reach = target.meet(table, objects.mover(k), reach);
+                reach = target.visit(table, objects.mover(k), reach);
             }
         }
         return reach;
@@ -74,7 +74,7 @@ public final class NearestSearch {
                 local >= 0;
                 local = cursor.next(Distance.reach(reach, sizes) + radius)) {
             if ((local | table.mark) != ignored) {
-                reach = target.meet(table, local | table.mark, reach);
+                reach = target.visit(table, local | table.mark, reach);
             }
         }
         return reach;
@@ -87,7 +87,7 @@ public final class NearestSearch {
                 local >= 0;
                 local = cursor.next(Distance.reach(reach, sizes) + radius)) {
             if ((local | table.mark) != ignored) {
-                reach = target.meet(table, local | table.mark, reach);
+                reach = target.visit(table, local | table.mark, reach);
             }
         }
         return reach;

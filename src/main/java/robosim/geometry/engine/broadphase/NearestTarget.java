@@ -4,5 +4,5 @@ package robosim.geometry.engine.broadphase;
 @FunctionalInterface
 public interface NearestTarget {
     /** Looks at an object, perhaps not for the first time. */
-    double meet(LeafTable table, int id, double reach);
+    double visit(LeafTable table, int id, double reach);
 }

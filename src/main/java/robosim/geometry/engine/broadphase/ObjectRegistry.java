@@ -41,9 +41,10 @@ public final class ObjectRegistry {
     /** The world as it is seen where a query does not say how. */
     public final AccuracyView view;
 
-    private final Dimension dimension;
-    private final double width;
-    private final double length;
+    public final Dimension dimension;
+    public final double width;
+    public final double height;
+    public final double length;
     private final Scratch s;
 
     /** Counts what is done. */
@@ -73,7 +74,7 @@ public final class ObjectRegistry {
     private double discZ;
     private double discRadius;
     private boolean isDoubtful;
-    private final NearTarget meetDisc = this::meetDisc;
+    private final NearTarget hitDisc = this::hitDisc;
 
     /** The static objects that are shared with other worlds; null where there are none. */
     private @Nullable SharedIndex shared;
@@ -81,6 +82,12 @@ public final class ObjectRegistry {
     /** What was changed since the outermost call that is made of others began; null outside of one. */
     private @Nullable Journal journal;
 
+    /**
+     * A world without objects of its own.
+     *
+     * @param shared  static objects that other worlds have too; null for none
+     * @param scratch may be shared with other worlds of the same thread
+     */
     public ObjectRegistry(
             double width,
             double height,
@@ -91,6 +98,7 @@ public final class ObjectRegistry {
             Scratch scratch) {
         this.shared = shared;
         this.width = width;
+        this.height = height;
         this.length = length;
         this.dimension = dimension;
         s = scratch;
@@ -426,11 +434,11 @@ public final class ObjectRegistry {
             asked = table;
         }
         int met = table.cursor.near(
-                discX, discZ, discRadius, discRadius, table.leaves().outlines(), meetDisc);
+                discX, discZ, discRadius, discRadius, table.leaves().outlines(), hitDisc);
         return met == QuadCursor.ALL && isDoubtful ? QuadCursor.TOO_MANY : met;
     }
 
-    private boolean meetDisc(int id) {
+    private boolean hitDisc(int id) {
         int sure = Overlap.sure(discX, discZ, discRadius, asked.leaves(), id);
         isDoubtful |= sure == 0;
         return sure < 0;
@@ -448,7 +456,7 @@ public final class ObjectRegistry {
 
     /** Whether the leaves of the candidate touch those of an object. */
     private boolean touches(LeafTable at, int other) {
-        if (dimension == Dimension.SPATIAL && !at.meets(other, box)) {
+        if (dimension == Dimension.SPATIAL && !at.overlaps(other, box)) {
             return false;
         }
         for (int j = at.first(other); j < at.first(other) + at.count(other); j++) {

@@ -111,7 +111,7 @@ public final class PacketSearch {
         for (int k = 0; k < view.own.moversBesideTree(); k++) {
             int id = objects.mover(k);
             if (id != ignored) {
-                meet(view, view.own, id);
+                hit(view, view.own, id);
             }
         }
         for (int ray = 0; ray < packet.count(); ray++) {
@@ -125,7 +125,7 @@ public final class PacketSearch {
     private void searchTrees(AccuracyView view, LeafTable table, int ignored) {
         for (int k = 0; k < table.gridCount(); k++) { // first, as a map's walls mostly hide the rest
             if (table.grid(k) != ignored) {
-                meet(view, table, table.grid(k));
+                hit(view, table, table.grid(k));
             }
         }
         SpaceIndex space = table.space;
@@ -141,12 +141,12 @@ public final class PacketSearch {
         for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
             int id = local | table.mark;
             if (id != ignored) {
-                meet(view, table, id);
+                hit(view, table, id);
             }
         }
     }
 
-    private void meet(AccuracyView view, LeafTable table, int id) {
+    private void hit(AccuracyView view, LeafTable table, int id) {
         LeafColumn leaves = table.leaves();
         int leaf = table.first(id);
         int end = leaf + table.count(id);
@@ -157,7 +157,7 @@ public final class PacketSearch {
         boolean isNearer = false;
         for (; rays != 0 && leaf < end; leaf++) {
             work.take();
-            isNearer |= meetLeaf(view, leaves, id, leaf, rays & packet.sift(leaves, leaf));
+            isNearer |= hitLeaf(view, leaves, id, leaf, rays & packet.sift(leaves, leaf));
         }
         if (isNearer && open == 0) {
             reach = packet.reach();
@@ -165,7 +165,7 @@ public final class PacketSearch {
     }
 
     /** Shows a leaf to some rays; answers whether any of them looks less far now. */
-    private boolean meetLeaf(AccuracyView view, LeafColumn leaves, int id, int leaf, long rays) {
+    private boolean hitLeaf(AccuracyView view, LeafColumn leaves, int id, int leaf, long rays) {
         LeafKind kind = leaves.kind(leaf);
         boolean isNearer = false;
         for (long left = rays; left != 0; left &= left - 1) {

@@ -25,16 +25,16 @@ public final class TouchQuery {
         this.registry = registry;
         s = scratch;
         view = registry.view;
-        query = new BoxQuery(registry.objects, this::meet);
+        query = new BoxQuery(registry.objects, this::touch);
     }
 
     /**
      * Finds what an object touches or overlaps.
      *
      * @param ignored an object that is left out; -1 for none
-     * @return how many there are; {@link #met} has their ids
+     * @return how many there are; {@link #touched} has their ids
      */
-    public int ask(AccuracyView at, GeometryObject object, int ignored) {
+    public int find(AccuracyView at, GeometryObject object, int ignored) {
         view = at;
         at.own.placed(Checks.present("object", object), candidate);
         candidate.bounds(0, candidate.size(), box);
@@ -45,11 +45,11 @@ public final class TouchQuery {
     }
 
     /** The k-th object found, in the order in which they were added. */
-    public int met(int k) {
+    public int touched(int k) {
         return met[k];
     }
 
-    private boolean meet(LeafTable table, int id) {
+    private boolean touch(LeafTable table, int id) {
         for (int j = table.first(id); j < table.first(id) + table.count(id); j++) {
             for (int i = 0; i < candidate.size(); i++) {
                 s.work.take();

@@ -51,7 +51,7 @@ final class EdgeFastPath {
      * @param place where it begins, laid out as in the table of objects; upright
      * @return {@link PlainCells#PAST} where it is, {@link PlainCells#MET} where it is not
      */
-    int ask(AccuracyView view, int id, double[] place, double dx, double dy, double dz, double degrees) {
+    int find(AccuracyView view, int id, double[] place, double dx, double dy, double dz, double degrees) {
         if (view.accuracy != Accuracy.EXACT || !view.keepsShape(id)) {
             return PlainCells.UNSURE;
         }

@@ -44,10 +44,10 @@ final class EnclosureSweep {
      *
      * @param box what holds all of the turn; the same after the call
      */
-    double met(AccuracyView inView, int other, double[] box) {
+    double timeOfImpact(AccuracyView inView, int other, double[] box) {
         piece = -1;
         LeafTable table = inView.table(other);
-        if (!table.meets(other, box)) {
+        if (!table.overlaps(other, box)) {
             return Double.POSITIVE_INFINITY;
         }
         view = inView;
@@ -55,14 +55,14 @@ final class EnclosureSweep {
         LeafColumn leaves = table.leaves();
         int leaf = table.first(other);
         if (leaves.kind(leaf).isGrid()) {
-            return metCells(leaves, leaf, box);
+            return impactOfCells(leaves, leaf, box);
         }
         System.arraycopy(table.bounds(), table.boundsAt(other), bounds, 0, 6);
         takeOctagon(leaves, leaf);
-        return met(box);
+        return timeOfImpact(box);
     }
 
-    private double metCells(LeafColumn leaves, int leaf, double[] box) {
+    private double impactOfCells(LeafColumn leaves, int leaf, double[] box) {
         System.arraycopy(box, 0, swept, 0, 6);
         if (view.dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
@@ -79,7 +79,7 @@ final class EnclosureSweep {
             LeafColumn own = walk.piece(cell, segment.atStart.kind(0));
             own.bounds(0, bounds);
             takeOctagon(own, 0);
-            double met = met(box);
+            double met = timeOfImpact(box);
             if (met < least) {
                 least = met;
                 piece = cell;
@@ -94,7 +94,7 @@ final class EnclosureSweep {
         }
     }
 
-    private double met(double[] box) {
+    private double timeOfImpact(double[] box) {
         takeDiagonals(0);
         double before = depth(atStart);
         if (!deepens(1, box, before)) {

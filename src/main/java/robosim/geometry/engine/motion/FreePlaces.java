@@ -189,7 +189,7 @@ public final class FreePlaces {
         double dy = edges[at + POSE + 1] - place[1];
         double dz = edges[at + POSE + 2] - place[2];
         double degrees = edges[at + POSE + 3] - edges[at + 3];
-        int verdict = quick.ask(view, id, place, dx, dy, dz, degrees);
+        int verdict = quick.find(view, id, place, dx, dy, dz, degrees);
         if (verdict == PlainCells.PAST) {
             return true;
         }

@@ -95,7 +95,7 @@ public final class Motion {
     private final double[] endBox = new double[6];
 
     /** The shares after which the candidates are met. */
-    private double[] mets = new double[16];
+    private double[] impacts = new double[16];
 
     private AccuracyView view;
     private int id;
@@ -106,10 +106,10 @@ public final class Motion {
     private int ownLeaf;
 
     // The pieces by which an object was met last.
-    private int metLeaf;
-    private int metPiece;
-    private int metOwnLeaf;
-    private int metOwnPiece;
+    private int hitLeaf;
+    private int hitPiece;
+    private int hitOwnLeaf;
+    private int hitOwnPiece;
 
     private int obstaclePiece;
     private int ownPiece;
@@ -547,10 +547,10 @@ public final class Motion {
             }
         }
         double margin = margin();
-        int ownLeafMet = metOwnLeaf;
-        int ownPieceMet = metOwnPiece;
-        int leafMet = metLeaf;
-        int pieceMet = metPiece;
+        int ownLeafMet = hitOwnLeaf;
+        int ownPieceMet = hitOwnPiece;
+        int leafMet = hitLeaf;
+        int pieceMet = hitPiece;
         double from = margin < MOST_MARGIN ? Math.max(0, least - margin) : least;
         double free = representable(from);
         for (double step = FIRST_STEP; free > 0 && isBlockedBy(of, free); step *= 2) {
@@ -558,7 +558,7 @@ public final class Motion {
         }
         segment.scale(1);
         enclose();
-        meet(ownLeafMet, ownPieceMet, leafMet, pieceMet);
+        note(ownLeafMet, ownPieceMet, leafMet, pieceMet);
         return Math.max(0, free);
     }
 
@@ -616,7 +616,7 @@ public final class Motion {
             return false;
         }
         enclose();
-        return of == BORDER ? isLeaving() : met(of) != Double.POSITIVE_INFINITY || endsOn(of);
+        return of == BORDER ? isLeaving() : timeOfImpact(of) != Double.POSITIVE_INFINITY || endsOn(of);
     }
 
     /** The share after which the world is left, or is nearer to the border than the clearance. */
@@ -710,10 +710,10 @@ public final class Motion {
         for (int k = 0; k < candidates.count(); k++) {
             int other = candidates.id(k);
             scratch.work.take();
-            if (other == sure || !view.table(other).meets(other, around)) {
+            if (other == sure || !view.table(other).overlaps(other, around)) {
                 continue;
             }
-            if (met(other) != Double.POSITIVE_INFINITY || endsOn(other)) {
+            if (timeOfImpact(other) != Double.POSITIVE_INFINITY || endsOn(other)) {
                 return true;
             }
         }
@@ -726,15 +726,15 @@ public final class Motion {
      * met later than the first by more than any share is taken back are not asked.
      */
     private double leastFree() {
-        double last = meetAll() + LATER;
+        double last = allImpacts() + LATER;
         double least = Double.POSITIVE_INFINITY;
         double leastTouching = Double.POSITIVE_INFINITY;
         for (int k = 0; k < candidates.count(); k++) {
-            if (!(mets[k] <= last) || mets[k] == Double.POSITIVE_INFINITY) {
+            if (!(impacts[k] <= last) || impacts[k] == Double.POSITIVE_INFINITY) {
                 continue;
             }
             int other = candidates.id(k);
-            double met = metOrEnd(other);
+            double met = impactOrEnd(other);
             double touching = backOff(other, Math.min(met, MOST));
             double free = usable(other, touching);
             stop.note(other, touching, leastTouching);
@@ -743,10 +743,10 @@ public final class Motion {
                 least = free;
                 contactShare = touching;
                 obstacle = other;
-                ownLeaf = metOwnLeaf;
-                ownPiece = metOwnPiece;
-                obstacleLeaf = metLeaf;
-                obstaclePiece = metPiece;
+                ownLeaf = hitOwnLeaf;
+                ownPiece = hitOwnPiece;
+                obstacleLeaf = hitLeaf;
+                obstaclePiece = hitPiece;
             }
         }
         boolean isInside = worldBounds.clearlyHolds(clearance > 0 ? around : box);
@@ -762,38 +762,38 @@ public final class Motion {
     }
 
     /** Finds the share after which each candidate is met, and returns the least. */
-    private double meetAll() {
-        if (mets.length < candidates.count()) {
-            mets = new double[2 * candidates.count()];
+    private double allImpacts() {
+        if (impacts.length < candidates.count()) {
+            impacts = new double[2 * candidates.count()];
         }
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < candidates.count(); k++) {
             scratch.work.take();
-            mets[k] = metOrEnd(candidates.id(k));
-            least = Math.min(least, mets[k]);
+            impacts[k] = impactOrEnd(candidates.id(k));
+            least = Math.min(least, impacts[k]);
         }
         return least;
     }
 
     /** The share after which an object is met; 1 if only the end, as it is stored, touches it, and infinity for neither. */
-    private double metOrEnd(int other) {
-        double met = met(other);
+    private double impactOrEnd(int other) {
+        double met = timeOfImpact(other);
         return met == Double.POSITIVE_INFINITY && endsOn(other) ? 1 : met;
     }
 
     /** The share after which an object is met, and the leaves that meet: of several the object's lower one. */
-    private double met(int other) {
+    private double timeOfImpact(int other) {
         if (segment.isRigid()) {
-            return metAsItIs(other);
+            return rigidImpact(other);
         }
-        double met = enclosure.met(view, other, box);
+        double met = enclosure.timeOfImpact(view, other, box);
         if (met != Double.POSITIVE_INFINITY) {
-            meet(0, -1, view.table(other).first(other), enclosure.piece());
+            note(0, -1, view.table(other).first(other), enclosure.piece());
         }
         return met;
     }
 
-    private double metAsItIs(int other) {
+    private double rigidImpact(int other) {
         LeafColumn atStart = segment.atStart;
         LeafTable of = view.table(other);
         int first = of.first(other);
@@ -809,7 +809,7 @@ public final class Motion {
                 }
                 if (free < least || (free == least && isLowerCell(of.leaves(), j))) {
                     least = free;
-                    meet(i, segment.sweep.ownPiece(), j, segment.sweep.otherPiece());
+                    note(i, segment.sweep.ownPiece(), j, segment.sweep.otherPiece());
                 }
             }
         }
@@ -818,7 +818,7 @@ public final class Motion {
 
     /** Whether the last sweep met a cell of a grid that comes before the one that was met by another leaf of the object. */
     private boolean isLowerCell(LeafColumn leaves, int j) {
-        return leaves.kind(j).isGrid() && segment.sweep.otherPiece() >= 0 && segment.sweep.otherPiece() < metPiece;
+        return leaves.kind(j).isGrid() && segment.sweep.otherPiece() >= 0 && segment.sweep.otherPiece() < hitPiece;
     }
 
     /** Whether one of the leaves is a mesh or a grid, and the object may touch the other at the start. */
@@ -827,14 +827,14 @@ public final class Motion {
             return false;
         }
         segment.atStart.bounds(0, segment.atStart.size(), part);
-        return of.meets(other, part);
+        return of.overlaps(other, part);
     }
 
-    private void meet(int i, int t, int j, int u) {
-        metOwnLeaf = i;
-        metOwnPiece = t;
-        metLeaf = j;
-        metPiece = u;
+    private void note(int i, int t, int j, int u) {
+        hitOwnLeaf = i;
+        hitOwnPiece = t;
+        hitLeaf = j;
+        hitPiece = u;
     }
 
     /** Whether the object touches anything at the start of the segment; what it touches is found when this is first asked. */
@@ -847,7 +847,7 @@ public final class Motion {
                 int other = candidates.id(k);
                 scratch.work.take();
                 LeafTable of = view.table(other);
-                if (of.meets(other, part)) {
+                if (of.overlaps(other, part)) {
                     int first = of.first(other);
                     for (int j = first; j < first + of.count(other); j++) {
                         standing.add(of.leaves(), j);
@@ -860,7 +860,7 @@ public final class Motion {
 
     /** Whether the object, as stored at the end of the segment, overlaps one that it does not at the start. */
     private boolean endsOn(int other) {
-        return view.table(other).meets(other, endBox) && touchesAnew(other, 1);
+        return view.table(other).overlaps(other, endBox) && touchesAnew(other, 1);
     }
 
     /** Whether the object, after a share of the segment, overlaps one that it does not at the start. */
@@ -876,7 +876,7 @@ public final class Motion {
                     if (!wasKnown && stands() && !standing.touchesAnew(there, i, of.leaves(), j)) {
                         continue;
                     }
-                    meet(i, standing.ownPiece(), j, standing.otherPiece());
+                    note(i, standing.ownPiece(), j, standing.otherPiece());
                     return true;
                 }
             }
@@ -898,15 +898,15 @@ public final class Motion {
     private double backOff(int of, double from) {
         double free = from;
         double step = FIRST_STEP;
-        int ownLeafMet = metOwnLeaf;
-        int ownPieceMet = metOwnPiece;
-        int leafMet = metLeaf;
-        int pieceMet = metPiece;
+        int ownLeafMet = hitOwnLeaf;
+        int ownPieceMet = hitOwnPiece;
+        int leafMet = hitLeaf;
+        int pieceMet = hitPiece;
         while (free > 0 && (of == BORDER ? !exit.holds(segment.exactAfter(free)) : touchesAnew(of, free))) {
             free = from - step;
             step *= 2;
         }
-        meet(ownLeafMet, ownPieceMet, leafMet, pieceMet);
+        note(ownLeafMet, ownPieceMet, leafMet, pieceMet);
         return Math.max(0, free);
     }
 

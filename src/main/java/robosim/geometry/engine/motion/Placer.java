@@ -101,7 +101,7 @@ public final class Placer {
             for (int t = meshes.next(0); t >= 0; t = meshes.next(0)) {
                 meshes.corners(t, triangle, 0);
                 LeafBounds.of(LeafKind.TRIANGLE, triangle, 0, bounds);
-                if (meets(box)) {
+                if (overlaps(box)) {
                     out.piece(other, LeafKind.TRIANGLE, triangle, 0);
                 }
             }
@@ -113,13 +113,13 @@ public final class Placer {
             }
         } else {
             leaves.bounds(leaf, bounds);
-            if (meets(box)) {
+            if (overlaps(box)) {
                 out.piece(other, kind, leaves.rows(leaf), leaves.at(leaf));
             }
         }
     }
 
-    private boolean meets(double[] box) {
+    private boolean overlaps(double[] box) {
         for (int k = 0; k < 3; k++) {
             if (bounds[k] > box[3 + k] || bounds[3 + k] < box[k]) {
                 return false;

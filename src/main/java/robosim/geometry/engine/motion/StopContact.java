@@ -96,7 +96,7 @@ final class StopContact {
         }
         for (int k = 0; k < candidates.count(); k++) {
             int id = candidates.id(k);
-            if (view.table(id).meets(id, around)) {
+            if (view.table(id).overlaps(id, around)) {
                 compare(all, at, view.table(id), id, id == obstacle);
             }
         }

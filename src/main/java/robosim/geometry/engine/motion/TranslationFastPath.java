@@ -112,7 +112,7 @@ final class TranslationFastPath {
             if (quick == DiscSweepFilter.MET) {
                 return BLOCKED;
             }
-            if (quick == DiscSweepFilter.UNSURE && table.meets(other, box) && !passes(table, other)) {
+            if (quick == DiscSweepFilter.UNSURE && table.overlaps(other, box) && !passes(table, other)) {
                 // What it stands on may have a say, if not where the insides meet: see Standing.
                 return isUnsure || touches() ? UNKNOWN : BLOCKED;
             }
@@ -134,7 +134,7 @@ final class TranslationFastPath {
     }
 
     private boolean touches(LeafTable table, int other) {
-        if (!table.meets(other, box)) {
+        if (!table.overlaps(other, box)) {
             return false;
         }
         LeafColumn leaves = own.leaves();

@@ -193,13 +193,13 @@ public final class BeamQuery extends BeamSearch {
      *
      * @param likely an object that is looked at first, as it blocked a similar beam; -1 for none
      */
-    boolean meets(AccuracyView view, double limit, int ignored, int likely) {
+    boolean hits(AccuracyView view, double limit, int ignored, int likely) {
         hit = -1;
         best = Double.POSITIVE_INFINITY;
         enough = limit;
         cast.contentWith(limit);
         try {
-            if (likely < 0 || likely == ignored || meet(view.table(likely), likely, limit) >= 0) {
+            if (likely < 0 || likely == ignored || hit(view.table(likely), likely, limit) >= 0) {
                 search(view, limit, ignored);
             }
         } finally {
@@ -218,7 +218,7 @@ public final class BeamQuery extends BeamSearch {
     }
 
     @Override
-    protected double meet(LeafTable table, int id, double reach) {
+    protected double hit(LeafTable table, int id, double reach) {
         LeafColumn leaves = table.leaves();
         if (table.isUpright(id)) {
             int leaf = table.uprightLeaf(id);
@@ -247,7 +247,7 @@ public final class BeamQuery extends BeamSearch {
     }
 
     @Override
-    protected double meetOutline(int id, double[] outlines, int local, double reach) {
+    protected double hitOutline(int id, double[] outlines, int local, double reach) {
         double found = cast.upright(outlines, local);
         if (Double.isNaN(found)) {
             return found;

@@ -32,7 +32,7 @@ public final class NearestQuery {
     public NearestQuery(ObjectTable objects, Scratch scratch) {
         this.objects = objects;
         distance = new Distance(scratch);
-        search = new NearestSearch(objects, this::meet);
+        search = new NearestSearch(objects, this::hit);
     }
 
     /**
@@ -77,7 +77,7 @@ public final class NearestQuery {
         return distances[k];
     }
 
-    private double meet(LeafTable table, int id, double reach) {
+    private double hit(LeafTable table, int id, double reach) {
         int first = table.first(id);
         double least = Double.POSITIVE_INFINITY;
         double sizes = isCoarse ? Distance.sides(box) + ProximityQuery.sides(table, id) : 0;

@@ -30,7 +30,7 @@ public final class ProximityQuery {
 
     public ProximityQuery(ObjectTable objects, Scratch scratch) {
         distance = new Distance(scratch);
-        search = new NearestSearch(objects, this::meet);
+        search = new NearestSearch(objects, this::hit);
     }
 
     /** The least distance of an object to any other; +Infinity where that is beyond the limit. */
@@ -46,7 +46,7 @@ public final class ProximityQuery {
         return best <= limit ? best : Double.POSITIVE_INFINITY;
     }
 
-    private double meet(LeafTable table, int other, double reach) {
+    private double hit(LeafTable table, int other, double reach) {
         double sizes = Distance.sides(box) + sides(table, other);
         double far = Distance.reach(reach, sizes);
         if (boxGap(table, other) > far) {

@@ -75,7 +75,7 @@ public final class RayBatch {
             long bits = 0;
             for (int k = first; k < Math.min(first + Long.SIZE, count); k++) {
                 aim(rays, RAY * k);
-                if (ranging.meets(view, rays[RAY * k + 6], ignored, likely)) {
+                if (ranging.hits(view, rays[RAY * k + 6], ignored, likely)) {
                     likely = ranging.hit();
                 } else {
                     bits |= 1L << k;

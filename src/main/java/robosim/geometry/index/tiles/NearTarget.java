@@ -4,5 +4,5 @@ package robosim.geometry.index.tiles;
 @FunctionalInterface
 public interface NearTarget {
     /** Receives an object that may be near, possibly more than once; returns true if no more are needed. */
-    boolean meet(int id);
+    boolean visit(int id);
 }

@@ -59,7 +59,7 @@ public final class OrientedRectangle {
     }
 
     /** Whether a row's rectangle and a given one, already widened by the rounding errors, may meet. */
-    static boolean mayMeet(double[] rows, int id, double x, double z, double wide, double deep) {
+    static boolean mayTouch(double[] rows, int id, double x, double z, double wide, double deep) {
         int at = at(id);
         double halfX = rows[at + HALF_X];
         double halfZ = rows[at + HALF_Z];

@@ -47,7 +47,7 @@ final class QuantizedBounds {
     }
 
     /**
-     * The query number that {@link #mayMeet} compares with the bounds of other boxes on a tile: how far they may begin,
+     * The query number that {@link #mayTouch} compares with the bounds of other boxes on a tile: how far they may begin,
      * and end.
      */
     static int question(int lowX, int lowZ, int highX, int highZ, int column, int row) {
@@ -79,7 +79,7 @@ final class QuantizedBounds {
     }
 
     /** Whether boxes may meet; false is always right. */
-    static boolean mayMeet(int question, int quantized) {
+    static boolean mayTouch(int question, int quantized) {
         // Four comparisons in one subtraction: each borrows from its high bit if the number in the bounds is greater.
         return ((question - quantized) & HIGH_BITS) == HIGH_BITS;
     }

@@ -104,11 +104,11 @@ public final class TileGathering {
         }
         int to = count;
         ids[to] = data[tile + 1];
-        to += mayMeet(outlines, data[tile + 1]);
+        to += mayTouch(outlines, data[tile + 1]);
         ids[to] = data[tile + 2];
-        to += mayMeet(outlines, data[tile + 2]);
+        to += mayTouch(outlines, data[tile + 2]);
         ids[to] = data[tile + 3];
-        to += mayMeet(outlines, data[tile + 3]);
+        to += mayTouch(outlines, data[tile + 3]);
         count = to;
     }
 
@@ -126,15 +126,15 @@ public final class TileGathering {
         int to = count;
         for (int k = first; k < first + length; k++) {
             ids[to] = data[k];
-            to += mayMeet(outlines, data[k]);
+            to += mayTouch(outlines, data[k]);
         }
         count = to;
     }
 
     /** 1 for an object that counts, else 0. */
-    private int mayMeet(double[] outlines, int id) {
+    private int mayTouch(double[] outlines, int id) {
         int isOther = (id - ignored | ignored - id) >>> SIGN;
-        return isOther & (OrientedRectangle.mayMeet(outlines, id, x, z, wide, deep) ? 1 : 0);
+        return isOther & (OrientedRectangle.mayTouch(outlines, id, x, z, wide, deep) ? 1 : 0);
     }
 
     private void grow() {
@@ -145,7 +145,7 @@ public final class TileGathering {
     public void gather(NearGrid grid, double[] boxes) {
         for (int k = 0; k < grid.largeCount(); k++) {
             int id = grid.large(k);
-            if (id != ignored && meets(boxes, 6 * id)) {
+            if (id != ignored && overlaps(boxes, 6 * id)) {
                 if (count == ids.length) {
                     grow();
                 }
@@ -162,7 +162,7 @@ public final class TileGathering {
         grid.passed((((more + 1) * (deeper + 1)) >> 2) + read(grid.next, boxes, lists));
     }
 
-    private boolean meets(double[] boxes, int at) {
+    private boolean overlaps(double[] boxes, int at) {
         return boxes[at] <= maxX && minX <= boxes[at + 3] && boxes[at + 2] <= maxZ && minZ <= boxes[at + 5];
     }
 

@@ -44,11 +44,11 @@ public final class TileProbe {
      * Passes the objects found on some tiles to a target, unless the rectangle lies on more than {@code mostTiles} or
      * reaches too far.
      */
-    public int ask(Tiles over, int mostTiles, double[] outlines, NearTarget target) {
-        return ask(over, mostTiles, MOST_REACH, outlines, target);
+    public int query(Tiles over, int mostTiles, double[] outlines, NearTarget target) {
+        return query(over, mostTiles, MOST_REACH, outlines, target);
     }
 
-    private int ask(Tiles over, int mostTiles, double mostReach, double[] outlines, NearTarget target) {
+    private int query(Tiles over, int mostTiles, double mostReach, double[] outlines, NearTarget target) {
         double fromX = x - over.originX;
         double fromZ = z - over.originZ;
         double reachX = halfX * over.stepsX;
@@ -67,10 +67,10 @@ public final class TileProbe {
             return read(over, tile, question, outlines, target) ? ENOUGH : ALL;
         }
         boolean isFar = !(reachX < mostReach && reachZ < mostReach);
-        return isFar ? TOO_MANY : askMany(over, lowX, lowZ, highX, highZ, mostTiles, outlines, target);
+        return isFar ? TOO_MANY : queryMany(over, lowX, lowZ, highX, highZ, mostTiles, outlines, target);
     }
 
-    private int askMany(
+    private int queryMany(
             Tiles over, int x0, int z0, int x1, int z1, int mostTiles, double[] outlines, NearTarget target) {
         int lowX = cut(x0, over.countX);
         int lowZ = cut(z0, over.countZ);
@@ -104,9 +104,9 @@ public final class TileProbe {
         if ((data[tile] & ~TileLists.SHORT) != 0 || quantizedBounds.length == 0) {
             return readOther(over, tile, question, outlines, target);
         }
-        return (QuantizedBounds.mayMeet(question, quantizedBounds[tile + 1]) && target.meet(data[tile + 1]))
-                || (QuantizedBounds.mayMeet(question, quantizedBounds[tile + 2]) && target.meet(data[tile + 2]))
-                || (QuantizedBounds.mayMeet(question, quantizedBounds[tile + 3]) && target.meet(data[tile + 3]));
+        return (QuantizedBounds.mayTouch(question, quantizedBounds[tile + 1]) && target.visit(data[tile + 1]))
+                || (QuantizedBounds.mayTouch(question, quantizedBounds[tile + 2]) && target.visit(data[tile + 2]))
+                || (QuantizedBounds.mayTouch(question, quantizedBounds[tile + 3]) && target.visit(data[tile + 3]));
     }
 
     /** Reads a long list, a list without quantized bounds, or the lists within a divided tile. */
@@ -117,7 +117,7 @@ public final class TileProbe {
         if (length < 0) {
             Tiles inner = over.within(length);
             return readRows(inner, inner.rest(), outlines, target)
-                    || ask(inner, Integer.MAX_VALUE, Double.POSITIVE_INFINITY, outlines, target) == ENOUGH;
+                    || query(inner, Integer.MAX_VALUE, Double.POSITIVE_INFINITY, outlines, target) == ENOUGH;
         }
         if (quantizedBounds.length == 0) {
             double slack = TileGathering.slack(x, z, halfX, halfZ, most);
@@ -125,7 +125,7 @@ public final class TileProbe {
         }
         int first = data[tile + 1];
         for (int k = first; k < first + length; k++) {
-            if (QuantizedBounds.mayMeet(question, quantizedBounds[k]) && target.meet(data[k])) {
+            if (QuantizedBounds.mayTouch(question, quantizedBounds[k]) && target.visit(data[k])) {
                 return true;
             }
         }
@@ -137,8 +137,8 @@ public final class TileProbe {
         double slack = TileGathering.slack(x, z, halfX, halfZ, most);
         int first = TileLists.first(data, tile, data[tile]);
         for (int k = first; k < first + data[tile]; k++) {
-            if (OrientedRectangle.mayMeet(outlines, data[k], x, z, halfX + slack, halfZ + slack)
-                    && target.meet(data[k])) {
+            if (OrientedRectangle.mayTouch(outlines, data[k], x, z, halfX + slack, halfZ + slack)
+                    && target.visit(data[k])) {
                 return true;
             }
         }

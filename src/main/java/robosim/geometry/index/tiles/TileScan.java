@@ -115,7 +115,7 @@ public final class TileScan {
         int[] ids = tiles.store.data;
         while (entry < end) {
             int id = ids[entry++];
-            if (meets(boxes, 6 * id) && (isRest || isFirst(boxes, 6 * id))) {
+            if (overlaps(boxes, 6 * id) && (isRest || isFirst(boxes, 6 * id))) {
                 return id;
             }
         }
@@ -135,7 +135,7 @@ public final class TileScan {
         return true;
     }
 
-    private boolean meets(double[] of, int at) {
+    private boolean overlaps(double[] of, int at) {
         return of[at] <= maxX && minX <= of[at + 3] && of[at + 2] <= maxZ && minZ <= of[at + 5];
     }
 

@@ -229,7 +229,7 @@ public final class TileWalk {
         while (true) {
             while (listed < last) {
                 int id = lists[listed++];
-                if (meets(outlines, OrientedRectangle.at(id), ox, oz, dx, dz, aside, half, margin)) {
+                if (overlaps(outlines, OrientedRectangle.at(id), ox, oz, dx, dz, aside, half, margin)) {
                     found = id;
                     break search;
                 }
@@ -277,7 +277,7 @@ public final class TileWalk {
     }
 
     /** Whether the line may meet an outline within the reach. */
-    private static boolean meets(
+    private static boolean overlaps(
             double[] outlines,
             int at,
             double ox,

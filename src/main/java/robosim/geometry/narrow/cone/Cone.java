@@ -133,7 +133,7 @@ public final class Cone {
      * <p>If both ends are outside, it can only cross the cone. Then along it the quadratic {@code (x.d)^2 - cos^2 x^2
      * d^2} is concave, has its vertex between the ends, is not negative there, and that point is ahead of the apex.
      */
-    static boolean meets(ExactVector p, ExactVector q, ExactVector d, Dyadic squareCos) {
+    static boolean touches(ExactVector p, ExactVector q, ExactVector d, Dyadic squareCos) {
         if (holds(p, d, squareCos) || holds(q, d, squareCos)) {
             return true;
         }

@@ -187,7 +187,7 @@ final class ConePolytope {
             if (!(distance(deepest) > NEAR * error)) {
                 return exactly(cone, from, to);
             }
-            if (!isExactlyMet(cone, from, to)) {
+            if (!isExactlyHit(cone, from, to)) {
                 return Double.POSITIVE_INFINITY;
             }
         }
@@ -236,9 +236,9 @@ final class ConePolytope {
         return cone.depth(px + share * ex, py + share * ey, pz + share * ez);
     }
 
-    private boolean isExactlyMet(Cone cone, int from, int to) {
+    private boolean isExactlyHit(Cone cone, int from, int to) {
         EXACT.count();
-        return new ExactCone(cone, extent).meets(corners, from, to);
+        return new ExactCone(cone, extent).touches(corners, from, to);
     }
 
     private boolean isExactlyHeld(Cone cone, int corner) {

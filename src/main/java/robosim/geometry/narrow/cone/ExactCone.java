@@ -39,8 +39,8 @@ final class ExactCone {
     }
 
     /** Whether any point of an edge is in the cone. */
-    boolean meets(ConeCorners corners, int from, int to) {
-        return Cone.meets(corners.exact(ray, from), corners.exact(ray, to), axis, squareCos);
+    boolean touches(ConeCorners corners, int from, int to) {
+        return Cone.touches(corners.exact(ray, from), corners.exact(ray, to), axis, squareCos);
     }
 
     /** The distance of an edge within the cone; +Infinity if none of it is. */
@@ -49,7 +49,7 @@ final class ExactCone {
     }
 
     private double edge(ExactVector p, ExactVector q) {
-        if (!Cone.meets(p, q, axis, squareCos)) {
+        if (!Cone.touches(p, q, axis, squareCos)) {
             return Double.POSITIVE_INFINITY;
         }
         ExactVector e = q.minus(p);

@@ -93,15 +93,15 @@ public final class Gjk {
 
     /** Runs a query in space; returns the lower end of the bracket, at least 0. */
     public double spatial(Leaf a, Leaf b) {
-        return ask(a, b, false);
+        return query(a, b, false);
     }
 
     /** Runs a query for the projections on XZ; returns the lower end of the bracket, at least 0. All y are 0. */
     public double planar(Leaf a, Leaf b) {
-        return ask(a, b, true);
+        return query(a, b, true);
     }
 
-    private double ask(Leaf a, Leaf b, boolean flat) {
+    private double query(Leaf a, Leaf b, boolean flat) {
         reversed = PairOrder.isReversed(a, b);
         if (reversed) {
             solve(b, a, flat);

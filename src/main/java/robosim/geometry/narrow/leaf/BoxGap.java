@@ -13,7 +13,7 @@ public final class BoxGap {
     private BoxGap() {}
 
     /** Whether two closed boxes have a point in common. */
-    public static boolean meet(double[] a, double[] b) {
+    public static boolean hit(double[] a, double[] b) {
         return a[0] <= b[3] && b[0] <= a[3] && a[1] <= b[4] && b[1] <= a[4] && a[2] <= b[5] && b[2] <= a[5];
     }
 

@@ -57,7 +57,7 @@ public final class ContactPairs {
         second.openPart(b, j, dimension);
         count = 0;
         depth = 0;
-        if (rootsMeet()) {
+        if (rootsOverlap()) {
             findInParts(first.root(), second.root());
         }
         return count > 0;
@@ -72,7 +72,7 @@ public final class ContactPairs {
         second.open(isReversed ? a : b, dimension);
         count = 0;
         depth = 0;
-        if (rootsMeet()) {
+        if (rootsOverlap()) {
             push(first.root(), second.root());
         }
         while (depth > 0 && count < limit) {
@@ -88,10 +88,10 @@ public final class ContactPairs {
         }
     }
 
-    private boolean rootsMeet() {
+    private boolean rootsOverlap() {
         first.box(first.root(), boxA);
         second.box(second.root(), boxB);
-        return BoxGap.meet(boxA, boxB);
+        return BoxGap.hit(boxA, boxB);
     }
 
     /** Releases the objects and the pairs. */
@@ -251,7 +251,7 @@ public final class ContactPairs {
         for (int k = opened.children(parent) - 1; k >= 0; k--) {
             long child = opened.child(parent, k);
             opened.box(child, childBox);
-            if (BoxGap.meet(childBox, other)) {
+            if (BoxGap.hit(childBox, other)) {
                 push(opensFirst ? child : a, opensFirst ? b : child);
             }
         }

@@ -312,7 +312,7 @@ public final class MeshPairs {
             }
             plane(one, 0, planeA);
             for (int q = 0; q < countB; q++) {
-                if (!isBeside(planeA, taken, 9 * q) && !isBesideOf(q) && meet(p, firstB + q)) {
+                if (!isBeside(planeA, taken, 9 * q) && !isBesideOf(q) && hit(p, firstB + q)) {
                     return true;
                 }
             }
@@ -334,7 +334,7 @@ public final class MeshPairs {
         }
     }
 
-    private boolean meet(int p, int q) {
+    private boolean hit(int p, int q) {
         s.leaf.outer.corners(p, s.leaf.triangleA, 0);
         s.leaf.inner.corners(q, s.leaf.triangleB, 0);
         return SpatialOverlap.test(s.leaf.faceA, s.leaf.faceB, s);

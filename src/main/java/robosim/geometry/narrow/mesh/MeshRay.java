@@ -204,11 +204,11 @@ public final class MeshRay {
                 long fourth = greater(a, b);
                 long second = greater(ab, cd);
                 stack[depth] = fourth;
-                depth += isMet(fourth);
+                depth += isHit(fourth);
                 stack[depth] = third;
-                depth += isMet(third);
+                depth += isHit(third);
                 stack[depth] = second;
-                depth += isMet(second);
+                depth += isHit(second);
                 if (nearest < MISSED) {
                     link = (int) nearest;
                     continue;
@@ -266,7 +266,7 @@ public final class MeshRay {
         return a - ((a - b) & ((a - b) >> 63));
     }
 
-    private static int isMet(long key) {
+    private static int isHit(long key) {
         return (int) ((key - MISSED) >>> 63);
     }
 

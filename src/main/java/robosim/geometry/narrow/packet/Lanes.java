@@ -51,7 +51,7 @@ final class Lanes {
     }
 
     /** The rays that leave, or end, no sooner than they enter; also where a number is none. */
-    static long met(double[] enter, double[] leave, double[] near) {
+    static long hits(double[] enter, double[] leave, double[] near) {
         long met = 0;
         for (int i = 0; i < COUNT; i++) {
             met |= (enter[i] > leave[i] || enter[i] > near[i] ? 0L : 1L) << i;

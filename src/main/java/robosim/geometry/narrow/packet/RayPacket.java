@@ -188,7 +188,7 @@ public final class RayPacket {
         Lanes.slab(worldX, x, halfX + slack, enter, leave);
         Lanes.clip(worldY, y, halfY + slack, enter, leave);
         Lanes.clip(worldZ, z, halfZ + slack, enter, leave);
-        return Lanes.met(enter, leave, near) & rays();
+        return Lanes.hits(enter, leave, near) & rays();
     }
 
     /**
@@ -264,7 +264,7 @@ public final class RayPacket {
         Lanes.slab(ix, left, halfX + slack, enter, leave);
         Lanes.clip(iy, up, halfY + slack, enter, leave);
         Lanes.clip(iz, back, halfZ + slack, enter, leave);
-        long met = Lanes.met(enter, leave, near);
+        long met = Lanes.hits(enter, leave, near);
         if (met != 0) {
             Lanes.slab(ix, left, halfX - slack, late, early);
             Lanes.clip(iy, up, halfY - slack, late, early);
@@ -303,7 +303,7 @@ public final class RayPacket {
         }
         Lanes.slab(iy, up, half + slack, enter, leave);
         Lanes.circle(square, product, cross, (radius + slack) * (radius + slack), enter, leave);
-        long met = Lanes.met(enter, leave, near);
+        long met = Lanes.hits(enter, leave, near);
         if (met != 0 && radius > slack) {
             Lanes.slab(iy, up, half - slack, late, early);
             Lanes.circle(square, product, cross, (radius - slack) * (radius - slack), late, early);

@@ -51,9 +51,9 @@ public final class ExactCylinder {
             }
         }
         for (ExactPolytope.Side side : polytope.sides()) {
-            if (axisMeets(side)
-                    || capMeets(side, centre.plus(axis.times(halfHeight)))
-                    || capMeets(side, centre.minus(axis.times(halfHeight)))) {
+            if (axisHits(side)
+                    || capHits(side, centre.plus(axis.times(halfHeight)))
+                    || capHits(side, centre.minus(axis.times(halfHeight)))) {
                 return true;
             }
         }
@@ -115,7 +115,7 @@ public final class ExactCylinder {
                 <= 0;
     }
 
-    private boolean axisMeets(ExactPolytope.Side side) {
+    private boolean axisHits(ExactPolytope.Side side) {
         Dyadic numerator = side.normal().dot(side.corner().minus(centre));
         Dyadic denominator = side.normal().dot(axis);
         if (denominator.signum() == 0) {
@@ -130,7 +130,7 @@ public final class ExactCylinder {
     }
 
     /** The middle of the chord that the side's plane cuts from a cap: from the cap's centre along the plane's slope. */
-    private boolean capMeets(ExactPolytope.Side side, ExactVector cap) {
+    private boolean capHits(ExactPolytope.Side side, ExactVector cap) {
         ExactVector normal = side.normal();
         ExactVector slope = normal.times(axisSquare).minus(axis.times(normal.dot(axis)));
         Dyadic denominator = normal.dot(slope);

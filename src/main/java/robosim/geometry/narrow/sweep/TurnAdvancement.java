@@ -108,7 +108,7 @@ final class TurnAdvancement {
         double t = 0;
         depth = 0;
         haveFacets = false;
-        ask(a);
+        query(a);
         boolean isContact = !(gjk.lower() > 0);
         boolean isNear = isNear();
         if (isContact) {
@@ -143,7 +143,7 @@ final class TurnAdvancement {
                 return Double.POSITIVE_INFINITY;
             }
             MovedLeaf.turned(a, turn, Radians.cos(t), Radians.sin(t), pose);
-            ask(pose);
+            query(pose);
             double next = t;
             if (gjk.lower() > 0) {
                 next = found(t, angle);
@@ -283,7 +283,7 @@ final class TurnAdvancement {
         return steps;
     }
 
-    private void ask(Leaf placed) {
+    private void query(Leaf placed) {
         if (planar) {
             gjk.planar(placed, b);
         } else {

@@ -107,7 +107,7 @@ class TilesTest {
         double z1 = z0 + random.nextInt(4) * 0.75;
         BitSet ids = new BitSet();
         probe.start((x0 + x1) / 2, (z0 + z1) / 2, (x1 - x0) / 2, (z1 - z0) / 2, SIDE);
-        int asked = probe.ask(tiles, Integer.MAX_VALUE, outlines, id -> {
+        int asked = probe.query(tiles, Integer.MAX_VALUE, outlines, id -> {
             assertThat(listed.get(id)).isTrue();
             ids.set(id);
             return false;
@@ -162,11 +162,11 @@ class TilesTest {
                     QuantizedBounds.high(b[3]),
                     column,
                     row);
-            assertThat(QuantizedBounds.mayMeet(question, QuantizedBounds.ANYWHERE))
+            assertThat(QuantizedBounds.mayTouch(question, QuantizedBounds.ANYWHERE))
                     .isTrue();
-            assertThat(QuantizedBounds.mayMeet(question, QuantizedBounds.NOWHERE))
+            assertThat(QuantizedBounds.mayTouch(question, QuantizedBounds.NOWHERE))
                     .isFalse();
-            boolean mayMeet = QuantizedBounds.mayMeet(question, quantized);
+            boolean mayMeet = QuantizedBounds.mayTouch(question, quantized);
             boolean isOnTile = b[0] < column + 1 && column < b[2] && b[1] < row + 1 && row < b[3];
             if (meet && isOnTile) {
                 assertThat(mayMeet).isTrue();
