@@ -1,7 +1,8 @@
 package robosim.geometry.census;
 
-import robosim.geometry.census.Twofold.Vector;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.Twofold;
+import robosim.geometry.reference.Twofold.Vector;
 
 /**
  * How far a cone hears a capsule, as the nearest of the balls along its segment. How far a ball is from being heard is a convex

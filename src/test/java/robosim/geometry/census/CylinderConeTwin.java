@@ -1,7 +1,8 @@
 package robosim.geometry.census;
 
-import robosim.geometry.census.Twofold.Vector;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.Twofold;
+import robosim.geometry.reference.Twofold.Vector;
 
 /**
  * The distance of a cylinder in a cone from both sides, by a search that knows nothing of caps and mantles: the largest

@@ -104,7 +104,7 @@ final class NearStart implements Kernel {
         }
         double exponent = random.nextDouble(-17, -9);
         BigDecimal gap = place(kindA, kindB, n, StrictMath.pow(10, exponent));
-        int decade = (int) Math.floor((Math.log10(gap.doubleValue() / Space.length(n)) + 17) / 2);
+        int decade = (int) Math.floor((Math.log10(gap.doubleValue() / Vec.length(n)) + 17) / 2);
         if (gap.signum() <= 0 || decade < 0 || decade > 3) {
             return null;
         }
@@ -125,7 +125,7 @@ final class NearStart implements Kernel {
                                         Arrays.toString(a),
                                         kindB,
                                         Arrays.toString(b),
-                                        gap.doubleValue() / Space.length(n),
+                                        gap.doubleValue() / Vec.length(n),
                                         Arrays.toString(n),
                                         moved));
     }
@@ -175,8 +175,8 @@ final class NearStart implements Kernel {
             row[12] = -row[8];
             row[14] = row[6];
         } else if (kind.isTurned()) {
-            double[] u = Space.direction(random);
-            double[] towards = Space.direction(random);
+            double[] u = Vec.direction(random);
+            double[] towards = Vec.direction(random);
             if (adversarial && random.nextBoolean()) {
                 u = new double[] {0, 0, 1};
                 towards = new double[] {1, 0, 0};
@@ -187,10 +187,10 @@ final class NearStart implements Kernel {
 
     private double[] normal(LeafKind kindA, LeafKind kindB, int motion, SplittableRandom random, boolean adversarial) {
         boolean flat = dimension == Dimension.PLANAR;
-        double[] n = Space.direction(random);
+        double[] n = Vec.direction(random);
         if (motion == 4) {
             n = flat || random.nextBoolean() ? new double[] {0, flat ? 0 : 1, flat ? 1 : 0} : new double[] {1, 0, 0};
-            return Space.sum(new double[3], n, random.nextBoolean() ? 1 : -1);
+            return Vec.plus(new double[3], random.nextBoolean() ? 1 : -1, n);
         }
         double[][] features = {feature(kindA, a, random), feature(kindB, b, random)};
         int mode = random.nextInt(4);
@@ -198,17 +198,17 @@ final class NearStart implements Kernel {
             n = features[random.nextInt(2)];
         } else if (mode == 2) {
             double[] edge = features[random.nextInt(2)];
-            n = Vec.length(edge) == 0 ? n : Vec.squareTo(Space.unit(edge), n);
+            n = Vec.length(edge) == 0 ? n : Vec.squareTo(Vec.unit(edge), n);
         } else if (mode == 3) {
-            n = Space.cross(features[0], features[1]);
+            n = Vec.cross(features[0], features[1]);
         }
         if (random.nextBoolean()) {
-            n = Space.sum(new double[3], n, -1);
+            n = Vec.plus(new double[3], -1, n);
         }
         if (flat) {
             n[1] = 0;
         }
-        return Space.length(n) < 1e-3 ? new double[3] : n;
+        return Vec.length(n) < 1e-3 ? new double[3] : n;
     }
 
     /** An edge, an axis, or the normal of a side. */
@@ -216,7 +216,7 @@ final class NearStart implements Kernel {
         if (kind == LeafKind.TRIANGLE) {
             double[] e = {row[3] - row[0], row[4] - row[1], row[5] - row[2]};
             double[] f = {row[6] - row[0], row[7] - row[1], row[8] - row[2]};
-            return Space.unit(random.nextBoolean() ? e : Space.cross(e, f));
+            return Vec.unit(random.nextBoolean() ? e : Vec.cross(e, f));
         }
         if (kind.isBox()) {
             int k = 6 + random.nextInt(3);
@@ -229,12 +229,12 @@ final class NearStart implements Kernel {
 
     /** Puts the obstacle so that both touch along n, and then the mover a gap away; answers the gap times the length of n. */
     private BigDecimal place(LeafKind kindA, LeafKind kindB, double[] n, double gap) {
-        double[] back = Space.sum(new double[3], n, -1);
+        double[] back = Vec.plus(new double[3], -1, n);
         double[] p = support(kindA, a, back);
         double[] q = support(kindB, b, n);
         shift(kindB, b, p[0] - q[0], p[1] - q[1], p[2] - q[2]);
         BigDecimal apart = gap(kindA, kindB, n);
-        double square = Space.dot(n, n);
+        double square = Vec.dot(n, n);
         for (int k = 0; k < 3; k++) {
             double by = (gap * Math.sqrt(square) - apart.doubleValue()) / square;
             shift(kindA, a, by * n[0], by * n[1], by * n[2]);
@@ -269,23 +269,23 @@ final class NearStart implements Kernel {
                 double[] point = {row[0], row[1], row[2]};
                 for (int k = 0; k < 3; k++) {
                     double[] column = {row[6 + k], row[9 + k], row[12 + k]};
-                    point = Space.sum(point, column, Math.signum(Space.dot(column, n)) * row[3 + k]);
+                    point = Vec.plus(point, Math.signum(Vec.dot(column, n)) * row[3 + k], column);
                 }
                 yield point;
             }
-            case SPHERE -> Space.sum(new double[] {row[0], row[1], row[2]}, Space.unit(n), row[3]);
+            case SPHERE -> Vec.plus(new double[] {row[0], row[1], row[2]}, row[3], Vec.unit(n));
             case UPRIGHT_CAPSULE, CAPSULE -> {
                 double[] axis = kind.isTurned() ? new double[] {row[7], row[10], row[13]} : up;
-                double[] end = Space.sum(
-                        new double[] {row[0], row[1], row[2]}, axis, Math.signum(Space.dot(axis, n)) * row[4]);
-                yield Space.sum(end, Space.unit(n), row[3]);
+                double[] end =
+                        Vec.plus(new double[] {row[0], row[1], row[2]}, Math.signum(Vec.dot(axis, n)) * row[4], axis);
+                yield Vec.plus(end, row[3], Vec.unit(n));
             }
             case UPRIGHT_CYLINDER, CYLINDER -> {
                 double[] axis = kind.isTurned() ? new double[] {row[7], row[10], row[13]} : up;
-                double[] end = Space.sum(
-                        new double[] {row[0], row[1], row[2]}, axis, Math.signum(Space.dot(axis, n)) * row[4]);
+                double[] end =
+                        Vec.plus(new double[] {row[0], row[1], row[2]}, Math.signum(Vec.dot(axis, n)) * row[4], axis);
                 double[] radial = Vec.squareTo(axis, n);
-                yield Vec.length(radial) > 1e-12 ? Space.sum(end, Space.unit(radial), row[3]) : end;
+                yield Vec.length(radial) > 1e-12 ? Vec.plus(end, row[3], Vec.unit(radial)) : end;
             }
             case PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
@@ -353,9 +353,9 @@ final class NearStart implements Kernel {
         d = new double[] {power * d[0], power * d[1], power * d[2]};
         if (motion != 1) {
             double away = motion == 0 ? random.nextDouble(0.05, 3) : StrictMath.pow(10, random.nextDouble(-14, -2));
-            d = Space.sum(d, n, away * length);
+            d = Vec.plus(d, away * length, n);
         }
-        if (dot(d, 0, 1, n).signum() < 0 || Space.length(d) == 0) {
+        if (dot(d, 0, 1, n).signum() < 0 || Vec.length(d) == 0) {
             return "";
         }
         double share = flat
@@ -385,9 +385,9 @@ final class NearStart implements Kernel {
             }
             // Every point is less than 45 degrees off the level through the pivot, and rises for the 30 degrees of the
             // turn.
-            double[] ahead = Space.unit(Space.cross(Space.unit(n), w));
+            double[] ahead = Vec.unit(Vec.cross(Vec.unit(n), w));
             double far = kindA == LeafKind.TRIANGLE ? 8 : 5;
-            pivot = Space.sum(pivot, ahead, -far);
+            pivot = Vec.plus(pivot, -far, ahead);
         }
         double share = flat
                 ? PlanarSweep.turn(

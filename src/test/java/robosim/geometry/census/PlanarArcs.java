@@ -1,5 +1,8 @@
 package robosim.geometry.census;
 
+import robosim.geometry.reference.PlanarTwin;
+import robosim.geometry.reference.Twofold;
+
 /**
  * When one projection that turns about a point meets another, from apart: every corner runs on a circle, which is cut with the
  * other's sides, a disc's centre on one that is cut with the polygon grown by its radius. In pairs of doubles but for the angle.

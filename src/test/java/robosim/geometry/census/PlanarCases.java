@@ -5,6 +5,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth.Form;
 
 /** Rows of forms for kernels in the plane, and what a failure prints of them. */
@@ -12,16 +13,7 @@ final class PlanarCases {
     private PlanarCases() {}
 
     static LeafKind kind(Form form) {
-        return switch (form) {
-            case UPRIGHT_BOX -> LeafKind.UPRIGHT_BOX;
-            case BOX -> LeafKind.BOX;
-            case TRIANGLE -> LeafKind.TRIANGLE;
-            case SPHERE -> LeafKind.SPHERE;
-            case UPRIGHT_CYLINDER -> LeafKind.UPRIGHT_CYLINDER;
-            case CYLINDER -> LeafKind.CYLINDER;
-            case UPRIGHT_CAPSULE -> LeafKind.UPRIGHT_CAPSULE;
-            case CAPSULE -> LeafKind.CAPSULE;
-        };
+        return LeafKind.valueOf(form.name());
     }
 
     /** Whether its projection is an oval. */

@@ -2,6 +2,8 @@ package robosim.geometry.census;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.reference.PlanarTwin;
+import robosim.geometry.reference.Twofold;
 
 /**
  * When one projection that moves straight on meets another, from apart, to some 100 bits: every corner is a ray against the

@@ -5,7 +5,9 @@ import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.Twofold;
 
 /**
  * A straight translation in the plane with a tipped cylinder or capsule: all places up to the time told are one shape, which lines part

@@ -8,8 +8,10 @@ import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.Twofold;
 
 /** Whether two projections touch, and how far apart they are. */
 final class PlanarPair implements Kernel {

@@ -1,6 +1,7 @@
 package robosim.geometry.census;
 
 import java.util.SplittableRandom;
+import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth.Form;
 
 /** Two forms in the plane, put so that they touch, or nearly, before the first is moved back to where it starts. */

@@ -7,8 +7,10 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.ray.PlanarRay;
+import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.Twofold;
 
 /** Where a ray meets a projection. */
 final class PlanarSight implements Kernel {

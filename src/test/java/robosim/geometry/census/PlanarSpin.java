@@ -7,8 +7,10 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.Twofold;
 
 /** A turn of one projection about a vertical, against another: no later than circles cut sides, and as close as claimed. */
 final class PlanarSpin implements Kernel {

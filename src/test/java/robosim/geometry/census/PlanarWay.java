@@ -6,10 +6,12 @@ import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Quantity.Doubt;
 import robosim.geometry.reference.StartTruth;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.Twofold;
 import robosim.geometry.reference.WayTruth;
 
 /**

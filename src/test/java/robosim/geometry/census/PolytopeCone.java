@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import robosim.geometry.Geometry;
-import robosim.geometry.census.Twofold.Vector;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.MeshObject;
@@ -14,6 +13,8 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.Twofold;
+import robosim.geometry.reference.Twofold.Vector;
 
 /** How far a cone in space hears a box, a triangle or a mesh. */
 final class PolytopeCone implements Kernel {

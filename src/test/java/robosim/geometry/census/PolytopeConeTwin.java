@@ -1,6 +1,7 @@
 package robosim.geometry.census;
 
-import robosim.geometry.census.Twofold.Vector;
+import robosim.geometry.reference.Twofold;
+import robosim.geometry.reference.Twofold.Vector;
 
 /**
  * The nearest point of polygons in a cone, by all places where it can be: corners, an edge's foot and where its line crosses

@@ -52,14 +52,14 @@ final class Solid {
         sideReaches = new double[sides.length];
         for (int k = 0; k < edges.length; k++) {
             edgeMiddles[k] = middle(edges[k][0], edges[k][1]);
-            edgeReaches[k] = Space.between(edgeMiddles[k], corners[edges[k][0]]);
+            edgeReaches[k] = Vec.between(edgeMiddles[k], corners[edges[k][0]]);
         }
         for (int k = 0; k < sides.length; k++) {
             // Of a triangle the middle of one edge reaches no further than the longest.
             sideMiddles[k] = middle(sides[k][1], sides[k][2]);
             sideReaches[k] = Math.max(
-                    Space.between(sideMiddles[k], corners[sides[k][0]]),
-                    Space.between(sideMiddles[k], corners[sides[k][1]]));
+                    Vec.between(sideMiddles[k], corners[sides[k][0]]),
+                    Vec.between(sideMiddles[k], corners[sides[k][1]]));
         }
     }
 
@@ -95,7 +95,7 @@ final class Solid {
                 yield new Solid(kind, corners, c, new double[3], 0, 0);
             }
             case CYLINDER -> {
-                double[] axis = Space.unit(new double[] {row[7], row[10], row[13]});
+                double[] axis = Vec.unit(new double[] {row[7], row[10], row[13]});
                 yield new Solid(kind, new double[0][], c, axis, row[3], row[4]);
             }
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, PRISM ->
@@ -103,12 +103,7 @@ final class Solid {
             case CAPSULE -> {
                 double[] arm = {row[4] * row[7], row[4] * row[10], row[4] * row[13]};
                 yield new Solid(
-                        kind,
-                        new double[][] {Space.sum(c, arm, -1), Space.sum(c, arm, 1)},
-                        c,
-                        new double[3],
-                        row[3],
-                        0);
+                        kind, new double[][] {Vec.plus(c, -1, arm), Vec.plus(c, 1, arm)}, c, new double[3], row[3], 0);
             }
             case UPRIGHT_CAPSULE, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
@@ -118,10 +113,9 @@ final class Solid {
     Solid placed(double[] turn, double[] shift) {
         double[][] moved = new double[corners.length][];
         for (int m = 0; m < corners.length; m++) {
-            moved[m] = Space.sum(Space.times(turn, corners[m]), shift, 1);
+            moved[m] = Vec.plus(Vec.times(turn, corners[m]), 1, shift);
         }
-        return new Solid(
-                kind, moved, Space.sum(Space.times(turn, centre), shift, 1), Space.times(turn, axis), radius, half);
+        return new Solid(kind, moved, Vec.plus(Vec.times(turn, centre), 1, shift), Vec.times(turn, axis), radius, half);
     }
 
     /** How far it reaches around its corners and edges. */
@@ -135,9 +129,9 @@ final class Solid {
 
     /** The largest distance of a point of it from the origin, rounded up a little. */
     double reach() {
-        double reach = isPolytope() ? 0 : Space.length(centre) + radius + half;
+        double reach = isPolytope() ? 0 : Vec.length(centre) + radius + half;
         for (double[] corner : corners) {
-            reach = Math.max(reach, Space.length(corner) + radius);
+            reach = Math.max(reach, Vec.length(corner) + radius);
         }
         return reach;
     }
@@ -145,55 +139,54 @@ final class Solid {
     /** A point that lies furthest in a direction; any of those that do. */
     double[] furthest(double[] n, SplittableRandom random) {
         if (!isPolytope()) {
-            double along = Space.dot(n, axis);
-            double[] across = Space.sum(n, axis, -along);
-            double length = Space.length(across);
-            double[] p = Space.sum(centre, kind == LeafKind.SPHERE ? n : across, radius / Math.max(length, 1e-300));
+            double along = Vec.dot(n, axis);
+            double[] across = Vec.plus(n, -along, axis);
+            double length = Vec.length(across);
+            double[] p = Vec.plus(centre, radius / Math.max(length, 1e-300), kind == LeafKind.SPHERE ? n : across);
             if (kind == LeafKind.SPHERE) {
-                return Space.sum(centre, n, radius);
+                return Vec.plus(centre, radius, n);
             }
             if (length < 1e-9) {
-                double[] any = Space.unit(Space.cross(axis, Space.direction(random)));
-                p = Space.sum(centre, any, radius * random.nextDouble());
+                double[] any = Vec.unit(Vec.cross(axis, Vec.direction(random)));
+                p = Vec.plus(centre, radius * random.nextDouble(), any);
             }
             double height = Math.abs(along) < 1e-9 ? random.nextDouble(-1, 1) : Math.signum(along);
-            return Space.sum(p, axis, half * height);
+            return Vec.plus(p, half * height, axis);
         }
         double most = Double.NEGATIVE_INFINITY;
         for (double[] corner : corners) {
-            most = Math.max(most, Space.dot(n, corner));
+            most = Math.max(most, Vec.dot(n, corner));
         }
         double[] sum = new double[3];
         double weights = 0;
         for (double[] corner : corners) {
-            if (Space.dot(n, corner) > most - 1e-9 * (1 + reach())) {
+            if (Vec.dot(n, corner) > most - 1e-9 * (1 + reach())) {
                 double weight = random.nextDouble(0.05, 1);
                 weights += weight;
-                sum = Space.sum(sum, corner, weight);
+                sum = Vec.plus(sum, weight, corner);
             }
         }
-        return Space.sum(Space.sum(new double[3], sum, 1 / weights), n, around());
+        return Vec.plus(Vec.plus(new double[3], 1 / weights, sum), around(), n);
     }
 
     /** The direction of an edge, a cylinder's axis; of a sphere any. */
     double[] edge(SplittableRandom random) {
         if (isPolytope()) {
             int[] edge = edges[random.nextInt(edges.length)];
-            return Space.unit(Space.sum(corners[edge[1]], corners[edge[0]], -1));
+            return Vec.unit(Vec.plus(corners[edge[1]], -1, corners[edge[0]]));
         }
-        return kind == LeafKind.CYLINDER ? axis : Space.direction(random);
+        return kind == LeafKind.CYLINDER ? axis : Vec.direction(random);
     }
 
     /** The normal of a side or a cap, one way or the other; of a sphere or a capsule any direction. */
     double[] normal(SplittableRandom random) {
         double way = random.nextBoolean() ? 1 : -1;
-        double[] n = kind == LeafKind.CYLINDER ? axis : Space.direction(random);
+        double[] n = kind == LeafKind.CYLINDER ? axis : Vec.direction(random);
         if (sides.length > 0) {
             int[] side = sides[random.nextInt(sides.length)];
-            n = Space.cross(
-                    Space.sum(corners[side[1]], corners[side[0]], -1),
-                    Space.sum(corners[side[2]], corners[side[0]], -1));
+            n = Vec.cross(
+                    Vec.plus(corners[side[1]], -1, corners[side[0]]), Vec.plus(corners[side[2]], -1, corners[side[0]]));
         }
-        return Space.unit(Space.sum(new double[3], n, way));
+        return Vec.unit(Vec.plus(new double[3], way, n));
     }
 }

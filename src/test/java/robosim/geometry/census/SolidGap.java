@@ -63,7 +63,7 @@ final class SolidGap {
     private void sides(Solid of, Solid on, Meeting how) {
         for (int k = 0; k < on.sides.length; k++) {
             for (double[] corner : of.corners) {
-                if (Space.between(corner, on.sideMiddles[k]) - on.sideReaches[k] < distance) {
+                if (Vec.between(corner, on.sideMiddles[k]) - on.sideReaches[k] < distance) {
                     take(aboveSide(corner, on, on.sides[k]), how);
                 }
             }
@@ -76,7 +76,7 @@ final class SolidGap {
             for (int m = 0; m < b.edges.length; m++) {
                 int[] f = b.edges[m];
                 double reaches = a.edgeReaches[k] + b.edgeReaches[m];
-                if (Space.between(a.edgeMiddles[k], b.edgeMiddles[m]) - reaches < distance) {
+                if (Vec.between(a.edgeMiddles[k], b.edgeMiddles[m]) - reaches < distance) {
                     take(segments(a.corners[e[0]], a.corners[e[1]], b.corners[f[0]], b.corners[f[1]]), Meeting.EDGES);
                 }
             }
@@ -85,32 +85,32 @@ final class SolidGap {
 
     /** How far a point is from a side's plane, infinite where its foot is not on the side. */
     private static double aboveSide(double[] p, Solid on, int[] side) {
-        double[] u = Space.sum(on.corners[side[1]], on.corners[side[0]], -1);
-        double[] v = Space.sum(on.corners[side[2]], on.corners[side[0]], -1);
-        double[] n = Space.cross(u, v);
-        double square = Space.dot(n, n);
-        double[] w = Space.sum(p, on.corners[side[0]], -1);
-        double s = Space.dot(Space.cross(w, v), n);
-        double t = Space.dot(Space.cross(u, w), n);
+        double[] u = Vec.plus(on.corners[side[1]], -1, on.corners[side[0]]);
+        double[] v = Vec.plus(on.corners[side[2]], -1, on.corners[side[0]]);
+        double[] n = Vec.cross(u, v);
+        double square = Vec.dot(n, n);
+        double[] w = Vec.plus(p, -1, on.corners[side[0]]);
+        double s = Vec.dot(Vec.cross(w, v), n);
+        double t = Vec.dot(Vec.cross(u, w), n);
         boolean inside = s >= 0
                 && t >= 0
                 && (on.kind == LeafKind.BOX ? s <= square && t <= square : s + t <= square)
                 && square > 0;
-        return inside ? Math.abs(Space.dot(w, n)) / Math.sqrt(square) : Double.POSITIVE_INFINITY;
+        return inside ? Math.abs(Vec.dot(w, n)) / Math.sqrt(square) : Double.POSITIVE_INFINITY;
     }
 
     private static double segments(double[] p, double[] q, double[] r, double[] s) {
-        double[] u = Space.sum(q, p, -1);
-        double[] v = Space.sum(s, r, -1);
-        double[] w = Space.sum(p, r, -1);
-        double[] n = Space.cross(u, v);
-        double nn = Space.dot(n, n);
+        double[] u = Vec.plus(q, -1, p);
+        double[] v = Vec.plus(s, -1, r);
+        double[] w = Vec.plus(p, -1, r);
+        double[] n = Vec.cross(u, v);
+        double nn = Vec.dot(n, n);
         double best = Double.POSITIVE_INFINITY;
         if (nn > 0) {
-            double i = Space.dot(Space.cross(v, w), n);
-            double j = Space.dot(Space.cross(u, w), n);
+            double i = Vec.dot(Vec.cross(v, w), n);
+            double j = Vec.dot(Vec.cross(u, w), n);
             if (i >= 0 && i <= nn && j >= 0 && j <= nn) {
-                best = Math.abs(Space.dot(w, n)) / Math.sqrt(nn);
+                best = Math.abs(Vec.dot(w, n)) / Math.sqrt(nn);
             }
         }
         best = Math.min(best, Math.min(fromSegment(p, r, s), fromSegment(q, r, s)));
@@ -118,31 +118,31 @@ final class SolidGap {
     }
 
     private static double fromSegment(double[] p, double[] q, double[] r) {
-        double[] u = Space.sum(r, q, -1);
-        double[] w = Space.sum(p, q, -1);
-        double uu = Space.dot(u, u);
-        double share = uu > 0 ? Math.max(0, Math.min(1, Space.dot(u, w) / uu)) : 0;
-        return Space.length(Space.sum(w, u, -share));
+        double[] u = Vec.plus(r, -1, q);
+        double[] w = Vec.plus(p, -1, q);
+        double uu = Vec.dot(u, u);
+        double share = uu > 0 ? Math.max(0, Math.min(1, Vec.dot(u, w) / uu)) : 0;
+        return Vec.length(Vec.plus(w, -share, u));
     }
 
     /** From a point to a solid, 0 inside; a sphere counts as its centre. */
     private static double fromPoint(Solid to, double[] p) {
-        double[] w = Space.sum(p, to.centre, -1);
+        double[] w = Vec.plus(p, -1, to.centre);
         if (to.kind == LeafKind.CYLINDER) {
-            double along = Space.dot(w, to.axis);
-            double out = Math.max(0, Space.length(Space.sum(w, to.axis, -along)) - to.radius);
+            double along = Vec.dot(w, to.axis);
+            double out = Math.max(0, Vec.length(Vec.plus(w, -along, to.axis)) - to.radius);
             double up = Math.max(0, Math.abs(along) - to.half);
             return up == 0 ? out : out == 0 ? up : Math.sqrt(up * up + out * out);
         }
         if (to.kind == LeafKind.SPHERE) {
-            return Space.length(w);
+            return Vec.length(w);
         }
         double best = Double.POSITIVE_INFINITY;
         boolean inside = to.kind == LeafKind.BOX;
         for (int k = 0; k < 3 && inside; k++) {
-            double[] e = Space.sum(to.corners[1 << k], to.corners[0], -1);
-            double along = Space.dot(Space.sum(p, to.corners[0], -1), e);
-            double square = Space.dot(e, e);
+            double[] e = Vec.plus(to.corners[1 << k], -1, to.corners[0]);
+            double along = Vec.dot(Vec.plus(p, -1, to.corners[0]), e);
+            double square = Vec.dot(e, e);
             inside = square > 0 && along >= 0 && along <= square;
         }
         if (inside) {
@@ -159,18 +159,18 @@ final class SolidGap {
 
     private void roundAndFlat(Solid round, Solid flat) {
         for (int[] side : flat.sides) {
-            double[] u = Space.sum(flat.corners[side[1]], flat.corners[side[0]], -1);
-            double[] v = Space.sum(flat.corners[side[2]], flat.corners[side[0]], -1);
-            double[] n = Space.unit(Space.cross(u, v));
-            if (Space.dot(n, Space.sum(round.centre, flat.corners[side[0]], -1)) < 0) {
-                n = Space.sum(new double[3], n, -1);
+            double[] u = Vec.plus(flat.corners[side[1]], -1, flat.corners[side[0]]);
+            double[] v = Vec.plus(flat.corners[side[2]], -1, flat.corners[side[0]]);
+            double[] n = Vec.unit(Vec.cross(u, v));
+            if (Vec.dot(n, Vec.plus(round.centre, -1, flat.corners[side[0]])) < 0) {
+                n = Vec.plus(new double[3], -1, n);
             }
-            double along = Space.dot(n, round.axis);
-            double[] across = Space.sum(n, round.axis, -along);
-            double[] p = Space.sum(round.centre, round.axis, along > 0 ? -round.half : round.half);
-            double length = Space.length(across);
+            double along = Vec.dot(n, round.axis);
+            double[] across = Vec.plus(n, -along, round.axis);
+            double[] p = Vec.plus(round.centre, along > 0 ? -round.half : round.half, round.axis);
+            double length = Vec.length(across);
             take(
-                    aboveSide(length > 0 ? Space.sum(p, across, -round.radius / length) : p, flat, side),
+                    aboveSide(length > 0 ? Vec.plus(p, -round.radius / length, across) : p, flat, side),
                     Meeting.RIM_ON_SIDE);
             take(
                     aboveSide(p, flat, side) == Double.POSITIVE_INFINITY || length > 1e-12
@@ -180,8 +180,8 @@ final class SolidGap {
         }
         for (int[] e : flat.edges) {
             double[] p = flat.corners[e[0]];
-            double[] way = Space.sum(flat.corners[e[1]], p, -1);
-            double far = fromPoint(round, Space.sum(p, way, 0.5)) - 0.5 * Space.length(way);
+            double[] way = Vec.plus(flat.corners[e[1]], -1, p);
+            double far = fromPoint(round, Vec.plus(p, 0.5, way)) - 0.5 * Vec.length(way);
             if (far >= distance) {
                 continue;
             }
@@ -190,49 +190,49 @@ final class SolidGap {
             double high = 1;
             double s = 1 - GOLDEN;
             double t = GOLDEN;
-            double atS = fromPoint(round, Space.sum(p, way, s));
-            double atT = fromPoint(round, Space.sum(p, way, t));
+            double atS = fromPoint(round, Vec.plus(p, s, way));
+            double atT = fromPoint(round, Vec.plus(p, t, way));
             for (int k = 0; k < 60; k++) {
                 if (atS <= atT) {
                     high = t;
                     t = s;
                     atT = atS;
                     s = high - GOLDEN * (high - low);
-                    atS = fromPoint(round, Space.sum(p, way, s));
+                    atS = fromPoint(round, Vec.plus(p, s, way));
                 } else {
                     low = s;
                     s = t;
                     atS = atT;
                     t = low + GOLDEN * (high - low);
-                    atT = fromPoint(round, Space.sum(p, way, t));
+                    atT = fromPoint(round, Vec.plus(p, t, way));
                 }
             }
-            double[] foot = Space.sum(p, way, 0.5 * (low + high));
+            double[] foot = Vec.plus(p, 0.5 * (low + high), way);
             double found = Math.min(
                     fromPoint(round, foot), Math.min(fromPoint(round, p), fromPoint(round, flat.corners[e[1]])));
-            double up = Math.abs(Space.dot(Space.sum(foot, round.centre, -1), round.axis));
+            double up = Math.abs(Vec.dot(Vec.plus(foot, -1, round.centre), round.axis));
             take(found, up < round.half ? Meeting.MANTLE_ON_EDGE : Meeting.RIM_ON_EDGE);
         }
     }
 
     private void mantles(Solid a, Solid b) {
-        double[] n = Space.cross(a.axis, b.axis);
-        double nn = Space.dot(n, n);
-        double[] w = Space.sum(a.centre, b.centre, -1);
-        double i = Space.dot(Space.cross(b.axis, w), n);
-        double j = Space.dot(Space.cross(a.axis, w), n);
+        double[] n = Vec.cross(a.axis, b.axis);
+        double nn = Vec.dot(n, n);
+        double[] w = Vec.plus(a.centre, -1, b.centre);
+        double i = Vec.dot(Vec.cross(b.axis, w), n);
+        double j = Vec.dot(Vec.cross(a.axis, w), n);
         if (nn > 1e-24 && Math.abs(i) <= a.half * nn && Math.abs(j) <= b.half * nn) {
-            take(Math.abs(Space.dot(w, n)) / Math.sqrt(nn) - a.radius - b.radius, Meeting.MANTLES);
+            take(Math.abs(Vec.dot(w, n)) / Math.sqrt(nn) - a.radius - b.radius, Meeting.MANTLES);
         }
     }
 
     /** The rims of one, as circles, against the other. */
     private void rims(Solid of, Solid to) {
-        double[] u = Space.unit(
-                Space.cross(of.axis, Math.abs(of.axis[0]) < 0.8 ? new double[] {1, 0, 0} : new double[] {0, 1, 0}));
-        double[] v = Space.cross(of.axis, u);
+        double[] u = Vec.unit(
+                Vec.cross(of.axis, Math.abs(of.axis[0]) < 0.8 ? new double[] {1, 0, 0} : new double[] {0, 1, 0}));
+        double[] v = Vec.cross(of.axis, u);
         for (int way = -1; way <= 1; way += 2) {
-            double[] c = Space.sum(of.centre, of.axis, way * of.half);
+            double[] c = Vec.plus(of.centre, way * of.half, of.axis);
             if (fromPoint(to, c) - of.radius >= distance) {
                 continue;
             }
@@ -273,15 +273,15 @@ final class SolidGap {
 
     /** How far the other is above a cap, where its nearest point to the cap's plane is over the cap. */
     private static double cap(Solid of, Solid to, double[] c, int way) {
-        double[] n = Space.sum(new double[3], of.axis, way);
-        double along = Space.dot(n, to.axis);
-        double[] across = Space.sum(n, to.axis, -along);
-        double length = Space.length(across);
-        double[] p = Space.sum(to.centre, to.axis, along > 0 ? -to.half : to.half);
-        p = length > 0 ? Space.sum(p, across, -to.radius / length) : p;
-        double[] w = Space.sum(p, c, -1);
-        double up = Space.dot(w, n);
-        boolean over = up >= 0 && Space.length(Space.sum(w, n, -up)) <= of.radius;
+        double[] n = Vec.plus(new double[3], way, of.axis);
+        double along = Vec.dot(n, to.axis);
+        double[] across = Vec.plus(n, -along, to.axis);
+        double length = Vec.length(across);
+        double[] p = Vec.plus(to.centre, along > 0 ? -to.half : to.half, to.axis);
+        p = length > 0 ? Vec.plus(p, -to.radius / length, across) : p;
+        double[] w = Vec.plus(p, -1, c);
+        double up = Vec.dot(w, n);
+        boolean over = up >= 0 && Vec.length(Vec.plus(w, -up, n)) <= of.radius;
         return over ? up : Double.POSITIVE_INFINITY;
     }
 }

@@ -263,7 +263,7 @@ abstract class SpatialMotion implements Kernel {
 
     private static void shape(LeafKind kind, double[] row, SplittableRandom random, boolean adversarial) {
         Arrays.fill(row, 0);
-        double[] turn = Space.turn(Space.direction(random), random.nextDouble(-180, 180));
+        double[] turn = Vec.turn(Vec.direction(random), random.nextDouble(-180, 180));
         for (int k = 0; k < 3; k++) {
             double low = adversarial ? -3 : -1;
             row[3 + k] = adversarial && random.nextInt(24) == 0 ? 0 : StrictMath.pow(10, random.nextDouble(low, 0));
@@ -287,10 +287,10 @@ abstract class SpatialMotion implements Kernel {
     /** Puts both rows where features meet at a share; both come as drawn, at the origin. */
     private void place(SplittableRandom random, boolean aimed, boolean touching, double contact, boolean into) {
         Arrays.fill(origin, 0);
-        move(kindA, a, Space.sum(new double[3], Space.direction(random), random.nextDouble(0, 1.5)));
+        move(kindA, a, Vec.plus(new double[3], random.nextDouble(0, 1.5), Vec.direction(random)));
         Solid first = Solid.of(kindA, a, origin);
         Solid second = Solid.of(kindB, b, origin);
-        normal = Space.direction(random);
+        normal = Vec.direction(random);
         // What starts in contact has one way out: where a side, or something round, is met.
         int[] ways = first.isPolytope() && second.isPolytope()
                 ? FLAT
@@ -298,12 +298,12 @@ abstract class SpatialMotion implements Kernel {
         switch (touching ? random.nextInt(2) : ways[random.nextInt(ways.length)]) {
             case 0 -> normal = second.normal(random);
             case 1 -> normal = first.normal(random);
-            case 2 -> normal = Space.unit(Space.cross(first.edge(random), second.edge(random)));
-            case 3 -> normal = Space.unit(Space.cross(first.edge(random), normal));
-            case 4 -> normal = Space.unit(Space.cross(second.edge(random), normal));
+            case 2 -> normal = Vec.unit(Vec.cross(first.edge(random), second.edge(random)));
+            case 3 -> normal = Vec.unit(Vec.cross(first.edge(random), normal));
+            case 4 -> normal = Vec.unit(Vec.cross(second.edge(random), normal));
             default -> {}
         }
-        double[] against = Space.sum(new double[3], normal, -1);
+        double[] against = Vec.plus(new double[3], -1, normal);
         point = first.furthest(against, random);
         double size = first.reach() + second.reach();
         double apart = touching
@@ -312,26 +312,26 @@ abstract class SpatialMotion implements Kernel {
                         ? (random.nextInt(3) == 0 ? -1 : 1) * size * StrictMath.pow(10, random.nextDouble(-12, -3))
                         : size * random.nextDouble(-0.4, 0);
         double[] q = second.furthest(normal, random);
-        move(kindB, b, Space.sum(Space.sum(point, q, -1), normal, -apart));
+        move(kindB, b, Vec.plus(Vec.plus(point, -1, q), -apart, normal));
         draw(random, aimed, into || !touching ? contact : -1);
         double[] back = turn(-contact);
         double[] shift = shift(-contact);
         Solid unturned = Solid.of(kindA, a, origin);
         if (kindA == LeafKind.TRIANGLE) {
             for (int m = 0; m < 3; m++) {
-                System.arraycopy(Space.sum(Space.times(back, unturned.corners[m]), shift, 1), 0, a, 3 * m, 3);
+                System.arraycopy(Vec.plus(Vec.times(back, unturned.corners[m]), 1, shift), 0, a, 3 * m, 3);
             }
         } else {
-            System.arraycopy(Space.sum(Space.times(back, unturned.centre), shift, 1), 0, a, 0, 3);
+            System.arraycopy(Vec.plus(Vec.times(back, unturned.centre), 1, shift), 0, a, 0, 3);
             for (int k = 0; k < 3 && kindA != LeafKind.SPHERE; k++) {
-                double[] column = Space.times(back, new double[] {a[6 + k], a[9 + k], a[12 + k]});
+                double[] column = Vec.times(back, new double[] {a[6 + k], a[9 + k], a[12 + k]});
                 for (int m = 0; m < 3; m++) {
                     a[6 + 3 * m + k] = column[m];
                 }
             }
         }
         if (aimed && !touching && random.nextInt(8) == 0) {
-            double[] far = Space.sum(new double[3], Space.direction(random), 1e3);
+            double[] far = Vec.plus(new double[3], 1e3, Vec.direction(random));
             move(kindA, a, far);
             move(kindB, b, far);
             System.arraycopy(far, 0, origin, 0, 3);

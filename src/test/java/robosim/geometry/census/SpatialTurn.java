@@ -18,28 +18,28 @@ final class SpatialTurn extends SpatialMotion {
 
     @Override
     void draw(SplittableRandom random, boolean aimed, double contact) {
-        axis = Space.direction(random);
+        axis = Vec.direction(random);
         if (aimed && contact > 0 && random.nextInt(5) > 1) {
             // Tangent: the velocity w x p has nothing of the normal.
-            axis = Space.unit(Space.sum(
-                    Space.sum(new double[3], normal, random.nextDouble(-1, 1)), point, random.nextDouble(-1, 1)));
+            axis = Vec.unit(Vec.plus(
+                    Vec.plus(new double[3], random.nextDouble(-1, 1), normal), random.nextDouble(-1, 1), point));
         }
         degrees = random.nextInt(4) == 0 ? random.nextDouble(5, 800) : random.nextDouble(5, 120);
-        double along = Space.dot(Space.cross(axis, point), normal);
+        double along = Vec.dot(Vec.cross(axis, point), normal);
         // Against the normal at the contact, or with it where it starts there to go away.
         boolean against = contact >= 0;
         if (along > 0 == against && (contact <= 0 || random.nextInt(5) > 0)) {
             degrees = -degrees;
         }
         if (contact <= 0 && Math.abs(along) < 1e-3) {
-            axis = Space.unit(Space.cross(point, normal));
+            axis = Vec.unit(Vec.cross(point, normal));
             degrees = against ? -Math.abs(degrees) : Math.abs(degrees);
         }
     }
 
     @Override
     double[] turn(double share) {
-        return Space.turn(axis, share * degrees);
+        return Vec.turn(axis, share * degrees);
     }
 
     @Override

@@ -16,19 +16,19 @@ final class SpatialWay extends SpatialMotion {
 
     @Override
     void draw(SplittableRandom random, boolean aimed, double contact) {
-        double[] d = Space.direction(random);
+        double[] d = Vec.direction(random);
         if (aimed && contact > 0 && random.nextBoolean()) {
-            d = Space.unit(Space.sum(d, normal, -Space.dot(d, normal))); // tangent
+            d = Vec.unit(Vec.plus(d, -Vec.dot(d, normal), normal)); // tangent
         }
-        double along = Space.dot(d, normal);
+        double along = Vec.dot(d, normal);
         boolean against = contact >= 0;
         if (along > 0 == against && (contact <= 0 || random.nextInt(5) > 0)) {
-            d = Space.sum(new double[3], d, -1);
+            d = Vec.plus(new double[3], -1, d);
         }
         if (contact <= 0 && Math.abs(along) < 1e-3) {
-            d = Space.sum(new double[3], normal, against ? -1 : 1);
+            d = Vec.plus(new double[3], against ? -1 : 1, normal);
         }
-        way = Space.sum(new double[3], d, StrictMath.pow(10, random.nextDouble(-1, 1)));
+        way = Vec.plus(new double[3], StrictMath.pow(10, random.nextDouble(-1, 1)), d);
     }
 
     @Override
@@ -38,12 +38,12 @@ final class SpatialWay extends SpatialMotion {
 
     @Override
     double[] shift(double share) {
-        return Space.sum(new double[3], way, share);
+        return Vec.plus(new double[3], share, way);
     }
 
     @Override
     double speed(double reach) {
-        return Space.length(way);
+        return Vec.length(way);
     }
 
     @Override
@@ -59,7 +59,7 @@ final class SpatialWay extends SpatialMotion {
 
     @Override
     double bound(double reach, double sizes) {
-        return 0x1p-42 * (sizes + Space.length(way));
+        return 0x1p-42 * (sizes + Vec.length(way));
     }
 
     @Override

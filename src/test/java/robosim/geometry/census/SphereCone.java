@@ -3,8 +3,9 @@ package robosim.geometry.census;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
-import robosim.geometry.census.Twofold.Vector;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.Twofold;
+import robosim.geometry.reference.Twofold.Vector;
 
 /** How far a cone in space hears a sphere. */
 final class SphereCone implements Kernel {

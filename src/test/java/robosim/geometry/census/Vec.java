@@ -2,7 +2,7 @@ package robosim.geometry.census;
 
 import java.util.SplittableRandom;
 
-/** Three numbers. */
+/** Vectors and turns of the twins, in plain doubles. */
 final class Vec {
     private Vec() {}
 
@@ -27,8 +27,17 @@ final class Vec {
         return Math.sqrt(dot(p, p));
     }
 
+    /** A vector at length 1; the first axis for one without a length. */
     static double[] unit(double[] p) {
-        return plus(new double[3], 1 / length(p), p);
+        double length = length(p);
+        return length > 0 ? new double[] {p[0] / length, p[1] / length, p[2] / length} : new double[] {1, 0, 0};
+    }
+
+    static double between(double[] p, double[] q) {
+        double x = p[0] - q[0];
+        double y = p[1] - q[1];
+        double z = p[2] - q[2];
+        return Math.sqrt(x * x + y * y + z * z);
     }
 
     /** What is left of p square to a unit vector, and again, as the first leaves a rounding of p. */
@@ -64,5 +73,32 @@ final class Vec {
             }
         }
         return out;
+    }
+
+    /** The matrix, row by row, of a turn about a unit axis. */
+    static double[] turn(double[] w, double degrees) {
+        double c = StrictMath.cos(Math.toRadians(degrees));
+        double s = StrictMath.sin(Math.toRadians(degrees));
+        double half = StrictMath.sin(Math.toRadians(0.5 * degrees));
+        double d = 2 * half * half; // 1 - cos, of a small angle too
+        return new double[] {
+            c + d * w[0] * w[0],
+            d * w[0] * w[1] - s * w[2],
+            d * w[0] * w[2] + s * w[1],
+            d * w[1] * w[0] + s * w[2],
+            c + d * w[1] * w[1],
+            d * w[1] * w[2] - s * w[0],
+            d * w[2] * w[0] - s * w[1],
+            d * w[2] * w[1] + s * w[0],
+            c + d * w[2] * w[2]
+        };
+    }
+
+    static double[] times(double[] m, double[] p) {
+        return new double[] {
+            m[0] * p[0] + m[1] * p[1] + m[2] * p[2],
+            m[3] * p[0] + m[4] * p[1] + m[5] * p[2],
+            m[6] * p[0] + m[7] * p[1] + m[8] * p[2]
+        };
     }
 }

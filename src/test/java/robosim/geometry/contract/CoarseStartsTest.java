@@ -23,7 +23,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /**
- * Whatever EXACT refuses, every level refuses at the same fraction or before, from every kind of start; some four
+ * Whatever EXACT refuses, every level refuses at the same fraction or before, from every kind of start; some two
  * thousand motions for each level in an ordinary build, a million under {@code -Pstress}.
  *
  * <p>The system properties {@code stress.levels} and {@code stress.seed} are how many motions there are for each level and
@@ -31,7 +31,7 @@ import robosim.geometry.model.SphereObject;
  */
 @Tag("slow")
 class CoarseStartsTest {
-    private static final int CASES = Integer.getInteger("stress.levels", Effort.cases(16_000));
+    private static final int CASES = Integer.getInteger("stress.levels", Effort.cases(8_000));
     private static final long SEED = Long.getLong("stress.seed", 20_261_126);
     private static final int ASKED = 20;
     private static final Dimension[] DIMENSIONS = Dimension.values();

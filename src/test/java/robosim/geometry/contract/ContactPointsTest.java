@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
@@ -24,7 +25,7 @@ class ContactPointsTest {
     /** World units; objects are about 1 large. */
     private static final double NEAR = 1e-9;
 
-    private static final int CASES = 12_000;
+    private static final int CASES = Effort.cases(12_000);
 
     private final SplittableRandom random = new SplittableRandom(261124);
 

@@ -39,7 +39,7 @@ import robosim.geometry.model.Point;
 @Tag("slow")
 class SnapshotTest {
     private static final double SIZE = 64;
-    private static final int QUESTIONS = Effort.cases(450, 450);
+    private static final int QUESTIONS = Effort.cases(450, 300);
     private static final int SEED = 12;
 
     /** Of all objects; one in so many moves. */

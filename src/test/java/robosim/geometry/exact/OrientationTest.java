@@ -6,16 +6,18 @@ import static robosim.geometry.exact.Samples.big;
 import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.function.IntSupplier;
 import org.junit.jupiter.api.Test;
 
 class OrientationTest {
+    private final int[] signs = new int[3];
+    private int quick;
+    private int expanded;
+    private int dyadic;
+
     @Test
     void sidesAreThoseOfTheDecimals() {
         SplittableRandom random = new SplittableRandom(11);
-        int[] signs = new int[3];
-        int quick = 0;
-        int expanded = 0;
-        int dyadic = 0;
         int count = 12_000;
         double[] p = new double[6];
         for (int i = 0; i < count; i++) {
@@ -31,60 +33,56 @@ class OrientationTest {
             assertThat(Orientation.dyadicSide(p[0], p[1], p[2], p[3], p[4], p[5]))
                     .as(sample)
                     .isEqualTo(truth);
-            int first = Orientation.quickSide(p[0], p[1], p[2], p[3], p[4], p[5]);
-            boolean fits = Arrays.stream(p).allMatch(x -> Expansion.fits(x, 2));
-            if (first != 0) {
-                assertThat(first).as(sample).isEqualTo(truth);
-                quick++;
-            } else if (fits) {
-                expanded++;
-            } else {
-                dyadic++;
-            }
-            if (fits) {
-                assertThat(Orientation.expandedSide(p[0], p[1], p[2], p[3], p[4], p[5]))
-                        .as(sample)
-                        .isEqualTo(truth);
-            }
-            signs[1 + truth]++;
+            assertStages(
+                    p,
+                    2,
+                    truth,
+                    Orientation.quickSide(p[0], p[1], p[2], p[3], p[4], p[5]),
+                    () -> Orientation.expandedSide(p[0], p[1], p[2], p[3], p[4], p[5]));
         }
-        assertThat(Arrays.stream(signs).min().orElse(0)).isGreaterThan(count / 20);
-        assertThat(quick).isGreaterThan(count / 5);
-        assertThat(expanded).isGreaterThan(count / 20);
-        assertThat(dyadic).isGreaterThan(count / 20);
+        assertMixed(count);
     }
 
     @Test
     void volumesAreThoseOfTheDecimals() {
         SplittableRandom random = new SplittableRandom(12);
-        int[] signs = new int[3];
-        int quick = 0;
-        int expanded = 0;
-        int dyadic = 0;
         int count = 6_000;
         double[] p = new double[12];
         for (int i = 0; i < count; i++) {
             spatial(random, i % 5, p);
-            String sample = Arrays.toString(p);
             int truth = volume(p);
-            assertThat(Orientation.volume(p, p[9], p[10], p[11])).as(sample).isEqualTo(truth);
-            int first = Orientation.quickVolume(p, p[9], p[10], p[11]);
-            boolean fits = Arrays.stream(p).allMatch(x -> Expansion.fits(x, 3));
-            if (first != 0) {
-                assertThat(first).as(sample).isEqualTo(truth);
-                quick++;
-            } else if (fits) {
-                expanded++;
-            } else {
-                dyadic++;
-            }
-            if (fits) {
-                assertThat(Orientation.expandedVolume(p, p[9], p[10], p[11]))
-                        .as(sample)
-                        .isEqualTo(truth);
-            }
-            signs[1 + truth]++;
+            assertThat(Orientation.volume(p, p[9], p[10], p[11]))
+                    .as(Arrays.toString(p))
+                    .isEqualTo(truth);
+            assertStages(
+                    p,
+                    3,
+                    truth,
+                    Orientation.quickVolume(p, p[9], p[10], p[11]),
+                    () -> Orientation.expandedVolume(p, p[9], p[10], p[11]));
         }
+        assertMixed(count);
+    }
+
+    /** Each stage that decides is right; counts which has to. */
+    private void assertStages(double[] p, int factors, int truth, int first, IntSupplier expansion) {
+        String sample = Arrays.toString(p);
+        boolean fits = Arrays.stream(p).allMatch(x -> Expansion.fits(x, factors));
+        if (first != 0) {
+            assertThat(first).as(sample).isEqualTo(truth);
+            quick++;
+        } else if (fits) {
+            expanded++;
+        } else {
+            dyadic++;
+        }
+        if (fits) {
+            assertThat(expansion.getAsInt()).as(sample).isEqualTo(truth);
+        }
+        signs[1 + truth]++;
+    }
+
+    private void assertMixed(int count) {
         assertThat(Arrays.stream(signs).min().orElse(0)).isGreaterThan(count / 20);
         assertThat(quick).isGreaterThan(count / 5);
         assertThat(expanded).isGreaterThan(count / 20);

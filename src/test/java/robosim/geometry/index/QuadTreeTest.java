@@ -7,6 +7,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Objects;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -100,6 +101,7 @@ public class QuadTreeTest {
             if (step % 4 == 0) {
                 double[] query = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
                 found += assertBox(tree, cursor, boxes, query);
+                assertGathered(cursor, boxes, query, random.nextInt(-1, boxes.length));
                 asked += tree.size();
             }
         }
@@ -112,52 +114,32 @@ public class QuadTreeTest {
         assertBox(tree, cursor, new double[0][], new double[] {-1e300, -1e300, 1e300, 1e300});
     }
 
-    @ParameterizedTest
-    @EnumSource
-    void gathersAllThatIsNear(Scene scene) {
-        SplittableRandom random = new SplittableRandom(61 + scene.ordinal());
-        double[][] boxes = new double[300][];
-        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
-        QuadCursor cursor = tree.cursor();
-        int found = 0;
-        int asked = 0;
-        int steps = Effort.cases(3000, 600);
-        for (int step = 0; step < steps; step++) {
-            int id = random.nextInt(boxes.length);
-            churn(tree, boxes, id, scene, random, step);
-            if (step % 4 == 0) {
-                double[] query = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
-                found += assertGathered(tree, cursor, boxes, query, random.nextInt(-1, boxes.length));
-                asked += tree.size();
-            }
-        }
-        assertThat(found).isBetween(1, asked - (scene == Scene.ONE_PLACE ? 0 : 1));
-    }
-
     private static boolean meet(double[] a, double[] b) {
         return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
     }
 
-    /** What meets the box is there, but for one; and all that is there is listed by bounds that are just a little wider. */
-    private static int assertGathered(QuadTree tree, QuadCursor cursor, double[][] boxes, double[] query, int but) {
-        BitSet expected = new BitSet();
-        for (int id = 0; id < boxes.length; id++) {
-            if (boxes[id] != null && id != but && meet(boxes[id], query)) {
-                expected.set(id);
-            }
+    /** What touches the box is gathered, except one. */
+    private static void assertGathered(QuadCursor cursor, double[][] boxes, double[] query, int but) {
+        BitSet missed = meeting(boxes, query);
+        if (but >= 0) {
+            missed.clear(but);
         }
-        BitSet gathered = new BitSet();
         int count = cursor.gather(query[0], query[1], query[2], query[3], but, outlines(cursor));
         for (int k = 0; k < count; k++) {
-            gathered.set(cursor.gathered(k));
+            assertThat(cursor.gathered(k)).isNotEqualTo(but);
+            missed.clear(cursor.gathered(k));
         }
-        assertThat(gathered.get(but < 0 ? boxes.length : but)).isFalse();
-        BitSet missed = (BitSet) expected.clone();
-        missed.andNot(gathered);
         assertThat(missed.isEmpty())
-                .as("%s of %s misses %s", Arrays.toString(query), tree.size(), missed)
+                .as("%s misses %s", Arrays.toString(query), missed)
                 .isTrue();
-        return expected.cardinality();
+    }
+
+    private static BitSet meeting(double[][] boxes, double[] query) {
+        BitSet ids = new BitSet();
+        for (int id = 0; id < boxes.length; id++) {
+            ids.set(id, boxes[id] != null && meet(boxes[id], query));
+        }
+        return ids;
     }
 
     @ParameterizedTest
@@ -579,19 +561,7 @@ public class QuadTreeTest {
     }
 
     private static int assertBox(QuadTree tree, QuadCursor cursor, double[][] boxes, double[] query) {
-        BitSet expected = new BitSet();
-        int size = 0;
-        for (int id = 0; id < boxes.length; id++) {
-            double[] box = boxes[id];
-            size += box == null ? 0 : 1;
-            expected.set(
-                    id,
-                    box != null
-                            && box[0] <= query[2]
-                            && query[0] <= box[2]
-                            && box[1] <= query[3]
-                            && query[1] <= box[3]);
-        }
+        BitSet expected = meeting(boxes, query);
         BitSet ids = new BitSet();
         cursor.startBox(query[0], query[1], query[2], query[3]);
         for (int id = cursor.next(); id >= 0; id = cursor.next()) {
@@ -600,7 +570,8 @@ public class QuadTreeTest {
         }
         assertThat(ids).isEqualTo(expected);
         assertNear(cursor, query, expected);
-        assertThat(tree.size()).isEqualTo(size);
+        assertThat((long) tree.size())
+                .isEqualTo(Arrays.stream(boxes).filter(Objects::nonNull).count());
         return ids.cardinality();
     }
 

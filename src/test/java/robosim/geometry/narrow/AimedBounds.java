@@ -11,6 +11,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.CylinderCylinder;
+import robosim.geometry.reference.Decimals;
 
 /**
  * Filters that a question at random seldom brings to their bound, each asked about what is built so that its roundings add
@@ -89,16 +90,14 @@ public final class AimedBounds {
         double rest = far - a[given];
         b[given] = rest + random.nextInt(-4, 5) * Math.ulp(rest);
         BigDecimal[] w =
-                CylinderTwin.minus(CylinderTwin.decimals(b[0], b[1], b[2]), CylinderTwin.decimals(a[0], a[1], a[2]));
+                Decimals.minus(CylinderTwin.decimals(b[0], b[1], b[2]), CylinderTwin.decimals(a[0], a[1], a[2]));
         BigDecimal[] axis = CylinderTwin.decimals(a[7], a[10], a[13]);
-        BigDecimal square = CylinderTwin.dot(axis, axis);
-        BigDecimal[] cross = CylinderTwin.cross(w, axis);
+        BigDecimal square = Decimals.dot(axis, axis);
+        BigDecimal[] cross = Decimals.cross(w, axis);
         BigDecimal heights = new BigDecimal(a[4]).add(new BigDecimal(b[4])).multiply(square);
         BigDecimal radii = new BigDecimal(a[3]).add(new BigDecimal(b[3]));
-        boolean truth = CylinderTwin.dot(w, axis).abs().compareTo(heights) <= 0
-                && CylinderTwin.dot(cross, cross)
-                                .compareTo(radii.multiply(radii).multiply(square))
-                        <= 0;
+        boolean truth = Decimals.dot(w, axis).abs().compareTo(heights) <= 0
+                && Decimals.dot(cross, cross).compareTo(radii.multiply(radii).multiply(square)) <= 0;
         return CylinderCylinder.touch(
                         new Leaf(LeafKind.CYLINDER, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.overlap)
                 != truth;

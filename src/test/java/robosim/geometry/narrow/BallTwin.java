@@ -1,5 +1,10 @@
 package robosim.geometry.narrow;
 
+import static robosim.geometry.reference.Decimals.cross;
+import static robosim.geometry.reference.Decimals.dot;
+import static robosim.geometry.reference.Decimals.minus;
+import static robosim.geometry.reference.Decimals.vector;
+
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,7 +26,7 @@ public final class BallTwin {
         BigDecimal[] centre = vector(sphere[0], sphere[1], sphere[2]);
         List<BigDecimal[]> rest = kindB == LeafKind.SPHERE
                 ? List.<BigDecimal[]>of(vector(b[0], b[1], b[2]))
-                : DecimalAxes.corners(kindB, b);
+                : FlatTwin.cornersInSpace(kindB, b);
         for (BigDecimal[] corner : rest) {
             corners.add(minus(corner, centre));
         }
@@ -79,25 +84,5 @@ public final class BallTwin {
                 && dot(cross(p, q), normal).signum() >= 0
                 && dot(cross(q, r), normal).signum() >= 0
                 && dot(cross(r, p), normal).signum() >= 0;
-    }
-
-    static BigDecimal[] vector(double x, double y, double z) {
-        return new BigDecimal[] {new BigDecimal(x), new BigDecimal(y), new BigDecimal(z)};
-    }
-
-    private static BigDecimal dot(BigDecimal[] p, BigDecimal[] q) {
-        return p[0].multiply(q[0]).add(p[1].multiply(q[1])).add(p[2].multiply(q[2]));
-    }
-
-    private static BigDecimal[] minus(BigDecimal[] p, BigDecimal[] q) {
-        return new BigDecimal[] {p[0].subtract(q[0]), p[1].subtract(q[1]), p[2].subtract(q[2])};
-    }
-
-    private static BigDecimal[] cross(BigDecimal[] p, BigDecimal[] q) {
-        return new BigDecimal[] {
-            p[1].multiply(q[2]).subtract(p[2].multiply(q[1])),
-            p[2].multiply(q[0]).subtract(p[0].multiply(q[2])),
-            p[0].multiply(q[1]).subtract(p[1].multiply(q[0]))
-        };
     }
 }

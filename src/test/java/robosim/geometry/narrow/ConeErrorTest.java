@@ -17,6 +17,7 @@ import robosim.geometry.narrow.cone.Cone;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.reference.DecimalRoot;
+import robosim.geometry.reference.Decimals;
 
 /** Verdicts and distances of cones against decimals of 60 digits, in which the cosine is the stored one. */
 class ConeErrorTest {
@@ -304,11 +305,11 @@ class ConeErrorTest {
         Cone cone = new Cone();
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         cone.set(new BeamAxis().line(0.1, 0.2, 0.3, d[0], d[1], d[2]).widen(cos, sin), 0.2);
-        BigDecimal[] q = CylinderTwin.minus(CylinderTwin.decimals(p), CylinderTwin.decimals(0.1, 0.2, 0.3));
+        BigDecimal[] q = Decimals.minus(CylinderTwin.decimals(p), CylinderTwin.decimals(0.1, 0.2, 0.3));
         BigDecimal[] axis = CylinderTwin.decimals(d);
-        BigDecimal length = root(CylinderTwin.dot(q, q));
-        BigDecimal depth = CylinderTwin.dot(q, axis)
-                .divide(root(CylinderTwin.dot(axis, axis)), DIGITS)
+        BigDecimal length = root(Decimals.dot(q, q));
+        BigDecimal depth = Decimals.dot(q, axis)
+                .divide(root(Decimals.dot(axis, axis)), DIGITS)
                 .subtract(new BigDecimal(cos).multiply(length));
         BigDecimal off = new BigDecimal(cone.depth(p[0] - 0.1, p[1] - 0.2, p[2] - 0.3)).subtract(depth);
         assertThat(off.abs().doubleValue() / length.doubleValue()).isBetween(4.8 * 0x1p-53, 48 * 0x1p-53);

@@ -100,7 +100,7 @@ class ContactTimeTest {
             double[] a = wholeNumbers(kindA);
             double[] b = wholeNumbers(LeafKind.BOX);
             double[] d = {random.nextInt(-1, 2), random.nextInt(-1, 2), random.nextInt(-1, 2)};
-            GridHull hull = new GridHull(DecimalAxes.corners(kindA, a), DecimalAxes.corners(LeafKind.BOX, b));
+            GridHull hull = new GridHull(FlatTwin.cornersInSpace(kindA, a), FlatTwin.cornersInSpace(LeafKind.BOX, b));
             if (!hull.touches()) {
                 continue;
             }
@@ -262,7 +262,7 @@ class ContactTimeTest {
 
     static List<BigDecimal[]> corners(LeafKind kind, double[] row) {
         if (kind != LeafKind.PRISM) {
-            return DecimalAxes.corners(kind, row);
+            return FlatTwin.cornersInSpace(kind, row);
         }
         List<BigDecimal[]> corners = new ArrayList<>();
         for (BigDecimal[] corner : FlatTwin.corners(kind, row)) {

@@ -1,5 +1,8 @@
 package robosim.geometry.narrow;
 
+import static robosim.geometry.reference.Decimals.cross;
+import static robosim.geometry.reference.Decimals.dot;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -80,22 +83,6 @@ public final class CylinderTwin {
 
     public static BigDecimal root(BigDecimal square) {
         return square.signum() <= 0 ? BigDecimal.ZERO : DecimalRoot.of(square, DIGITS);
-    }
-
-    public static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
-        return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
-    }
-
-    public static BigDecimal[] cross(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {
-            a[1].multiply(b[2]).subtract(a[2].multiply(b[1])),
-            a[2].multiply(b[0]).subtract(a[0].multiply(b[2])),
-            a[0].multiply(b[1]).subtract(a[1].multiply(b[0]))
-        };
-    }
-
-    public static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
     }
 
     public static BigDecimal[] negate(BigDecimal[] a) {

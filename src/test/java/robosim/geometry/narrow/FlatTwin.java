@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import static robosim.geometry.reference.Decimals.vector;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -233,5 +235,27 @@ public final class FlatTwin {
 
     private static BigDecimal cross(BigDecimal[] p, BigDecimal[] q) {
         return p[0].multiply(q[1]).subtract(p[1].multiply(q[0]));
+    }
+
+    /** The corners of a box or a triangle in space. */
+    static List<BigDecimal[]> cornersInSpace(LeafKind kind, double[] row) {
+        List<BigDecimal[]> corners = new ArrayList<>();
+        if (kind == LeafKind.TRIANGLE) {
+            for (int k = 0; k < 9; k += 3) {
+                corners.add(vector(row[k], row[k + 1], row[k + 2]));
+            }
+            return corners;
+        }
+        for (int k = 0; k < 8; k++) {
+            BigDecimal[] corner = vector(row[0], row[1], row[2]);
+            for (int m = 0; m < 3; m++) {
+                BigDecimal h = new BigDecimal((k >> m & 1) == 0 ? row[3 + m] : -row[3 + m]);
+                for (int axis = 0; axis < 3; axis++) {
+                    corner[axis] = corner[axis].add(h.multiply(new BigDecimal(row[6 + 3 * axis + m])));
+                }
+            }
+            corners.add(corner);
+        }
+        return corners;
     }
 }

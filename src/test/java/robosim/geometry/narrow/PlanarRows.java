@@ -5,6 +5,8 @@ import java.util.SplittableRandom;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.PlanarTwin;
+import robosim.geometry.reference.Truth.Form;
 
 /** Rows of leaves for the tests of the planar kernels: of any kind, and of the awkward sort. */
 public final class PlanarRows {
@@ -83,28 +85,7 @@ public final class PlanarRows {
             upright(row, random.nextInt(3) == 0 ? 90 * random.nextInt(4) : between(360));
             return;
         }
-        // a quaternion's matrix
-        double w = between(1);
-        double x = between(1);
-        double y = between(1);
-        double z = between(1);
-        double n = Math.sqrt(w * w + x * x + y * y + z * z);
-        w /= n;
-        x /= n;
-        y /= n;
-        z /= n;
-        double[] r = {
-            1 - 2 * (y * y + z * z),
-            2 * (x * y - z * w),
-            2 * (x * z + y * w),
-            2 * (x * y + z * w),
-            1 - 2 * (x * x + z * z),
-            2 * (y * z - x * w),
-            2 * (x * z - y * w),
-            2 * (y * z + x * w),
-            1 - 2 * (x * x + y * y)
-        };
-        System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
+        System.arraycopy(Rows.rotation(random), 0, row, Leaf.ROTATION, 9);
     }
 
     public static void upright(double[] row, double heading) {
@@ -161,5 +142,28 @@ public final class PlanarRows {
 
     public double between(double size) {
         return (2 * random.nextDouble() - 1) * size;
+    }
+
+    /** The oracle's word for a kind. */
+    public static Form form(LeafKind kind) {
+        return Form.valueOf(kind.name());
+    }
+
+    /** The slow twin of any row. */
+    public static PlanarTwin twin(LeafKind kind, double[] row) {
+        return kind == LeafKind.PRISM ? PlanarTwin.octagon(row) : PlanarTwin.of(form(kind), row);
+    }
+
+    /** The twin of a point. */
+    public static PlanarTwin point(double x, double z) {
+        double[] row = new double[Leaf.STRIDE];
+        row[0] = x;
+        row[2] = z;
+        return twin(LeafKind.SPHERE, row);
+    }
+
+    /** Whether two projections touch, by exact arithmetic. */
+    public static boolean touch(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
+        return PlanarTwin.touch(form(kindA), a, form(kindB), b);
     }
 }

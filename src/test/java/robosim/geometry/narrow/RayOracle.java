@@ -1,5 +1,11 @@
 package robosim.geometry.narrow;
 
+import static robosim.geometry.reference.Decimals.cross;
+import static robosim.geometry.reference.Decimals.dot;
+import static robosim.geometry.reference.Decimals.minus;
+import static robosim.geometry.reference.Decimals.plus;
+import static robosim.geometry.reference.Decimals.times;
+
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.MathContext;
@@ -239,30 +245,6 @@ public final class RayOracle {
 
     private static BigDecimal[] vector(double[] v, int at, int step) {
         return new BigDecimal[] {big(v[at]), big(v[at + step]), big(v[at + 2 * step])};
-    }
-
-    private static BigDecimal[] plus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].add(b[0]), a[1].add(b[1]), a[2].add(b[2])};
-    }
-
-    private static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
-    }
-
-    private static BigDecimal[] times(BigDecimal[] a, BigDecimal f) {
-        return new BigDecimal[] {a[0].multiply(f), a[1].multiply(f), a[2].multiply(f)};
-    }
-
-    private static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
-        return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
-    }
-
-    private static BigDecimal[] cross(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {
-            a[1].multiply(b[2]).subtract(a[2].multiply(b[1])),
-            a[2].multiply(b[0]).subtract(a[0].multiply(b[2])),
-            a[0].multiply(b[1]).subtract(a[1].multiply(b[0]))
-        };
     }
 
     private static BigDecimal det(BigDecimal[] a, BigDecimal[] b, BigDecimal[] c) {

@@ -1,9 +1,12 @@
 package robosim.geometry.narrow;
 
+import static robosim.geometry.reference.Decimals.dot;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.reference.DecimalRoot;
+import robosim.geometry.reference.Decimals;
 
 /** The slow twin of a sphere that moves straight on at a cylinder in any attitude: the distance at 60 digits. */
 public final class RimTwin {
@@ -21,8 +24,8 @@ public final class RimTwin {
         this.d = d;
         this.cylinder = cylinder;
         axis = kind == LeafKind.CYLINDER
-                ? BallTwin.vector(cylinder[7], cylinder[10], cylinder[13])
-                : BallTwin.vector(0, 1, 0);
+                ? Decimals.vector(cylinder[7], cylinder[10], cylinder[13])
+                : Decimals.vector(0, 1, 0);
         axisSquare = dot(axis, axis);
     }
 
@@ -74,9 +77,5 @@ public final class RimTwin {
             }
         }
         return lo;
-    }
-
-    private static BigDecimal dot(BigDecimal[] p, BigDecimal[] q) {
-        return p[0].multiply(q[0]).add(p[1].multiply(q[1])).add(p[2].multiply(q[2]));
     }
 }

@@ -3,6 +3,9 @@ package robosim.geometry.narrow;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.PlanarTwin;
+import robosim.geometry.reference.Truth;
+import robosim.geometry.reference.Truth.Form;
 
 /** Rows of leaves for tests. */
 public final class Rows {
@@ -122,5 +125,12 @@ public final class Rows {
         row[8] = y - q;
         row[9] = y + q;
         return row;
+    }
+
+    /** Whether two leaves have a point in common, by exact arithmetic. */
+    public static boolean touch(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
+        Form formA = Form.valueOf(kindA.name());
+        Form formB = Form.valueOf(kindB.name());
+        return PlanarTwin.exactly(number -> Truth.spatial(number, formA, a, formB, b));
     }
 }

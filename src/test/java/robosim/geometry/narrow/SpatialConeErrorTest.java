@@ -1,6 +1,8 @@
 package robosim.geometry.narrow;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static robosim.geometry.reference.Decimals.minus;
+import static robosim.geometry.reference.Decimals.plus;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -19,6 +21,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.ray.SpatialRayTest;
 import robosim.geometry.reference.DecimalRoot;
+import robosim.geometry.reference.Decimals;
 
 /** Verdicts and distances of cones in space against decimals of 60 digits, in which the cosine is the stored one. */
 class SpatialConeErrorTest {
@@ -289,7 +292,7 @@ class SpatialConeErrorTest {
         BigDecimal r = new BigDecimal(row[3]);
         BigDecimal c = new BigDecimal(cos);
         BigDecimal s = root(BigDecimal.ONE.subtract(c.multiply(c)));
-        BigDecimal[] cross = CylinderTwin.cross(m, u);
+        BigDecimal[] cross = Decimals.cross(m, u);
         BigDecimal ahead = dot(m, u);
         BigDecimal aside = root(dot(cross, cross));
         BigDecimal past = aside.multiply(c).subtract(ahead.multiply(s));
@@ -316,7 +319,7 @@ class SpatialConeErrorTest {
                 least = least.min(edge(from, along, u, cos));
             }
             BigDecimal[] normal =
-                    CylinderTwin.cross(minus(p.get(face[1]), p.get(face[0])), minus(p.get(face[2]), p.get(face[0])));
+                    Decimals.cross(minus(p.get(face[1]), p.get(face[0])), minus(p.get(face[2]), p.get(face[0])));
             BigDecimal height = dot(normal, p.get(face[0]));
             if (inside) {
                 int middle = dot(normal, minus(centre(p), p.get(face[0]))).signum();
@@ -399,7 +402,7 @@ class SpatialConeErrorTest {
         for (int k = 0; k < face.length; k++) {
             BigDecimal[] from = p.get(face[k]);
             BigDecimal[] along = minus(p.get(face[(k + 1) % face.length]), from);
-            sides += dot(CylinderTwin.cross(along, minus(x, from)), normal).signum() >= 0 ? 1 : 0;
+            sides += dot(Decimals.cross(along, minus(x, from)), normal).signum() >= 0 ? 1 : 0;
         }
         return sides == face.length ? t : NEVER;
     }
@@ -433,19 +436,11 @@ class SpatialConeErrorTest {
     }
 
     private static BigDecimal dot(BigDecimal[] p, BigDecimal[] q) {
-        return CylinderTwin.dot(p, q).round(new MathContext(120));
+        return Decimals.dot(p, q).round(new MathContext(120));
     }
 
     private static BigDecimal root(BigDecimal square) {
         return CylinderTwin.root(square);
-    }
-
-    private static BigDecimal[] minus(BigDecimal[] p, BigDecimal[] q) {
-        return CylinderTwin.minus(p, q);
-    }
-
-    private static BigDecimal[] plus(BigDecimal[] p, BigDecimal[] q) {
-        return new BigDecimal[] {p[0].add(q[0]), p[1].add(q[1]), p[2].add(q[2])};
     }
 
     private static BigDecimal[] times(BigDecimal[] p, BigDecimal f) {

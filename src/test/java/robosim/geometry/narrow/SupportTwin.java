@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.Decimals;
 
 /** How far a leaf reaches in a direction, in decimals of 60 digits. Shares no code with the kernels. */
 public final class SupportTwin {
@@ -22,7 +23,7 @@ public final class SupportTwin {
     /** The width of the slab across n between this, which lies on the side of n, and another; negative where they overlap. */
     public BigDecimal gap(SupportTwin other, BigDecimal[] n) {
         BigDecimal width = reach(CylinderTwin.negate(n)).add(other.reach(n)).negate();
-        return width.divide(CylinderTwin.root(CylinderTwin.dot(n, n)), CylinderTwin.DIGITS);
+        return width.divide(CylinderTwin.root(Decimals.dot(n, n)), CylinderTwin.DIGITS);
     }
 
     /** The greatest n . x. */
@@ -32,17 +33,17 @@ public final class SupportTwin {
                 BigDecimal[] a = CylinderTwin.decimals(row[0], row[1], row[2]);
                 BigDecimal[] b = CylinderTwin.decimals(row[3], row[4], row[5]);
                 BigDecimal[] c = CylinderTwin.decimals(row[6], row[7], row[8]);
-                return CylinderTwin.dot(n, a).max(CylinderTwin.dot(n, b)).max(CylinderTwin.dot(n, c));
+                return Decimals.dot(n, a).max(Decimals.dot(n, b)).max(Decimals.dot(n, c));
             }
             case PRISM -> {
                 return corners.stream()
-                        .map(p -> CylinderTwin.dot(n, p))
+                        .map(p -> Decimals.dot(n, p))
                         .max(BigDecimal::compareTo)
                         .orElseThrow();
             }
             default -> {
                 BigDecimal[] centre = CylinderTwin.decimals(row[0], row[1], row[2]);
-                return CylinderTwin.dot(n, centre).add(fromCentre(n), CylinderTwin.DIGITS);
+                return Decimals.dot(n, centre).add(fromCentre(n), CylinderTwin.DIGITS);
             }
         }
     }
@@ -57,14 +58,14 @@ public final class SupportTwin {
     private BigDecimal fromCentre(BigDecimal[] n) {
         BigDecimal radius = new BigDecimal(row[3]);
         if (kind == LeafKind.SPHERE) {
-            return radius.multiply(CylinderTwin.root(CylinderTwin.dot(n, n)));
+            return radius.multiply(CylinderTwin.root(Decimals.dot(n, n)));
         }
         if (kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX) {
             BigDecimal sum = BigDecimal.ZERO;
             for (int k = 0; k < 3; k++) {
                 BigDecimal[] own = CylinderTwin.decimals(row[6 + k], row[9 + k], row[12 + k]);
-                sum = sum.add(new BigDecimal(row[3 + k])
-                        .multiply(CylinderTwin.dot(n, own).abs()));
+                sum = sum.add(
+                        new BigDecimal(row[3 + k]).multiply(Decimals.dot(n, own).abs()));
             }
             return sum;
         }
@@ -73,13 +74,13 @@ public final class SupportTwin {
                 : CylinderTwin.decimals(0, 1, 0);
         if (kind.isCapsule()) {
             return new BigDecimal(row[4])
-                    .multiply(CylinderTwin.dot(n, axis).abs())
-                    .add(radius.multiply(CylinderTwin.root(CylinderTwin.dot(n, n))));
+                    .multiply(Decimals.dot(n, axis).abs())
+                    .add(radius.multiply(CylinderTwin.root(Decimals.dot(n, n))));
         }
-        BigDecimal[] cross = CylinderTwin.cross(n, axis);
-        BigDecimal square = CylinderTwin.dot(cross, cross).divide(CylinderTwin.dot(axis, axis), CylinderTwin.DIGITS);
+        BigDecimal[] cross = Decimals.cross(n, axis);
+        BigDecimal square = Decimals.dot(cross, cross).divide(Decimals.dot(axis, axis), CylinderTwin.DIGITS);
         return new BigDecimal(row[4])
-                .multiply(CylinderTwin.dot(n, axis).abs())
+                .multiply(Decimals.dot(n, axis).abs())
                 .add(radius.multiply(CylinderTwin.root(square)));
     }
 

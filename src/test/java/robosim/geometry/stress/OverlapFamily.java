@@ -38,16 +38,7 @@ final class OverlapFamily extends Family {
     }
 
     static LeafKind kind(Form form) {
-        return switch (form) {
-            case UPRIGHT_BOX -> LeafKind.UPRIGHT_BOX;
-            case BOX -> LeafKind.BOX;
-            case TRIANGLE -> LeafKind.TRIANGLE;
-            case SPHERE -> LeafKind.SPHERE;
-            case UPRIGHT_CYLINDER -> LeafKind.UPRIGHT_CYLINDER;
-            case CYLINDER -> LeafKind.CYLINDER;
-            case UPRIGHT_CAPSULE -> LeafKind.UPRIGHT_CAPSULE;
-            case CAPSULE -> LeafKind.CAPSULE;
-        };
+        return LeafKind.valueOf(form.name());
     }
 
     @Override

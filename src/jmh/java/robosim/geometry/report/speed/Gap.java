@@ -1,5 +1,9 @@
 package robosim.geometry.report.speed;
 
+import static robosim.geometry.reference.Decimals.cross;
+import static robosim.geometry.reference.Decimals.dot;
+import static robosim.geometry.reference.Decimals.minus;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -142,21 +146,5 @@ final class Gap {
 
     private static BigDecimal[] exact(Point p) {
         return new BigDecimal[] {number(p.x()), number(p.y()), number(p.z())};
-    }
-
-    private static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
-    }
-
-    private static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
-        return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
-    }
-
-    private static BigDecimal[] cross(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {
-            a[1].multiply(b[2]).subtract(a[2].multiply(b[1])),
-            a[2].multiply(b[0]).subtract(a[0].multiply(b[2])),
-            a[0].multiply(b[1]).subtract(a[1].multiply(b[0]))
-        };
     }
 }

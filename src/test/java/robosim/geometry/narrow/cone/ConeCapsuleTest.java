@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.cone;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static robosim.geometry.reference.Decimals.dot;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -333,9 +334,5 @@ class ConeCapsuleTest {
         }
         BigDecimal chord = radius.multiply(radius).subtract(past.multiply(past)).max(BigDecimal.ZERO);
         return along.subtract(DecimalRoot.of(chord, DIGITS));
-    }
-
-    private static BigDecimal dot(BigDecimal[] p, BigDecimal[] q) {
-        return p[0].multiply(q[0]).add(p[1].multiply(q[1])).add(p[2].multiply(q[2]));
     }
 }

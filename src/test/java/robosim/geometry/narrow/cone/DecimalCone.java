@@ -1,5 +1,10 @@
 package robosim.geometry.narrow.cone;
 
+import static robosim.geometry.reference.Decimals.cross;
+import static robosim.geometry.reference.Decimals.minus;
+import static robosim.geometry.reference.Decimals.plus;
+import static robosim.geometry.reference.Decimals.vector;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
@@ -115,10 +120,6 @@ final class DecimalCone {
         return square.signum() <= 0 ? BigDecimal.ZERO : square.sqrt(DIGITS);
     }
 
-    private static BigDecimal[] vector(double... numbers) {
-        return new BigDecimal[] {new BigDecimal(numbers[0]), new BigDecimal(numbers[1]), new BigDecimal(numbers[2])};
-    }
-
     private static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
         return a[0].multiply(b[0])
                 .add(a[1].multiply(b[1]))
@@ -128,21 +129,5 @@ final class DecimalCone {
 
     private static BigDecimal[] times(BigDecimal[] a, BigDecimal t) {
         return new BigDecimal[] {a[0].multiply(t, DIGITS), a[1].multiply(t, DIGITS), a[2].multiply(t, DIGITS)};
-    }
-
-    private static BigDecimal[] plus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].add(b[0]), a[1].add(b[1]), a[2].add(b[2])};
-    }
-
-    private static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
-    }
-
-    private static BigDecimal[] cross(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {
-            a[1].multiply(b[2]).subtract(a[2].multiply(b[1])),
-            a[2].multiply(b[0]).subtract(a[0].multiply(b[2])),
-            a[0].multiply(b[1]).subtract(a[1].multiply(b[0]))
-        };
     }
 }

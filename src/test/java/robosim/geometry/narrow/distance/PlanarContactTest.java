@@ -2,16 +2,15 @@ package robosim.geometry.narrow.distance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarRows;
-import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
+import robosim.geometry.reference.PlanarTwin;
 
 class PlanarContactTest {
     private final Scratch scratch = new Scratch();
@@ -41,13 +40,10 @@ class PlanarContactTest {
                     .as(text)
                     .containsExactly(out);
             // Along the normal they are as far apart, or as shallow, as along any other.
-            List<double[]> p = PlanarSampling.points(kindA, a);
-            List<double[]> q = PlanarSampling.points(kindB, b);
-            double gap = gap(p, q, out[3], out[5]);
-            double best = Double.NEGATIVE_INFINITY;
-            for (int n = 0; n < 360; n++) {
-                best = Math.max(best, gap(p, q, StrictMath.cos(n * Math.PI / 180), StrictMath.sin(n * Math.PI / 180)));
-            }
+            PlanarTwin p = PlanarRows.twin(kindA, a);
+            PlanarTwin q = PlanarRows.twin(kindB, b);
+            double gap = q.lines(p, out[3], out[5]);
+            double best = p.partedRoughly(q);
             assertThat(gap).as(text).isGreaterThanOrEqualTo(best - 1e-4);
             apart += gap > 0 ? 1 : 0;
             // The point is between the two, or in both, to within what parts them.
@@ -72,12 +68,7 @@ class PlanarContactTest {
                 .containsExactly(-2, 0, -1, 0, 0, -1);
     }
 
-    private static double gap(List<double[]> p, List<double[]> q, double nx, double nz) {
-        return -PlanarSampling.support(p, -nx, -nz) - PlanarSampling.support(q, nx, nz);
-    }
-
-    private static double outside(List<double[]> points, double[] out) {
-        List<double[]> hull = points.size() > 2 ? PlanarSampling.hull(points) : points;
-        return PlanarSampling.distance(out[0], out[2], hull);
+    private static double outside(PlanarTwin twin, double[] out) {
+        return Math.max(0, PlanarRows.point(out[0], out[2]).partedRoughly(twin));
     }
 }

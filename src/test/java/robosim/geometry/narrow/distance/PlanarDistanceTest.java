@@ -10,9 +10,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
-import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
-import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -72,7 +70,12 @@ class PlanarDistanceTest {
             LeafKind kindB = rows.exactKind();
             double[] a = rows.row(kindA, 1, 1);
             double[] b = rows.row(kindB, 1, 1);
-            double truth = PlanarReference.distance(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
+            double truth = PlanarRows.touch(kindA, a, kindB, b)
+                    ? 0
+                    : PlanarRows.twin(kindA, a)
+                            .gap(PlanarRows.twin(kindB, b))
+                            .distance()
+                            .head();
             double distance = between(kindA, a, kindB, b);
             assertThat(Math.abs(distance - truth))
                     .as(PlanarOverlapTest.pair(kindA, a, kindB, b))
@@ -105,12 +108,11 @@ class PlanarDistanceTest {
             LeafKind kindB = Leaves.KINDS[k % 7];
             double[] a = rows.row(kindA, 1.5, 1);
             double[] b = rows.row(kindB, 1.5, 1);
-            double truth = PlanarSampling.between(PlanarSampling.points(kindA, a), PlanarSampling.points(kindB, b));
+            double truth = Math.max(
+                    0,
+                    PlanarRows.twin(kindA, a).parted(PlanarRows.twin(kindB, b)).head());
             double distance = between(kindA, a, kindB, b);
-            boolean curved = kindA == LeafKind.CYLINDER || kindB.fromAbove() != LeafKind.FromAbove.POLYGON;
-            assertThat(distance)
-                    .as(PlanarOverlapTest.pair(kindA, a, kindB, b))
-                    .isBetween(truth - (curved ? 1e-4 : 1e-11), truth + 1e-11);
+            assertThat(distance).as(PlanarOverlapTest.pair(kindA, a, kindB, b)).isCloseTo(truth, within(1e-11));
             apart += truth > 0 ? 1 : 0;
         }
         assertThat(apart).isBetween(count * 3 / 10, count * 8 / 10);

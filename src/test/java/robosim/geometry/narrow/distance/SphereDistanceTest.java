@@ -1,6 +1,9 @@
 package robosim.geometry.narrow.distance;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static robosim.geometry.reference.Decimals.minus;
+import static robosim.geometry.reference.Decimals.plus;
+import static robosim.geometry.reference.Decimals.times;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -13,6 +16,7 @@ import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.Decimals;
 
 /** Distances of spheres against decimals of 60 digits. */
 class SphereDistanceTest {
@@ -90,8 +94,8 @@ class SphereDistanceTest {
                 : CylinderTwin.decimals(0, 1, 0);
         BigDecimal[] w = minus(p, CylinderTwin.decimals(row));
         BigDecimal length = root(square(a));
-        BigDecimal along = CylinderTwin.dot(w, a).abs().divide(length, DIGITS);
-        BigDecimal across = root(square(CylinderTwin.cross(w, a))).divide(length, DIGITS);
+        BigDecimal along = Decimals.dot(w, a).abs().divide(length, DIGITS);
+        BigDecimal across = root(square(Decimals.cross(w, a))).divide(length, DIGITS);
         BigDecimal above =
                 along.subtract(new BigDecimal(row[4]).multiply(length)).max(BigDecimal.ZERO);
         BigDecimal beside = across.subtract(new BigDecimal(row[3])).max(BigDecimal.ZERO);
@@ -111,10 +115,10 @@ class SphereDistanceTest {
         for (int k = 0; k < 3; k++) {
             BigDecimal[] u = halves[(k + 1) % 3];
             BigDecimal[] v = halves[(k + 2) % 3];
-            BigDecimal[] normal = CylinderTwin.cross(u, v);
-            inside &= CylinderTwin.dot(w, normal)
+            BigDecimal[] normal = Decimals.cross(u, v);
+            inside &= Decimals.dot(w, normal)
                             .abs()
-                            .compareTo(CylinderTwin.dot(halves[k], normal).abs())
+                            .compareTo(Decimals.dot(halves[k], normal).abs())
                     <= 0;
             for (int side = -1; side <= 1; side += 2) {
                 BigDecimal[] middle = plus(centre, times(halves[k], BigDecimal.valueOf(side)));
@@ -132,19 +136,17 @@ class SphereDistanceTest {
     /** The squared distance: of the edges, and of the plane where the foot is within. */
     private static BigDecimal triangle(BigDecimal[] a, BigDecimal[] b, BigDecimal[] c, BigDecimal[] p) {
         BigDecimal least = segment(a, b, p).min(segment(b, c, p)).min(segment(c, a, p));
-        BigDecimal[] normal = CylinderTwin.cross(minus(b, a), minus(c, a));
+        BigDecimal[] normal = Decimals.cross(minus(b, a), minus(c, a));
         if (square(normal).signum() == 0) {
             return least;
         }
         boolean within = side(a, b, p, normal) && side(b, c, p, normal) && side(c, a, p, normal);
-        BigDecimal height = CylinderTwin.dot(minus(p, a), normal);
+        BigDecimal height = Decimals.dot(minus(p, a), normal);
         return within ? least.min(height.multiply(height).divide(square(normal), DIGITS)) : least;
     }
 
     private static boolean side(BigDecimal[] a, BigDecimal[] b, BigDecimal[] p, BigDecimal[] normal) {
-        return CylinderTwin.dot(CylinderTwin.cross(minus(b, a), minus(p, a)), normal)
-                        .signum()
-                >= 0;
+        return Decimals.dot(Decimals.cross(minus(b, a), minus(p, a)), normal).signum() >= 0;
     }
 
     private static BigDecimal segment(BigDecimal[] a, BigDecimal[] b, BigDecimal[] p) {
@@ -152,7 +154,7 @@ class SphereDistanceTest {
         BigDecimal length = square(e);
         BigDecimal along = length.signum() == 0
                 ? BigDecimal.ZERO
-                : CylinderTwin.dot(minus(p, a), e).divide(length, DIGITS);
+                : Decimals.dot(minus(p, a), e).divide(length, DIGITS);
         along = along.max(BigDecimal.ZERO).min(BigDecimal.ONE);
         return square(minus(minus(p, a), times(e, along)));
     }
@@ -166,18 +168,6 @@ class SphereDistanceTest {
     }
 
     private static BigDecimal square(BigDecimal[] v) {
-        return CylinderTwin.dot(v, v);
-    }
-
-    private static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
-    }
-
-    private static BigDecimal[] plus(BigDecimal[] a, BigDecimal[] b) {
-        return new BigDecimal[] {a[0].add(b[0]), a[1].add(b[1]), a[2].add(b[2])};
-    }
-
-    private static BigDecimal[] times(BigDecimal[] a, BigDecimal f) {
-        return new BigDecimal[] {a[0].multiply(f), a[1].multiply(f), a[2].multiply(f)};
+        return Decimals.dot(v, v);
     }
 }

@@ -14,6 +14,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.reference.Decimals;
 
 class CylinderCylinderTest {
     private final Scratch scratch = new Scratch();
@@ -108,10 +109,9 @@ class CylinderCylinderTest {
             CylinderTwin q = new CylinderTwin(LeafKind.CYLINDER, b);
             BigDecimal[] normal = CylinderTwin.decimals(direction);
             double least = p.gap(q, normal).doubleValue();
-            BigDecimal[] way = CylinderTwin.minus(q.furthest(CylinderTwin.negate(normal)), p.furthest(normal));
-            double most = n / 3 % 6 == 5
-                    ? CylinderTwin.root(CylinderTwin.dot(way, way)).doubleValue()
-                    : least * (1 + 0x1p-30);
+            BigDecimal[] way = Decimals.minus(q.furthest(CylinderTwin.negate(normal)), p.furthest(normal));
+            double most =
+                    n / 3 % 6 == 5 ? CylinderTwin.root(Decimals.dot(way, way)).doubleValue() : least * (1 + 0x1p-30);
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b) + " gap " + least;
             double answer =
                     SpatialDistance.between(new Leaf(kindA, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.distance);
@@ -296,15 +296,13 @@ class CylinderCylinderTest {
         for (int k = 0; k < 3; k++) {
             w[k] = new BigDecimal(b[k]).subtract(new BigDecimal(a[k]));
         }
-        BigDecimal square = CylinderTwin.dot(p, p);
+        BigDecimal square = Decimals.dot(p, p);
         BigDecimal heights = new BigDecimal(a[4])
                 .multiply(square)
-                .add(new BigDecimal(b[4]).multiply(CylinderTwin.dot(p, q).abs()));
+                .add(new BigDecimal(b[4]).multiply(Decimals.dot(p, q).abs()));
         BigDecimal reach = new BigDecimal(a[3]).add(new BigDecimal(b[3]));
-        BigDecimal[] cross = CylinderTwin.cross(w, p);
-        return CylinderTwin.dot(w, p).abs().compareTo(heights) <= 0
-                && CylinderTwin.dot(cross, cross)
-                                .compareTo(reach.multiply(reach).multiply(square))
-                        <= 0;
+        BigDecimal[] cross = Decimals.cross(w, p);
+        return Decimals.dot(w, p).abs().compareTo(heights) <= 0
+                && Decimals.dot(cross, cross).compareTo(reach.multiply(reach).multiply(square)) <= 0;
     }
 }

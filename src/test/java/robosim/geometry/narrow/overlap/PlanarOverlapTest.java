@@ -6,9 +6,7 @@ import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
-import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
-import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -26,7 +24,7 @@ public class PlanarOverlapTest {
     }
 
     private boolean checked(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
-        boolean truth = PlanarReference.overlap(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
+        boolean truth = PlanarRows.touch(kindA, a, kindB, b);
         assertThat(test(kindA, a, kindB, b)).as(() -> pair(kindA, a, kindB, b)).isEqualTo(truth);
         return truth;
     }
@@ -209,11 +207,11 @@ public class PlanarOverlapTest {
             double[] a = rows.row(kindA, 1, 1);
             double[] b = rows.row(kindB, 1, 1);
             boolean verdict = test(kindA, a, kindB, b);
-            double gap = PlanarSampling.gap(kindA, a, kindB, b);
-            // the sampled gap is found along some line, and so is certain up to rounding; a hit is a missing line
+            double gap =
+                    PlanarRows.twin(kindA, a).parted(PlanarRows.twin(kindB, b)).head();
             if (gap > 1e-12) {
                 assertThat(verdict).as(pair(kindA, a, kindB, b)).isFalse();
-            } else if (gap < -1e-2) {
+            } else if (gap < -1e-12) {
                 assertThat(verdict).as(pair(kindA, a, kindB, b)).isTrue();
             }
             hits += verdict ? 1 : 0;

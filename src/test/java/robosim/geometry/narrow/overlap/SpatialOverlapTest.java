@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.narrow.DecimalAxes;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -130,7 +129,7 @@ class SpatialOverlapTest {
                 Rows.box(0.073242100093223821977, 0.2316538089896212349, 1.3089245921032497399, 0.125, 0.125, 0.125, r);
         double[] b = Rows.box(0, 0, 1.25, 0.125, 0.125, 0.125, r);
         both(LeafKind.BOX, a, LeafKind.BOX, b, false); // by 1.81e-16
-        assertThat(DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b)).isFalse();
+        assertThat(Rows.touch(LeafKind.BOX, a, LeafKind.BOX, b)).isFalse();
     }
 
     @Test
@@ -139,9 +138,9 @@ class SpatialOverlapTest {
         double[] a = Rows.box(0.5, 0.5, 0.5, 0.5, 0.5, 0.5, Rows.identity());
         double[] r = {0, 0, 1, -.5, s, 0, -s, -.5, 0};
         double[] b = Rows.box(1, -.5 + s, -s - .5, 1, 1, 1, r);
-        both(LeafKind.BOX, a, LeafKind.BOX, b, DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b));
+        both(LeafKind.BOX, a, LeafKind.BOX, b, Rows.touch(LeafKind.BOX, a, LeafKind.BOX, b));
         b[2] = Math.nextUp(b[2] + 1e-15);
-        both(LeafKind.BOX, a, LeafKind.BOX, b, DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b));
+        both(LeafKind.BOX, a, LeafKind.BOX, b, Rows.touch(LeafKind.BOX, a, LeafKind.BOX, b));
     }
 
     @Test
@@ -149,7 +148,7 @@ class SpatialOverlapTest {
         double[] r = Rows.rotation(new SplittableRandom(5));
         double[] a = Rows.box(0, 0, 0, 0.125, 0.125, 0.125, r);
         double[] b = Rows.box(0.0732421, 0.2316538, 0.0589246, 0.125, 0.125, 0.125, r); // FCL #495's offset
-        both(LeafKind.BOX, a, LeafKind.BOX, b, DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b));
+        both(LeafKind.BOX, a, LeafKind.BOX, b, Rows.touch(LeafKind.BOX, a, LeafKind.BOX, b));
         both(LeafKind.BOX, a, LeafKind.BOX, a.clone(), true);
     }
 

@@ -6,7 +6,6 @@ import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -134,8 +133,7 @@ class DoubleDoubleOverlapTest {
             for (int step = -1; step <= 2; step++) {
                 b[0] = in + step * Math.ulp(in);
                 boolean touches = PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
-                boolean truth =
-                        PlanarReference.overlap(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
+                boolean truth = PlanarRows.touch(kindA, a, kindB, b);
                 assertThat(touches)
                         .as(() -> PlanarOverlapTest.pair(kindA, a, kindB, b))
                         .isEqualTo(truth);

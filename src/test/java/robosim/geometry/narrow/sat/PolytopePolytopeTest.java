@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.narrow.DecimalAxes;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.SpatialDistance;
@@ -104,7 +103,7 @@ class PolytopePolytopeTest {
 
     private void agree(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-        boolean truth = DecimalAxes.overlap(kindA, a, kindB, b);
+        boolean truth = Rows.touch(kindA, a, kindB, b);
         asked++;
         hits += truth ? 1 : 0;
         assertThat(polytopes.touch(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0)))

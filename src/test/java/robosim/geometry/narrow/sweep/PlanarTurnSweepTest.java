@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.narrow.FlatPair;
+import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -73,8 +73,7 @@ class PlanarTurnSweepTest {
                 new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
                 new Leaf(LeafKind.UPRIGHT_BOX, box, 0),
                 scratch.sweep);
-        double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.UPRIGHT_BOX, box)
-                .gap(degrees * Math.min(1, share));
+        double gap = gap(LeafKind.SPHERE, disc, px, pz, degrees * Math.min(1, share), LeafKind.UPRIGHT_BOX, box);
         assertThat(share > 1 || gap < 0x1p-30)
                 .as("share %s, gap %s", share, gap)
                 .isTrue();
@@ -110,7 +109,7 @@ class PlanarTurnSweepTest {
                 new Turn().about(px, 0, pz).by(0, 1, 0, 35.23771176608052),
                 new Leaf(LeafKind.BOX, box, 0),
                 scratch.sweep);
-        double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.BOX, box).gap(35.23771176608052 * share);
+        double gap = gap(LeafKind.SPHERE, disc, px, pz, 35.23771176608052 * share, LeafKind.BOX, box);
         assertThat(gap).as("share %s", share).isGreaterThan(-1e-14);
     }
 
@@ -126,22 +125,32 @@ class PlanarTurnSweepTest {
                 new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
                 new Leaf(kindB, b, 0),
                 scratch.sweep);
-        FlatPair pair = new FlatPair(kindA, a, px, pz, kindB, b);
-        double start = pair.gap(0);
+        double start = gap(kindA, a, px, pz, 0, kindB, b);
         double limit = Math.min(start, 0);
         double end = Math.min(1, share);
         for (int k = 0; k <= 100; k++) {
-            double gap = pair.gap(degrees * end * k / 100);
+            double gap = gap(kindA, a, px, pz, degrees * end * k / 100, kindB, b);
             assertThat(gap).as(what).isGreaterThan(limit - 1e-13);
         }
         if (share <= 1) {
             assertThat(share).as(what).isLessThan(1);
             // Contact, or the depth of the start, comes at once.
-            assertThat(pair.gap(degrees * share)).as(what).isLessThan(limit + 1e-12);
+            assertThat(gap(kindA, a, px, pz, degrees * share, kindB, b))
+                    .as(what)
+                    .isLessThan(limit + 1e-12);
             blocked += share == 0 ? 1 : 0;
         }
         contacts += start <= 0 ? 1 : 0;
         hits += start > 0 && share <= 1 ? 1 : 0;
         misses += start > 0 && share > 1 ? 1 : 0;
+    }
+
+    /** Distance of the two, or less the depth, when the first is turned about the upward vertical. */
+    private static double gap(
+            LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
+        double angle = Math.toRadians(-degrees);
+        return PlanarRows.twin(kindA, a)
+                .turned(px, pz, StrictMath.cos(angle), StrictMath.sin(angle))
+                .partedRoughly(PlanarRows.twin(kindB, b));
     }
 }

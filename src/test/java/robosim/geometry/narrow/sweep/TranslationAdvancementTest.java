@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static robosim.geometry.reference.Decimals.dot;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -124,9 +125,5 @@ class TranslationAdvancementTest {
                 .subtract(new BigDecimal(a[4]).add(new BigDecimal(b[4])))
                 .doubleValue();
         return Math.hypot(Math.max(0, aside), Math.max(0, along));
-    }
-
-    private static BigDecimal dot(BigDecimal[] p, BigDecimal[] q) {
-        return p[0].multiply(q[0]).add(p[1].multiply(q[1])).add(p[2].multiply(q[2]));
     }
 }

@@ -1,10 +1,9 @@
-package robosim.geometry.census;
+package robosim.geometry.reference;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Quantity.Doubt;
-import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
 
 /**
@@ -12,20 +11,20 @@ import robosim.geometry.reference.Truth.Form;
  * the plane. Verdicts are those of exact arithmetic; distances go over all corners and sides, those of an oval over the
  * directions of lines between. An oval is a turned cylinder's projection, or a turned capsule's, whose ends are half discs.
  */
-final class PlanarTwin {
+public final class PlanarTwin {
     /** Corners in the order from x to z; of what is round its centre alone. */
-    final Twofold[] x;
+    public final Twofold[] x;
 
-    final Twofold[] z;
-    final boolean isOval;
-    final Twofold radius;
+    public final Twofold[] z;
+    public final boolean isOval;
+    public final Twofold radius;
 
     /** Of an oval: its unit axis, half the straight part, half the thickness of its ends along the axis. */
-    Twofold axisX = Twofold.ONE;
+    public Twofold axisX = Twofold.ONE;
 
-    Twofold axisZ = Twofold.ZERO;
-    Twofold reach = Twofold.ZERO;
-    Twofold minor = Twofold.ZERO;
+    public Twofold axisZ = Twofold.ZERO;
+    public Twofold reach = Twofold.ZERO;
+    public Twofold minor = Twofold.ZERO;
 
     /** What it is drawn along, so that all places on a way are one shape. */
     private Twofold wayX = Twofold.ZERO;
@@ -39,7 +38,7 @@ final class PlanarTwin {
         this.isOval = isOval;
     }
 
-    static PlanarTwin of(Form form, double[] row) {
+    public static PlanarTwin of(Form form, double[] row) {
         return switch (form) {
             case SPHERE, UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> at(row, row[3], false);
             case CYLINDER, CAPSULE -> oval(form, row);
@@ -74,7 +73,7 @@ final class PlanarTwin {
     }
 
     /** The same, larger by a length to all sides. */
-    PlanarTwin grown(double by) {
+    public PlanarTwin grown(double by) {
         PlanarTwin twin = new PlanarTwin(x.length, radius.head() + by, isOval);
         System.arraycopy(x, 0, twin.x, 0, x.length);
         System.arraycopy(z, 0, twin.z, 0, z.length);
@@ -88,12 +87,12 @@ final class PlanarTwin {
     }
 
     /** The same, moved by a share of a way. */
-    PlanarTwin moved(double dx, double dz, double share) {
+    public PlanarTwin moved(double dx, double dz, double share) {
         return seenFrom(Twofold.of(dx).times(-share), Twofold.of(dz).times(-share));
     }
 
     /** The same, turned about a point by an angle of these, from x towards z. */
-    PlanarTwin turned(double px, double pz, double cos, double sin) {
+    public PlanarTwin turned(double px, double pz, double cos, double sin) {
         PlanarTwin twin = grown(0);
         for (int k = 0; k < x.length; k++) {
             Twofold wx = x[k].minus(Twofold.of(px));
@@ -107,10 +106,27 @@ final class PlanarTwin {
     }
 
     /** All places on a share of a way. */
-    PlanarTwin swept(double dx, double dz, double share) {
+    public PlanarTwin swept(double dx, double dz, double share) {
         PlanarTwin twin = grown(0);
         twin.wayX = Twofold.of(dx).times(share);
         twin.wayZ = Twofold.of(dz).times(share);
+        return twin;
+    }
+
+    /** The octagon between bounds of x, z, x + z and x - z, each of which some point of it reaches. */
+    public static PlanarTwin octagon(double[] row) {
+        // Sides by the angle of their normals, from that along x on: each corner is where one meets the next.
+        double[][] sides = {
+            {1, 0, row[1]}, {1, 1, row[5]}, {0, 1, row[3]}, {-1, 1, -row[6]},
+            {-1, 0, -row[0]}, {-1, -1, -row[4]}, {0, -1, -row[2]}, {1, -1, row[7]}
+        };
+        PlanarTwin twin = new PlanarTwin(8, 0, false);
+        for (int k = 0; k < 8; k++) {
+            double[] p = sides[k];
+            double[] q = sides[(k + 1) % 8]; // their determinant is 1
+            twin.x[k] = Twofold.of(p[2]).times(q[1]).minus(Twofold.of(q[2]).times(p[1]));
+            twin.z[k] = Twofold.of(q[2]).times(p[0]).minus(Twofold.of(p[2]).times(q[0]));
+        }
         return twin;
     }
 
@@ -161,16 +177,16 @@ final class PlanarTwin {
         return twin;
     }
 
-    static Twofold cross(Twofold ax, Twofold az, Twofold bx, Twofold bz) {
+    public static Twofold cross(Twofold ax, Twofold az, Twofold bx, Twofold bz) {
         return ax.times(bz).minus(az.times(bx));
     }
 
-    static Twofold dot(Twofold ax, Twofold az, Twofold bx, Twofold bz) {
+    public static Twofold dot(Twofold ax, Twofold az, Twofold bx, Twofold bz) {
         return ax.times(bx).plus(az.times(bz));
     }
 
     /** The least number that no coordinate's magnitude is above, roughly. */
-    double size() {
+    public double size() {
         double size = 0;
         for (int k = 0; k < x.length; k++) {
             size = Math.max(size, Math.abs(x[k].head()) + Math.abs(z[k].head()));
@@ -178,8 +194,13 @@ final class PlanarTwin {
         return size + radius.head() + reach.head();
     }
 
+    /** Whether two projections touch, by exact arithmetic. */
+    public static boolean touch(Form formA, double[] a, Form formB, double[] b) {
+        return exactly(number -> Truth.planar(number, formA, a, formB, b));
+    }
+
     /** A question to exact arithmetic, coarse first. */
-    static boolean exactly(java.util.function.Predicate<Arithmetic> question) {
+    public static boolean exactly(java.util.function.Predicate<Arithmetic> question) {
         try {
             return question.test(Truth.COARSE);
         } catch (Doubt doubt) {
@@ -188,10 +209,10 @@ final class PlanarTwin {
     }
 
     /** A distance, and whether a side's inside is nearest to a corner or to what is round. */
-    record Gap(Twofold distance, boolean isSide) {}
+    public record Gap(Twofold distance, boolean isSide) {}
 
     /** Of two that are apart, neither an oval. */
-    Gap gap(PlanarTwin other) {
+    public Gap gap(PlanarTwin other) {
         Gap here = cornersTo(other);
         Gap there = other.cornersTo(this);
         Gap least = there.distance.isBelow(here.distance) ? there : here;
@@ -234,12 +255,12 @@ final class PlanarTwin {
      * The greatest distance between two parallel lines that part the two, negative where none does; the twin of ovals. It is at
      * a side's normal or where its slope is zero, and there an error in the direction counts by its square.
      */
-    Twofold parted(PlanarTwin other) {
+    public Twofold parted(PlanarTwin other) {
         return seenFrom(x[0], z[0]).near(other.seenFrom(x[0], z[0]));
     }
 
     /** The same in plain doubles. */
-    double partedRoughly(PlanarTwin other) {
+    public double partedRoughly(PlanarTwin other) {
         double[] best = {Double.NEGATIVE_INFINITY, 0};
         for (int k = 0; k < 32; k++) {
             offer(other, 2 * Math.PI * k / 32, best);
@@ -339,7 +360,8 @@ final class PlanarTwin {
         return a.isBelow(b) ? b : a;
     }
 
-    private double lines(PlanarTwin other, double nx, double nz) {
+    /** How far two lines square to a direction part the other, which is ahead, from this one; below 0 where they do not. */
+    public double lines(PlanarTwin other, double nx, double nz) {
         return -other.support(-nx, -nz) - support(nx, nz);
     }
 
@@ -384,7 +406,7 @@ final class PlanarTwin {
 
     /** Where a ray enters, in lengths of its direction; null where doubles twice as long see no hit. The start is outside. */
     @Nullable
-    Twofold entry(double ox, double oz, Twofold ux, Twofold uz) {
+    public Twofold entry(double ox, double oz, Twofold ux, Twofold uz) {
         Twofold wx = x[0].minus(Twofold.of(ox));
         Twofold wz = z[0].minus(Twofold.of(oz));
         if (!isOval) {
@@ -460,7 +482,7 @@ final class PlanarTwin {
     }
 
     /** The foremost point of its outline along a direction in doubles, for making up cases. */
-    double[] foremost(double nx, double nz) {
+    public double[] foremost(double nx, double nz) {
         int best = 0;
         for (int k = 1; k < x.length; k++) {
             if (nx * x[k].head() + nz * z[k].head() > nx * x[best].head() + nz * z[best].head()) {
