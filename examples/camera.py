@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Drives a robot by its camera, and saves what it saw, with nothing but Python's standard library.
 
+It uses the package robosim in ../python, which need not be installed.
+
 A robot in a room with pillars, crates and balls looks for the balls. Each step it asks the geometry module for one frame:
 the distances of 64 x 48 rays, which object each of them met, and the label of its material. It turns to the nearest ball
 that it has not visited, and away from what is in its way. Frames go to a folder, depth as 16-bit PGM in millimetres and
@@ -19,9 +21,8 @@ import random
 import socket
 import struct
 import sys
-import zlib
 
-from environment import place, steps
+from environment import place, steps  # which finds the package robosim
 from robosim import Error, Module, ProtocolFault
 
 WIDTH, HEIGHT, FIELD = 64, 48, math.radians(90)
@@ -109,19 +110,6 @@ class Frame:
         (folder / f"objects-{number:04}.ppm").write_bytes(b"P6\n%d %d\n255\n" % (WIDTH, HEIGHT) + colors)
 
 
-def save_picture(picture, file):
-    """Writes a picture as PNG: 8 bits each of red, green and blue, every row after a filter byte of 0."""
-    width, height, rgb = picture
-    rows = b"".join(b"\0" + rgb[at:at + 3 * width] for at in range(0, len(rgb), 3 * width))
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9))
-                     + chunk(b"IEND", b""))
-
-
 def drive(module, most, save):
     """Looks, decides and moves until every ball was visited, or so many steps were made."""
     visited, made = [], 0
@@ -132,7 +120,7 @@ def drive(module, most, save):
             frame.save(save, number)
             if number % 10 == 0:
                 picture = module.picture("robot", 320, 240, FIELD, at=[0.15, 0.3, 0], samples=2)
-                save_picture(picture, save / f"color-{number:04}.png")
+                picture.save(save / f"color-{number:04}.png")
         ball = frame.nearest_ball(visited)
         if ball is not None and ball[1] < NEAR:
             visited.append(ball[0])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Plays RoboSim's environment module in Python 3, with nothing but its standard library
-and robosim.py and worldfile.py beside it.
+"""Plays RoboSim's environment module in Python 3, with nothing but its standard library, the package
+robosim in ../python, which need not be installed, and worldfile.py beside it.
 
 It loads a world, sends it to the geometry module over TCP as JSON lines, and lets its robots wander by what their
 sonars tell: what ReferenceEnvironment.java does in Java serialization. It checks every answer against the protocol and
@@ -23,6 +23,8 @@ import re
 import socket
 import struct
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
 
 from robosim import Module, NotDone, ProtocolFault, RequestError
 from worldfile import World

@@ -1,4 +1,4 @@
-"""World files in XML (docs/world-format.md) as what an init message takes; robosim.py is beside it.
+"""World files in XML (docs/world-format.md) as what an init message takes.
 
 For programs that need what the module does not tell: which sonars a file gives its robots. Everything else is simpler with
 `robosim.Module.load`, by which the module reads the file, of any format, with what it includes.

@@ -58,12 +58,12 @@ class PythonEnvironmentTest {
         boolean found;
         try {
             Process process =
-                    new ProcessBuilder("python3", "-c", "import sys; sys.exit(sys.version_info < (3, 8))").start();
+                    new ProcessBuilder("python3", "-c", "import sys; sys.exit(sys.version_info < (3, 9))").start();
             found = process.waitFor(30, TimeUnit.SECONDS) && process.exitValue() == 0;
         } catch (IOException | InterruptedException e) {
             found = false;
         }
-        assumeTrue(found, "python3 of at least 3.8 must be on the path to try examples/environment.py");
+        assumeTrue(found, "python3 of at least 3.9 must be on the path to try the Python package and examples");
     }
 
     private static Process start(String... arguments) throws IOException {

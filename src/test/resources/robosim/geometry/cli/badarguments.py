@@ -1,4 +1,4 @@
-"""Every kind of bad argument of examples/robosim.py against a module, whose place is the argument; PythonClientTest runs it.
+"""Every kind of bad argument of python/robosim against a module, whose place is the argument; PythonClientTest runs it.
 
 Each is refused with words that name it, the connection goes on, and the world is as it was.
 """

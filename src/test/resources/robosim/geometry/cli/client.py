@@ -1,4 +1,4 @@
-"""Every message of examples/robosim.py against a module, whose place is the argument; PythonClientTest runs it."""
+"""Every message of python/robosim against a module, whose place is the argument; PythonClientTest runs it."""
 
 import inspect
 import math
@@ -194,7 +194,7 @@ def units():
     angles, seen = {"heading", "turn", "rx", "ry", "first", "field_of_view", "elevations", "max_slope"}, 0
     for owner in (robosim, robosim.Module):
         for name, what in inspect.getmembers(owner, callable):
-            ours = not name.startswith("_") and getattr(what, "__module__", "") == robosim.__name__ and name != "listed"
+            ours = not name.startswith("_") and getattr(what, "__module__", "").startswith(robosim.__name__) and name != "listed"
             if not ours or (inspect.isclass(what) and issubclass(what, Exception)):
                 continue
             if angles & set(inspect.signature(what).parameters):

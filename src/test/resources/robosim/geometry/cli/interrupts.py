@@ -1,4 +1,4 @@
-"""What comes of the calls of examples/robosim.py after an interrupt or a timeout; PythonInterruptsTest runs it.
+"""What comes of the calls of python/robosim after an interrupt or a timeout; PythonInterruptsTest runs it.
 
 The module here is a stand-in that answers each sonar with its own xOffset, so that an answer to another call is noticed.
 """
@@ -54,11 +54,11 @@ def module(delay=lambda: 0.0, timeout=None):
 
 
 def interrupted_at(number, what):
-    """Does something, with an interrupt before the line of robosim.py that is the so-manieth; whether it came to that."""
+    """Does something, with an interrupt before the line of client.py that is the so-manieth; whether it came to that."""
     left = [number]
 
     def trace(frame, event, _):
-        if not frame.f_code.co_filename.endswith("robosim.py"):
+        if not frame.f_code.co_filename.endswith("robosim/client.py"):
             return None
         if event == "line":
             left[0] -= 1

@@ -31,7 +31,7 @@ import robosim.geometry.world.WorldException;
         name = "serve",
         description = {
             "Serves environment modules that dial in, until it is ended.",
-            "Each connection sends its own world, as robosim.load of examples/robosim.py does with a file, or begins"
+            "Each connection sends its own world, as load in Python does with a file, or begins"
                     + " with that of --world, which is its own from then on."
         },
         exitCodeList = {ExitCodes.REFUSED, ExitCodes.ENDED},
@@ -100,8 +100,8 @@ public final class ServeCommand implements Callable<Integer> {
     @Option(
             names = "--worlds",
             paramLabel = "DIR",
-            description = "a folder whose world files peers may load by their paths in it, as robosim.load of"
-                    + " examples/robosim.py does; without it they can send theirs (default: none)")
+            description = "a folder whose world files peers may load by their paths in it, as load in Python"
+                    + " does; without it they can send theirs (default: none)")
     private @Nullable Path worlds;
 
     @Mixin

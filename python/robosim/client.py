@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""A client of the geometry module, in one file and with nothing but Python's standard library (3.8 or newer).
+"""A client of the geometry module, in one file and with nothing but Python's standard library (3.9 or newer).
+
+This is the larger part of the package `robosim`, and works without the rest: copied beside a program as robosim.py.
 
     import robosim
     from robosim import box, cylinder
@@ -10,19 +12,21 @@
         print(module.move("robot", x=5).obstacle)   # wall
         print(module.scan("robot", count=360)[90])  # inf: nothing to the left
 
-against a module that listens, such as `robosim-geometry serve 7575`; `robosim.accept(port)` waits for one that connects. Copy this
-file beside your program. Run by itself it carries out the lines above: python3 examples/robosim.py localhost:7575
+against a module that listens, such as `robosim-geometry serve 7575`; `robosim.accept(port)` waits for one that connects. Run by
+itself it carries out the lines above: python3 robosim.py localhost:7575
 
 Lengths are world units, Y is up, forward is an object's own +X, and to its right is its +Z. Every angle is in radians;
 headings, turns `ry` and the beams of a fan are counter-clockwise seen from above, so that a positive one is to the left.
 Only the direction of a sonar is given by two lengths, ahead and to the right: (0, 1) looks right.
 
-Many numbers come as array.array, which numpy.asarray takes without copying. docs/guide-python.md shows more, and
+Many numbers come as array.array, which numpy.asarray takes without copying; NumPy is not needed. docs/guide-python.md shows more, and
 docs/protocol.md says what goes over the wire.
 """
 
 import array
 import base64
+import html
+import importlib
 import itertools
 import json
 import math
@@ -31,9 +35,11 @@ import pathlib
 import re
 import selectors
 import socket
+import struct
 import sys
 import time
 import urllib.parse
+import zlib
 from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 __all__ = [
@@ -67,7 +73,7 @@ class RequestError(Error):
 class LeftOut(NamedTuple):
     """An object of an init that is not in the world."""
 
-    index: int  # of what a file has and `load` could not read: the number of its objects
+    index: int  # type: ignore[assignment]  # of what a file has and `load` could not read: the number of its objects
     name: str  # empty for an object without one
     reason: str
 
@@ -95,7 +101,7 @@ class Pose(NamedTuple):
 class Obstacle(NamedTuple):
     """An object that is in the way, told so that it is known without a name too."""
 
-    index: int  # in the init's list, from 0; objects that were added later are counted on from its end
+    index: int  # type: ignore[assignment]  # in the init's list, from 0; objects that were added later are counted on from its end
     name: str  # empty for an object without one
     kind: str  # "box", "cylinder", "sphere", "capsule", "mesh", "group" or "grid"
     center: List[float]
@@ -104,7 +110,7 @@ class Obstacle(NamedTuple):
 class Listed(NamedTuple):
     """An object of the world, where it is now."""
 
-    index: int  # in the init's list, from 0; objects that were added later are counted on from its end
+    index: int  # type: ignore[assignment]  # in the init's list, from 0; objects that were added later are counted on from its end
     name: str  # empty for an object without one
     kind: str  # "box", "cylinder", "sphere", "capsule", "mesh", "group" or "grid"
     center: List[float]
@@ -255,19 +261,57 @@ class Step(NamedTuple):
         return {contact.name: contact.fall for contact in self.contacts if contact.fall > 0}
 
 
+def _png(width: int, height: int, channels: int, pixels: bytes) -> bytes:
+    """An image of 8 bits a channel, grey or red, green and blue, as PNG; each row follows a filter byte of 0."""
+    rows = b"".join(b"\0" + pixels[at:at + channels * width] for at in range(0, len(pixels), channels * width))
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 3: 2}[channels], 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
+def _numpy() -> Any:
+    try:
+        return importlib.import_module("numpy")
+    except ImportError:
+        raise ImportError("arrays of NumPy need it: pip install numpy; without it use distances, labels and so on, which are"
+                          " array.array") from None
+
+
 class Picture(NamedTuple):
-    """A picture in colour."""
+    """A picture in colour, which notebooks show."""
 
     width: int
     height: int
     rgb: bytes
     """Red, green and blue of each pixel, a byte each, row by row from the top."""
 
+    def png(self) -> bytes:
+        """The picture as a PNG file has it."""
+        return _png(self.width, self.height, 3, self.rgb)
+
+    def _repr_png_(self) -> bytes:
+        return self.png()
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the picture as a PNG file."""
+        pathlib.Path(path).write_bytes(self.png())
+
+    def array(self) -> Any:
+        """A NumPy array of bytes: height, width and 3 colours."""
+        return _numpy().frombuffer(self.rgb, "uint8").reshape(self.height, self.width, 3)
+
 
 class Scan:
-    """What a sensor measured: a sequence of distances, one for each beam in order; inf where nothing echoes."""
+    """What a sensor measured: a sequence of distances, one for each beam in order; inf where nothing echoes.
 
-    def __init__(self, answer: Json) -> None:
+    `numpy.asarray` of it has the distances in its `shape`. Notebooks show a camera's frame as an image, the nearer the
+    lighter, and a scan as a drawing."""
+
+    def __init__(self, answer: Json, pattern: Json) -> None:
+        #: World units, along each beam.
         self.distances: "array.array[float]" = _unpacked("d", answer["distances"])
         #: X, Y and Z of the surface's normal for each beam; empty unless asked for.
         self.normals: "array.array[float]" = _unpacked("d", answer.get("normals", ""))
@@ -277,6 +321,63 @@ class Scan:
         self.objects: "array.array[int]" = _unpacked("i", answer.get("objects", ""))
         #: For each beam the label of the material that it met, 0 for none; empty unless objects were asked for.
         self.labels: "array.array[int]" = _unpacked("i", answer.get("labels", ""))
+        #: The beams, as `fan`, `layers`, `pinhole` or `directions` made them.
+        self.pattern = pattern
+
+    @property
+    def shape(self) -> Tuple[int, ...]:
+        """Rows and columns of a frame, layers and columns of a lidar, else the number of beams."""
+        if self.pattern["kind"] == "pinhole":
+            return self.pattern["height"], self.pattern["width"]
+        if self.pattern["kind"] == "layers":
+            return len(self.pattern["elevations"]), self.pattern["count"]
+        return (len(self.distances),)
+
+    @property
+    def angles(self) -> "array.array[float]":
+        """Of a fan, or of each layer: the radians of each beam to the left of the sensor's forward."""
+        if "step" not in self.pattern:
+            raise ValueError(f"only a fan and layers have angles (got: {self.pattern['kind']})")
+        first, step = self.pattern["first"], self.pattern["step"]
+        return array.array("d", (first + k * step for k in range(self.pattern["count"])))
+
+    def array(self, of: str = "distances") -> Any:
+        """A NumPy array in this `shape`, without a copy: of "distances", "normals" (with 3 numbers for each beam),
+        "objects" or "labels"."""
+        if of not in ("distances", "normals", "objects", "labels"):
+            raise ValueError(f"of must be distances, normals, objects or labels (got: {of})")
+        numbers = getattr(self, of)
+        if not numbers:
+            raise ValueError(f"the sensor was not asked for {of}; give {'normals' if of == 'normals' else 'objects'}=True")
+        return _numpy().asarray(numbers).reshape(*self.shape, *([3] if of == "normals" else []))
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> Any:
+        numbers = self.array()
+        made = numbers if dtype is None else numbers.astype(dtype, copy=False)
+        return made.copy() if copy else made
+
+    def png(self) -> bytes:
+        """Of a camera's frame: a PNG image of the distances, from near (light) to far (dark); black where nothing echoes."""
+        if self.pattern["kind"] != "pinhole":
+            raise ValueError(f"only a camera's frame is an image (got: {self.pattern['kind']})")
+        echoes = [d for d in self.distances if math.isfinite(d)] or [0.0]
+        near, scale = min(echoes), 215 / (max(echoes) - min(echoes) or 1.0)
+        grey = bytes(round(255 - (d - near) * scale) if math.isfinite(d) else 0 for d in self.distances)
+        return _png(self.pattern["width"], self.pattern["height"], 1, grey)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        return self.png() if self.pattern["kind"] == "pinhole" else None
+
+    def _repr_svg_(self) -> Optional[str]:
+        if self.pattern["kind"] != "fan":
+            return None
+        ends = [(d * math.cos(a), -d * math.sin(a)) for d, a in zip(self.distances, self.angles) if math.isfinite(d)]
+        reach = max([math.hypot(*end) for end in ends] + [1e-9]) * 1.05
+        lines = "".join(f'<line x2="{x:.6g}" y2="{z:.6g}"/><circle cx="{x:.6g}" cy="{z:.6g}" r="{reach / 100:.6g}"/>'
+                        for x, z in ends)
+        return (f'<svg xmlns="http://www.w3.org/2000/svg" width="320" height="320" viewBox="{-reach:.6g} {-reach:.6g}'
+                f' {2 * reach:.6g} {2 * reach:.6g}" stroke="#d03020" stroke-width="{reach / 400:.6g}" fill="#d03020">'
+                f"{lines}</svg>")
 
     def __len__(self) -> int:
         return len(self.distances)
@@ -464,6 +565,15 @@ def directions(numbers: Iterable[float]) -> Json:
     return {"kind": "directions", "directions": _packed(numbers)}
 
 
+def _mount(at: Vector, heading: float, rotation: Optional[Vector]) -> Json:
+    mount: Json = {"place": list(at)}
+    if rotation is not None:
+        mount["rotation"] = list(rotation)
+    elif heading != 0:
+        mount["headingRadians"] = heading
+    return mount
+
+
 # The requests of a batch; Module.batch sends many of them at once, and the methods of Module one each.
 
 def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 0.0,
@@ -474,12 +584,7 @@ def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 
     Without a name, "", those of a sensor that nothing carries: `at` is a place of the world. An echo nearer than `min` is
     reported as `min`; with `rep117` as -inf, as in ROS. Distances are in world units, `heading` and `width`, the full
     opening angle of each beam, in radians."""
-    mount: Json = {"place": list(at)}
-    if rotation is not None:
-        mount["rotation"] = list(rotation)
-    elif heading != 0:
-        mount["headingRadians"] = heading
-    request = {"kind": "sense", "mount": mount, "pattern": pattern, "min": min,
+    request = {"kind": "sense", "mount": _mount(at, heading, rotation), "pattern": pattern, "min": min,
                "max": None if math.isinf(max) else max, "width": width, "seesCarrier": sees_carrier,
                "normals": normals, "objects": objects}
     if name:
@@ -490,11 +595,12 @@ def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 
 
 
 def picture(name: str, width: int, height: int, field_of_view: float, *, at: Vector = (0, 0, 0), heading: float = 0.0,
-            samples: int = 1, mirrors: int = 3, sees_carrier: bool = False, light: Optional[Json] = None) -> Json:
+            rotation: Optional[Vector] = None, samples: int = 1, mirrors: int = 3, sees_carrier: bool = False,
+            light: Optional[Json] = None) -> Json:
     """A picture by a camera that an object carries; without a name, by one that stands in the world. The field of view and
-    the heading are in radians."""
+    the heading are in radians; a rotation of nine numbers takes the place of a heading."""
     request: Json = {"kind": "picture", "pattern": pinhole(width, height, field_of_view), "samples": samples,
-                     "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": {"place": list(at), "headingRadians": heading}}
+                     "mirrors": mirrors, "seesCarrier": sees_carrier, "mount": _mount(at, heading, rotation)}
     if name:
         request["objectName"] = name
     if light is not None:
@@ -728,7 +834,7 @@ class Module:
     def _parsed(self, line: bytes) -> Json:
         if not line.endswith(b"\n"):
             raise NotDone("the module ended the conversation"
-                          + (f" when it refused this: {self._refusal}" if self._refusal else "; its log tells why"))
+                          + (f" when it refused this: {self._refusal}" if self._refusal else self._last_words()))
         try:
             answer = json.loads(line)
             answer["type"]
@@ -736,6 +842,9 @@ class Module:
             raise ProtocolFault(f"an answer must be a JSON object with a type (got: {line[:100]!r}); is it the"
                                 " geometry module that listens there?") from None
         return answer
+
+    def _last_words(self) -> str:
+        return "; its log tells why"
 
     def _refuse(self, answer: Json) -> None:
         if answer["type"] == "error" and answer.get("continues"):
@@ -817,7 +926,7 @@ class Module:
         """Gives bodies and commands, as `body` and `command` make them, and lets time pass. Robots keep their commands:
         `module.step(0.1)` goes on with them. A step of 0 seconds moves nothing, and tells where all bodies are. A `mixing`
         holds for this step and all later ones of the world."""
-        message = {"type": "step", "seconds": seconds, "bodies": list(bodies), "commands": list(commands)}
+        message: Json = {"type": "step", "seconds": seconds, "bodies": list(bodies), "commands": list(commands)}
         if mixing is not None:
             message["mixing"] = mixing
         for given in message["bodies"]:
@@ -886,12 +995,12 @@ class Module:
         answers = self.ask({"type": "batch", "requests": asked}, "answers")[0]["answers"]
         if len(answers) != len(asked):
             raise ProtocolFault(f"there must be {len(asked)} answers (got: {len(answers)})")
-        return [_read(request["kind"], answer) for request, answer in zip(asked, answers)]
+        return [_read(request, answer) for request, answer in zip(asked, answers)]
 
     def _one(self, request: Json, bundle: Optional[Json] = None) -> Any:
         if bundle is None:
             bundle = self.ask({"type": "batch", "requests": [request]}, "answers")[0]
-        answer = _read(request["kind"], bundle["answers"][0])
+        answer = _read(request, bundle["answers"][0])
         if isinstance(answer, RequestError):
             raise answer
         return answer
@@ -941,6 +1050,41 @@ class Module:
         """A picture in colour, by a camera that an object carries; without a name, by one that stands in the world. The field
         of view is in radians."""
         return self._one(picture(name, width, height, field_of_view, **options))
+
+    def plan(self, size: int = 640, samples: int = 1) -> Picture:
+        """A picture of the whole world from straight above: X to the right, Z downwards; its longer side has `size` pixels."""
+        return self._from_above(self.objects(), size, samples)[0]
+
+    def _from_above(self, objects: List[Listed], size: int, samples: int) -> Tuple[Picture, Tuple[float, ...]]:
+        """The picture, and what it shows: the least X and Z, and the extents along them."""
+        if not objects:
+            raise ValueError("an empty world has no plan; send objects by init, load or add")
+        low = [min(thing.low[axis] for thing in objects) for axis in range(3)]
+        high = [max(thing.high[axis] for thing in objects) for axis in range(3)]
+        margin = 0.02 * max(high[0] - low[0], high[2] - low[2], 1e-6)
+        left, top = low[0] - margin, low[2] - margin
+        across, down = high[0] + margin - left, high[2] + margin - top
+        distance = 100 * max(across, down)  # so far away that no wall hides what is beside it
+        scale = size / max(across, down)
+        taken = self.picture("", max(1, round(across * scale)), max(1, round(down * scale)), 2 * math.atan(across / 2 / distance),
+                             at=[left + across / 2, high[1] + distance, top + down / 2],
+                             rotation=[0, 0, 1, -1, 0, 0, 0, -1, 0], samples=samples)
+        return taken, (left, top, across, down)
+
+    def _repr_html_(self) -> str:
+        """The plan, with the names of what is moveable."""
+        objects = self.objects()
+        if not objects:
+            return "<p>a world without objects</p>"
+        taken, (left, top, across, down) = self._from_above(objects, 640, 1)
+        size = across / 50
+        names = "".join(f'<text x="{thing.center[0]:.6g}" y="{thing.low[2] - size / 3:.6g}">{html.escape(thing.name)}</text>'
+                        for thing in objects if thing.moveable)
+        image = base64.b64encode(taken.png()).decode("ascii")
+        return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{taken.width}" height="{taken.height}" viewBox="{left:.9g}'
+                f' {top:.9g} {across:.9g} {down:.9g}"><image x="{left:.9g}" y="{top:.9g}" width="{across:.9g}" height="{down:.9g}"'
+                f' preserveAspectRatio="none" href="data:image/png;base64,{image}"/><g font-family="sans-serif"'
+                f' font-size="{size:.6g}" text-anchor="middle">{names}</g></svg>')
 
     def free_poses(self, name: str, numbers: Iterable[float]) -> List[bool]:
         """Whether an object would touch nothing at each pose: X, Y, Z and heading in radians, one after the other."""
@@ -1025,12 +1169,13 @@ def _obstacles(answer: Json) -> Sequence[Obstacle]:
     return tuple(_obstacle(told) for told in answer.get("obstacles", ()))
 
 
-def _read(kind: str, answer: Json) -> Answer:
+def _read(request: Json, answer: Json) -> Answer:
+    kind = request["kind"]
     if "error" in answer:
         return RequestError(answer["error"])
     try:
         if kind == "sense":
-            return Scan(answer)
+            return Scan(answer, request["pattern"])
         if kind == "picture":
             return Picture(answer["width"], answer["height"], base64.b64decode(answer["rgb"]))
         if kind in ("poses", "edges"):
@@ -1096,7 +1241,7 @@ def accept(port: int, secret: Optional[str] = None, timeout: Optional[float] = N
 
 def _main(arguments: List[str]) -> int:
     if len(arguments) != 1:
-        print("usage: robosim.py HOST:PORT", file=sys.stderr)
+        print("usage: client.py HOST:PORT", file=sys.stderr)
         return 2
     try:
         with connect(arguments[0]) as module:
