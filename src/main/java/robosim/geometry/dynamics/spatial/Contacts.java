@@ -30,6 +30,9 @@ final class Contacts {
     /** What the body has been given along the normal, newton seconds. */
     double[] impulse = new double[FIRST];
 
+    /** The part of it that acts all through a time, as against gravity and drives; not the bounce when that begins. */
+    double[] lasting = new double[FIRST];
+
     void clear() {
         count = 0;
     }
@@ -60,6 +63,14 @@ final class Contacts {
         normal[3 * k + 2] = nz;
         apart[k] = gap;
         impulse[k] = 0;
+        lasting[k] = 0;
+    }
+
+    /** Leaves what was given in a share of the time. */
+    void keep(double share) {
+        for (int k = 0; k < count && share < 1; k++) {
+            impulse[k] -= (1 - share) * lasting[k];
+        }
     }
 
     private void grow() {
@@ -72,6 +83,7 @@ final class Contacts {
         normal = Arrays.copyOf(normal, 3 * room);
         apart = Arrays.copyOf(apart, room);
         impulse = Arrays.copyOf(impulse, room);
+        lasting = Arrays.copyOf(lasting, room);
     }
 
     /** Moves a contact to another place. */
@@ -87,5 +99,6 @@ final class Contacts {
         System.arraycopy(normal, 3 * from, normal, 3 * to, 3);
         apart[to] = apart[from];
         impulse[to] = impulse[from];
+        lasting[to] = lasting[from];
     }
 }

@@ -104,6 +104,7 @@ final class SequentialImpulses {
         for (int k = 0; k < contacts.count; k++) {
             if (!isOff[k]) {
                 contacts.impulse[k] += pushed[k];
+                contacts.lasting[k] = atEnd ? pushed[k] : 0;
             }
         }
         if (atEnd) {

@@ -239,8 +239,9 @@ public final class SpatialStepper {
             }
         }
         solve(seconds, surfaces);
-        tell();
         double share = mayEnd ? impact.first(seconds) : SpatialTimeOfImpact.NEVER;
+        contacts.keep(share);
+        tell();
         double made = share * seconds;
         carriage.begin(share);
         sort();

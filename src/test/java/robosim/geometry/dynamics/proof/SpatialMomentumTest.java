@@ -1,0 +1,196 @@
+package robosim.geometry.dynamics.proof;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.BodyContact;
+import robosim.geometry.dynamics.Dynamics;
+import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.SpatialVelocity;
+import robosim.geometry.dynamics.StepResult;
+import robosim.geometry.dynamics.Surface;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+/** In SPATIAL worlds, forces times time, less what contacts give, are what the momentum changes by in each step. */
+class SpatialMomentumTest {
+    private static final double BOUND = 1e-9;
+
+    /** Nothing that touches something comes to rest before: what rests is given nothing. */
+    private static final double AWAKE = 0.24;
+
+    private static String name(int k) {
+        return "b" + k;
+    }
+
+    private static double impulse(StepResult result, String name) {
+        double sum = 0;
+        for (BodyContact contact : result.contacts()) {
+            double along = contact.normal().x() * contact.impulse();
+            sum += contact.body().equals(name) ? along : name.equals(contact.other()) ? -along : 0;
+        }
+        return sum;
+    }
+
+    /** A row of smooth spheres between two walls, pulled along it: each one's momentum by itself, to what sweeps leave. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.001, 0.0123, 0.05, 0.2})
+    void eachOfARowGetsWhatItsContactsReport(double seconds) {
+        SplittableRandom random = new SplittableRandom(5);
+        int pressed = 0;
+        int all = 0;
+        for (int run = 0; run < 40; run++) {
+            double gravity = random.nextDouble(-5, 5);
+            Geometry world = new Geometry(60, 8, 8);
+            Surface surface = new Surface(random.nextBoolean() ? 0 : random.nextDouble(), 0, 0);
+            Dynamics dynamics = new Dynamics(world, surface, new Point(gravity, 0, 0));
+            double edge = -10;
+            world.addObject(new BoxObject(new Point(edge - 0.5, 0, 0), 1, 3, 3).named("left"));
+            double[] mass = new double[random.nextInt(1, 5)];
+            for (int k = 0; k < mass.length; k++) {
+                double size = random.nextDouble(0.3, 1);
+                edge += random.nextInt(3) == 0 ? 1e-8 : random.nextDouble(1e-8, 0.02);
+                Point at = new Point(edge + size / 2, 0, 0);
+                assertThat(world.addObject(new SphereObject(at, size / 2).moveable(name(k))))
+                        .isTrue();
+                edge += size;
+                mass[k] = random.nextDouble(1, 3);
+                dynamics.add(name(k), Body.of(mass[k], mass[k]).withSurface(surface));
+            }
+            edge += random.nextDouble(1e-8, 0.02);
+            world.addObject(new BoxObject(new Point(edge + 0.5, 0, 0), 1, 3, 3).named("right"));
+            for (int step = 0; (step + 1) * seconds < AWAKE; step++) {
+                double[] before = new double[mass.length];
+                double scale = 1;
+                for (int k = 0; k < mass.length; k++) {
+                    before[k] = mass[k] * dynamics.spatialVelocity(name(k)).x();
+                    scale = Math.max(scale, Math.abs(before[k]));
+                }
+                StepResult result = dynamics.step(seconds);
+                assertThat(result.stopped()).isEmpty();
+                for (int k = 0; k < mass.length; k++) {
+                    double given = impulse(result, name(k));
+                    pressed += given != 0 ? 1 : 0;
+                    all++;
+                    assertThat(mass[k] * dynamics.spatialVelocity(name(k)).x() - before[k])
+                            .as("run %d, step %d, body %d of %d", run, step, k, mass.length)
+                            .isCloseTo(given + mass[k] * gravity * seconds, within(10 * BOUND * scale));
+                }
+            }
+        }
+        assertThat(pressed).isGreaterThan(all / 5);
+    }
+
+    /** Bodies of all shapes that spin and collide while they fall: together they get what gravity gives them. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0123, 0.05, 0.3})
+    void bodiesThatFallAndCollideGetWhatGravityGives(double seconds) {
+        SplittableRandom random = new SplittableRandom(6);
+        int met = 0;
+        for (int run = 0; run < 4; run++) {
+            Geometry world = new Geometry(400, 4000, 400);
+            Surface surface = new Surface(random.nextBoolean() ? 0 : random.nextDouble(), 0.5, 0.4);
+            Point gravity = new Point(0, -9.81, random.nextDouble(-3, 3));
+            Dynamics dynamics = new Dynamics(world, surface, gravity);
+            double[] mass = new double[2 + run % 3];
+            double whole = 0;
+            for (int k = 0; k < mass.length; k++) {
+                GeometryObject object = add(world, random, name(k));
+                mass[k] = Math.exp(random.nextDouble(-1, 2));
+                whole += mass[k];
+                dynamics.add(name(k), Body.ofMass(object, mass[k]).withSurface(surface));
+                Point c = object.center();
+                dynamics.setSpatialVelocity(
+                        name(k), new SpatialVelocity(-2 * c.x(), -2 * c.y(), -2 * c.z(), 80, random.nextDouble(90), 0));
+            }
+            double[] before = momentum(dynamics, mass);
+            for (double time = 0; time < 0.6; time += seconds) {
+                StepResult result = dynamics.step(seconds);
+                met += result.contacts().isEmpty() ? 0 : 1;
+                assertThat(result.stopped()).isEmpty();
+                double[] after = momentum(dynamics, mass);
+                double[] given = {0, whole * gravity.y() * seconds, whole * gravity.z() * seconds};
+                for (int axis = 0; axis < 3; axis++) {
+                    assertThat(after[axis] - before[axis])
+                            .as("run %d at %s s, axis %d", run, time, axis)
+                            .isCloseTo(given[axis], within(BOUND * Math.max(1, after[3])));
+                }
+                before = after;
+            }
+        }
+        assertThat(met).isGreaterThan(2);
+    }
+
+    private static GeometryObject add(Geometry world, SplittableRandom random, String name) {
+        while (true) {
+            Point at =
+                    new Point(random.nextDouble(-0.7, 0.7), random.nextDouble(-0.7, 0.7), random.nextDouble(-0.7, 0.7));
+            double size = random.nextDouble(0.1, 0.3);
+            double height = random.nextDouble(0.3, 0.6);
+            GeometryObject shape = switch (random.nextInt(4)) {
+                case 0 -> new SphereObject(at, size);
+                case 1 -> new BoxObject(at, 2 * size, height, size);
+                case 2 -> new CylinderObject(at, size, height);
+                default -> new CapsuleObject(at, size / 2, height);
+            };
+            GeometryObject object =
+                    shape.turned(random.nextDouble(90), random.nextDouble(360)).moveable(name);
+            if (world.addObject(object)) {
+                return object;
+            }
+        }
+    }
+
+    /** Three numbers, and the sum of the magnitudes. */
+    private static double[] momentum(Dynamics dynamics, double[] mass) {
+        double[] sum = new double[4];
+        for (int k = 0; k < mass.length; k++) {
+            SpatialVelocity v = dynamics.spatialVelocity(name(k));
+            sum[0] += mass[k] * v.x();
+            sum[1] += mass[k] * v.y();
+            sum[2] += mass[k] * v.z();
+            sum[3] += mass[k] * (Math.abs(v.x()) + Math.abs(v.y()) + Math.abs(v.z()));
+        }
+        return sum;
+    }
+
+    /** A force at an offset is a force and a torque: neither loses anything to the floor that gives it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.001, 0.0123, 0.05, 0.3})
+    void aForceAtAnOffsetGivesItsMomentumAndItsTorque(double seconds) {
+        for (double offset : new double[] {0, 0.02, -0.3}) {
+            Geometry world = new Geometry(60, 10, 60);
+            world.addObject(new BoxObject(new Point(0, -3, 0), 50, 1, 50));
+            Surface rough = new Surface(0, 1, 1);
+            Dynamics dynamics = new Dynamics(world, rough, new Point(0, -9.81, 0));
+            BoxObject box = new BoxObject(new Point(0, -2.25 + 1e-8, 0), 0.9, 0.5, 0.5).moveable(name(0));
+            assertThat(world.addObject(box)).isTrue();
+            Body body = Body.ofMass(box, 50).withSurface(rough);
+            dynamics.add(name(0), body);
+            double force = offset == -0.3 ? 0 : 20; // one that turns far has a force of many directions
+            dynamics.drive(name(0), new ForceDrive(force, 0, 20 * offset));
+            double time = 0;
+            while (time < 0.6) {
+                dynamics.step(seconds);
+                time += seconds;
+                SpatialVelocity v = dynamics.spatialVelocity(name(0));
+                double speed = Math.sqrt(v.x() * v.x() + v.z() * v.z());
+                assertThat(body.inertia() * Math.toRadians(v.ry()))
+                        .as("offset %s, %s s", offset, time)
+                        .isCloseTo(20 * offset * time, within(BOUND));
+                if (offset == 0 || force == 0) {
+                    assertThat(50 * speed).isCloseTo(force * time, within(BOUND));
+                }
+            }
+        }
+    }
+}
