@@ -35,17 +35,6 @@ class PartsTest {
     private final SplittableRandom random = new SplittableRandom(61);
     private final SenseBuffer out = new SenseBuffer(Extra.OBJECTS, Extra.PARTS);
 
-    private static Ray beam(Pose pose, RayPattern pattern, int k) {
-        Point d = pattern.direction(k);
-        double[] r = pose.rotation();
-        return new Ray(
-                pose.center(),
-                new Point(
-                        r[0] * d.x() + r[1] * d.y() + r[2] * d.z(),
-                        r[3] * d.x() + r[4] * d.y() + r[5] * d.z(),
-                        r[6] * d.x() + r[7] * d.y() + r[8] * d.z()));
-    }
-
     private static double alone(Dimension dimension, GeometryObject part, Ray ray) {
         Geometry world = new Geometry(1000, 1000, 1000, dimension, Accuracy.EXACT);
         assertThat(world.addObjectUnchecked(part)).isTrue();
@@ -95,7 +84,9 @@ class PartsTest {
                 for (int k = 0; k < parts.size(); k++) {
                     Pose inGroup = parts.get(k).pose();
                     double found = alone(
-                            dimension, parts.get(k).at(inGroup.within(Pose.of(center, 0))), beam(pose, pattern, beam));
+                            dimension,
+                            parts.get(k).at(inGroup.within(Pose.of(center, 0))),
+                            TogetherTest.beam(pose, pattern, beam));
                     ties += found == nearest && first >= 0 ? 1 : 0;
                     if (found < nearest) {
                         nearest = found;
@@ -150,7 +141,7 @@ class PartsTest {
                 for (int k = 11; k >= 0; k--) {
                     MeshObject triangle = new MeshObject(corners.subList(3 * k, 3 * k + 3), new int[][] {{0, 1, 2}});
                     GeometryObject one = inGroup ? new ObjectGroup(List.of(triangle)).at(at) : triangle.at(at);
-                    if (alone(dimension, one, beam(Pose.ORIGIN, pattern, beam)) == out.distance(beam)) {
+                    if (alone(dimension, one, TogetherTest.beam(Pose.ORIGIN, pattern, beam)) == out.distance(beam)) {
                         first = k;
                     }
                 }
@@ -180,7 +171,7 @@ class PartsTest {
                 int first = -1;
                 for (int cell = 399; cell >= 0 && out.object(beam) != null; cell--) {
                     if (occupied.get(cell)
-                            && alone(dimension, grid.box(cell % 20, cell / 20), beam(pose, fan, beam))
+                            && alone(dimension, grid.box(cell % 20, cell / 20), TogetherTest.beam(pose, fan, beam))
                                     == out.distance(beam)) {
                         first = cell;
                     }

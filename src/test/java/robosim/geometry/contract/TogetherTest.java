@@ -116,7 +116,7 @@ class TogetherTest {
         };
     }
 
-    private static Ray beam(Pose pose, RayPattern pattern, int k) {
+    static Ray beam(Pose pose, RayPattern pattern, int k) {
         Point d = pattern.direction(k);
         double[] r = pose.rotation();
         return new Ray(

@@ -121,7 +121,7 @@ class FilterTest {
                 "Orientation.volume", new Family(Subject.VOLUME, false, LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_BOX));
         families.put("Border", new Family(Subject.BORDER, false, LeafKind.CYLINDER, LeafKind.CYLINDER));
         List<Family> asked = List.copyOf(families.values());
-        int count = 40_000;
+        int count = 15_000;
         double[] right = Answers.here(asked, 9, count);
         double[] mutant = Answers.forked(filter("tenth"), asked, 9, count);
         int at = 0;

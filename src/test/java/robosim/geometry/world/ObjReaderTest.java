@@ -30,7 +30,7 @@ class ObjReaderTest {
     }
 
     /** The volume that a closed surface encloses, with the sign of its faces' sense. */
-    private static double volume(MeshObject mesh) {
+    static double volume(MeshObject mesh) {
         double sum = 0;
         List<Point> vertices = mesh.vertices();
         for (int[] face : mesh.faces()) {

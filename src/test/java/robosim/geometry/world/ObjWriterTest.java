@@ -35,41 +35,25 @@ class ObjWriterTest {
         return ObjReader.read(file);
     }
 
-    /** Six times the volume inside, by the divergence theorem: positive where all faces look out. */
-    private static double volume(MeshObject mesh) {
-        double sum = 0;
-        List<Point> vertices = mesh.vertices();
-        for (int[] face : mesh.faces()) {
-            for (int k = 2; k < face.length; k++) {
-                Point a = vertices.get(face[0]);
-                Point b = vertices.get(face[k - 1]);
-                Point c = vertices.get(face[k]);
-                sum += a.x() * (b.y() * c.z() - b.z() * c.y())
-                        + a.y() * (b.z() * c.x() - b.x() * c.z())
-                        + a.z() * (b.x() * c.y() - b.y() * c.x());
-            }
-        }
-        return sum / 6;
-    }
-
     /** All are closed surfaces, which look outwards, of the volume that the shape has or a little less. */
     @Test
     void shapesAreClosedAndOfTheirVolume() throws IOException {
         Point at = new Point(3, -4, 5);
         MeshObject box = written(new BoxObject(at, 2, 3, 4).turned(20, 30));
         assertThat(box.solid().isSolid()).isTrue();
-        assertThat(volume(box)).isCloseTo(24, within(1e-12));
+        assertThat(ObjReaderTest.volume(box)).isCloseTo(24, within(1e-12));
         double sides = ObjWriter.SIDES;
         MeshObject cylinder = written(new CylinderObject(at, 2, 3).turned(50, 10));
         assertThat(cylinder.solid().isSolid()).isTrue();
-        assertThat(volume(cylinder)).isCloseTo(3 * 4 * sides / 2 * StrictMath.sin(2 * Math.PI / sides), within(1e-12));
+        assertThat(ObjReaderTest.volume(cylinder))
+                .isCloseTo(3 * 4 * sides / 2 * StrictMath.sin(2 * Math.PI / sides), within(1e-12));
         MeshObject ball = written(new SphereObject(at, 2).turned(50, 10));
         assertThat(ball.solid().isSolid()).isTrue();
         MeshObject capsule = written(new CapsuleObject(at, 2, 3).turned(50, 10));
         assertThat(capsule.solid().isSolid()).isTrue();
         double full = (32.0 / 3 + 3 * 4) * Math.PI;
-        assertThat(volume(capsule)).isBetween(0.99 * full, full);
-        assertThat(volume(ball)).isBetween(0.99 * 32 / 3 * Math.PI, 32.0 / 3 * Math.PI);
+        assertThat(ObjReaderTest.volume(capsule)).isBetween(0.99 * full, full);
+        assertThat(ObjReaderTest.volume(ball)).isBetween(0.99 * 32 / 3 * Math.PI, 32.0 / 3 * Math.PI);
     }
 
     /** Cells side by side are one box, so that a wall has no faces inside. */
@@ -81,7 +65,7 @@ class ObjWriterTest {
         assertThat(straight.vertices()).hasSize(16);
         assertThat(straight.solid().isSolid()).isTrue();
         assertThat(straight.vertices()).contains(new Point(0, 0, 2.5), new Point(1, 4, 3.5), new Point(2, 4, 3.5));
-        assertThat(volume(straight)).isCloseTo(5 * 0.25 * 4, within(1e-12));
+        assertThat(ObjReaderTest.volume(straight)).isCloseTo(5 * 0.25 * 4, within(1e-12));
         MeshObject turned = written(grid.turned(0, 90));
         assertThat(turned.bounds()).isEqualTo(grid.turned(0, 90).bounds());
     }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
@@ -21,6 +20,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.space.Gallery;
+import robosim.geometry.viewer.window.ViewerPaneTest.Shown;
 
 /** The part of the window with the world in three dimensions, painted and driven by events, without any display. */
 class SpacePanelTest {
@@ -35,40 +35,18 @@ class SpacePanelTest {
         viewing = ViewerModelTest.world();
         pane = new ViewerPane(viewing, Theme.LIGHT, waiting::add);
         pane.setSize(WIDTH, HEIGHT);
-        layOut(pane);
-    }
-
-    private static void layOut(Container container) {
-        container.doLayout();
-        for (Component child : container.getComponents()) {
-            if (child instanceof Container inner) {
-                layOut(inner);
-            }
-        }
-    }
-
-    private static Component find(Container container, String name) {
-        for (Component child : container.getComponents()) {
-            if (name.equals(child.getName())) {
-                return child;
-            }
-            Component found = child instanceof Container inner ? find(inner, name) : null;
-            if (found != null) {
-                return found;
-            }
-        }
-        return null;
+        Shown.layOut(pane);
     }
 
     private SpacePanel space() {
-        return (SpacePanel) find(pane, "space");
+        return (SpacePanel) Shown.find(pane, "space");
     }
 
     private void typed(char letter) {
         KeyStroke stroke = KeyStroke.getKeyStroke(letter);
         Object name = pane.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(stroke);
         pane.getActionMap().get(name).actionPerformed(new ActionEvent(pane, 0, ""));
-        layOut(pane);
+        Shown.layOut(pane);
     }
 
     private void mouse(int id, int x, int y, int modifiers, int clicks) {
@@ -133,15 +111,15 @@ class SpacePanelTest {
 
     @Test
     void aKeyOrAButtonShowsThePlanOrBothOrSpace() {
-        assertThat(find(pane, "map")).isNotNull();
+        assertThat(Shown.find(pane, "map")).isNotNull();
         assertThat(space()).isNull();
         assertThat(waiting).isEmpty(); // what is not shown is not rendered
         typed('v');
-        assertThat(find(pane, "map").getWidth()).isBetween(340, 350);
+        assertThat(Shown.find(pane, "map").getWidth()).isBetween(340, 350);
         assertThat(space().getWidth()).isBetween(340, 350);
-        ((JButton) find(pane, "view")).doClick(0);
-        layOut(pane);
-        assertThat(find(pane, "map")).isNull();
+        ((JButton) Shown.find(pane, "view")).doClick(0);
+        Shown.layOut(pane);
+        assertThat(Shown.find(pane, "map")).isNull();
         assertThat(space().getWidth()).isEqualTo(WIDTH);
         typed('v');
         assertThat(space()).isNull();
@@ -309,15 +287,15 @@ class SpacePanelTest {
         ViewerModel recording = ViewerModelTest.recording(talk);
         ViewerPane shown = new ViewerPane(recording, Theme.DARK, Runnable::run);
         shown.setSize(WIDTH, HEIGHT);
-        ((JButton) find(shown, "view")).doClick(0);
-        ((JButton) find(shown, "view")).doClick(0);
-        layOut(shown);
-        Component panel = find(shown, "space");
+        ((JButton) Shown.find(shown, "view")).doClick(0);
+        ((JButton) Shown.find(shown, "view")).doClick(0);
+        Shown.layOut(shown);
+        Component panel = Shown.find(shown, "space");
         BufferedImage[] steps = new BufferedImage[3];
         for (int k = 0; k < 3; k++) {
             steps[k] = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
             panel.paint(steps[k].createGraphics());
-            ((JButton) find(shown, "forward")).doClick(0);
+            ((JButton) Shown.find(shown, "forward")).doClick(0);
         }
         assertThat(differences(steps[0], steps[1])).isGreaterThan(300);
         assertThat(differences(steps[1], steps[2])).isGreaterThan(300);

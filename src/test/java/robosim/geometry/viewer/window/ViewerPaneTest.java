@@ -34,7 +34,7 @@ class ViewerPaneTest {
     private static final int HEIGHT = 700;
 
     /** A pane as large as a window. */
-    private static final class Shown {
+    static final class Shown {
         final ViewerModel viewing;
         final ViewerPane pane;
         final MapPanel map;
@@ -47,7 +47,7 @@ class ViewerPaneTest {
             this.map = (MapPanel) find(pane, "map");
         }
 
-        private static void layOut(Container container) {
+        static void layOut(Container container) {
             container.doLayout();
             for (Component child : container.getComponents()) {
                 if (child instanceof Container inner) {
@@ -56,7 +56,7 @@ class ViewerPaneTest {
             }
         }
 
-        private static Component find(Container container, String name) {
+        static Component find(Container container, String name) {
             for (Component child : container.getComponents()) {
                 if (name.equals(child.getName())) {
                     return child;
