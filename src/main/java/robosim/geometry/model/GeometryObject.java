@@ -26,7 +26,9 @@ public sealed interface GeometryObject extends Serializable
         GROUP,
         GRID;
 
+        @SuppressWarnings("ImmutableEnumChecker") // a list that cannot be changed
         private final List<String> sizes;
+
         private final boolean isRound;
 
         Kind(String... sizes) {
