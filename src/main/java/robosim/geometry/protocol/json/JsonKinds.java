@@ -52,7 +52,7 @@ final class JsonKinds<T> implements JsonForm<T> {
     }
 
     /**
-     * Objects whose member {@code kind} is the word of their kind.
+     * Objects with a member of the name "kind", which is the word of their kind.
      *
      * @param article by which a refusal speaks of "a box", or empty for "of kind "box" it"
      */
