@@ -320,7 +320,7 @@ class PythonEnvironmentTest {
                         ":2: <grid> has no attribute moveable"),
                 Arguments.of(
                         "<grid cell='1' height='1' columns='3' rows='1'>3</grid>",
-                        ":2: the module refused it: line 2, at /objects/0: occupied must have a bit"),
+                        ":2: the module refused it: line 2, at /objects/0/occupied: occupied must have a bit"),
                 Arguments.of(
                         "<box name='b' width='1' height='1' length='1'><body mass='3'/></box>",
                         ":2: <body> of a static object must have a surface alone: restitution, friction,"),

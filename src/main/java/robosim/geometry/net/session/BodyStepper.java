@@ -211,7 +211,7 @@ public final class BodyStepper {
             throw new IllegalArgumentException(
                     "velocity must have no part upwards in a PLANAR world; set y to 0 (got: " + velocity + ")");
         }
-        Body body = BodyDefaults.of(object, asked.mass(), asked.inertia())
+        Body body = BodyRequests.body(object, asked.mass(), asked.inertia())
                 .withSurface(surface)
                 .withDamping(asked.damping(), asked.turnDamping())
                 .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()))

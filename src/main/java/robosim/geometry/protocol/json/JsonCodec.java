@@ -153,7 +153,7 @@ public final class JsonCodec {
             return load(load);
         }
         if (message instanceof JsonMessages.Ping) {
-            send(output -> output.writePong(id));
+            send(out -> JsonMessages.writePong(out, id));
             return null;
         }
         return (Bundle) message;
@@ -187,7 +187,7 @@ public final class JsonCodec {
     public void refuse(String reason) throws IOException {
         Checks.present("reason", reason);
         followUps.clear();
-        send(output -> output.writeError(Text.line(reason), id));
+        send(out -> JsonMessages.writeError(out, Text.line(reason), id));
     }
 
     private Object decode() throws IOException {
@@ -247,18 +247,12 @@ public final class JsonCodec {
         if (type.equals("hello")) {
             throw ProtocolException.ofRequest("a hello must come once, as the first message (got: another)", null);
         }
-        JsonMessages messages = new JsonMessages(in);
-        if (type.equals("init")) {
-            Bundle init = messages.init();
-            if (messages.wantsAnswer()) {
-                followUps.add(InitBundle.Answered.QUESTION);
-            }
-            return init;
+        Object message = JsonMessages.request(type, in);
+        if (message instanceof InitBundle.Answered asked) {
+            followUps.add(InitBundle.Answered.QUESTION);
+            return asked.init();
         }
-        if (type.equals("load")) {
-            return messages.load();
-        }
-        return type.equals("ping") ? messages.ping() : JsonLines.request(type, in);
+        return message;
     }
 
     private void hello() throws IOException {
@@ -277,7 +271,7 @@ public final class JsonCodec {
                             : "the secret must be the one that this module was given (got: another)");
         }
         admitted = true;
-        send(JsonOutput::writeHello);
+        send(JsonMessages::writeHello);
     }
 
     private JsonMessages.Hello decodeHello() throws IOException {
@@ -287,7 +281,7 @@ public final class JsonCodec {
                     + JsonLines.VERSION + "} (got: another)");
         }
         try (JsonInput in = JsonInput.discreet(lines.buffer(), lines.start(), lines.length())) {
-            return new JsonMessages(in).hello();
+            return JsonMessages.hello(in);
         }
     }
 
@@ -300,7 +294,7 @@ public final class JsonCodec {
         }
         Reply told = leftOut.isEmpty() ? reply : withLeftOut(reply);
         leftOut.clear();
-        send(output -> output.write(told, id));
+        send(out -> JsonMessages.write(out, told, id));
     }
 
     /** The answer to a load, with what is missing of the file. */
@@ -324,7 +318,7 @@ public final class JsonCodec {
     private void send(JsonLines.Writing message) throws IOException {
         synchronized (target) {
             try (JsonGenerator generator = JsonInput.FACTORY.createGenerator(buffered)) {
-                message.write(new JsonOutput(generator));
+                message.write(generator);
             }
             buffered.write('\n');
             buffered.flush();

@@ -16,8 +16,12 @@ import java.io.Reader;
 import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.ImageTexture;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Text;
@@ -66,7 +70,9 @@ final class JsonInput implements Closeable {
 
     private final JsonParser parser;
     private final JsonProblems problems;
+    private final Map<ImageTexture, ImageTexture> images = new HashMap<>();
     private int containers;
+    private long parts;
 
     /** The id of the message; null if it has none, or it has not been read yet. */
     private @Nullable Object id;
@@ -149,12 +155,6 @@ final class JsonInput implements Closeable {
         advance();
     }
 
-    /** Begins reading the line's object, a request or an answer, which may have an id besides its fields. */
-    JsonMembers message(Fields fields) throws IOException {
-        advance();
-        return object(fields).withId();
-    }
-
     /** Checks that the line ends here. */
     void end() throws IOException {
         if (advance() != null) {
@@ -231,15 +231,6 @@ final class JsonInput implements Closeable {
     }
 
     /** Begins reading the current value as an object. */
-    JsonMembers object(Fields fields) throws IOException {
-        if (parser.currentToken() != JsonToken.START_OBJECT) {
-            throw refused("must be an object, {...} (got: " + kind() + ")");
-        }
-        count();
-        return new JsonMembers(this, fields);
-    }
-
-    /** Begins reading the current value as an object of any fields, by {@link #nextField}. */
     void beginObject() throws IOException {
         if (!isObject()) {
             throw refused("must be an object, {...} (got: " + kind() + ")");
@@ -347,6 +338,30 @@ final class JsonInput implements Closeable {
         return numbers;
     }
 
+    /** The current value as a list of numbers. */
+    double[] doubles(int most) throws IOException {
+        double[] numbers = new double[4];
+        int count = 0;
+        list();
+        while (more(count, most)) {
+            numbers = count < numbers.length ? numbers : Arrays.copyOf(numbers, 2 * count);
+            numbers[count++] = number();
+        }
+        return Arrays.copyOf(numbers, count);
+    }
+
+    /** The current value as a list of whole numbers. */
+    int[] wholes(int most, int least, int greatest) throws IOException {
+        int[] numbers = new int[4];
+        int count = 0;
+        list();
+        while (more(count, most)) {
+            numbers = count < numbers.length ? numbers : Arrays.copyOf(numbers, 2 * count);
+            numbers[count++] = (int) whole(least, greatest);
+        }
+        return Arrays.copyOf(numbers, count);
+    }
+
     boolean flag() throws IOException {
         if (!isFlag()) {
             throw refused("must be true or false (got: " + kind() + ")");
@@ -448,11 +463,35 @@ final class JsonInput implements Closeable {
 
     /** Constructs a value; an exception of its constructor becomes one of this input. */
     <T> T make(Supplier<T> constructor) throws ProtocolException {
+        return make(constructor, message -> null);
+    }
+
+    /**
+     * The same for an object that has been read.
+     *
+     * @param culprit finds the member that a constructor's message is about; null for the object as a whole
+     */
+    <T> T make(Supplier<T> constructor, Function<String, @Nullable String> culprit) throws ProtocolException {
         try {
             return constructor.get();
         } catch (IllegalArgumentException e) {
-            throw ProtocolException.ofRequest(problems.place() + String.valueOf(e.getMessage()), e);
+            String message = String.valueOf(e.getMessage());
+            throw ProtocolException.ofRequest(problems.place(culprit.apply(message)) + message, e);
         }
+    }
+
+    /** Counts parts of objects. */
+    void addParts(long more) throws ProtocolException {
+        parts += more;
+        if (parts > MessageLimits.MAX_PARTS) {
+            throw refused("a message's objects must have at most " + MessageLimits.MAX_PARTS
+                    + " parts, counted in every list that contains them (got: more)");
+        }
+    }
+
+    /** An equal value that was read before in this message, or else this one: pictures share their pixels. */
+    ImageTexture shared(ImageTexture image) {
+        return images.computeIfAbsent(image, same -> same);
     }
 
     /** An exception about the current value. */

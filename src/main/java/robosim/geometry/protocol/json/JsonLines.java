@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
@@ -42,13 +43,13 @@ public final class JsonLines {
      */
     public static String write(Bundle request) {
         Checks.present("request", request);
-        return text(output -> output.write(request));
+        return text(out -> JsonMessages.write(out, request));
     }
 
     /** Writes a {@code moves} line with the refusals, a {@code distances}, an {@code answers} or a {@code bodies} line. */
     public static String write(Reply reply) {
         Checks.present("reply", reply);
-        return text(output -> output.write(reply, null));
+        return text(out -> JsonMessages.write(out, reply, null));
     }
 
     /**
@@ -66,7 +67,13 @@ public final class JsonLines {
                                 + " that answers a hello, a load or a ping (got: " + Text.quoted(type) + ")");
             }
             try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
-                return request(type, in);
+                Bundle request = (Bundle) JsonMessages.request(type, in);
+                if (request instanceof InitBundle.Answered) {
+                    throw new ProtocolException("at /answer: must be left out here, where the question what became of"
+                            + " an init is a line of its own, {\"type\":\"batch\",\"requests\":[{\"kind\":\"world\"}]}"
+                            + " (got: true)");
+                }
+                return request;
             }
         });
     }
@@ -81,16 +88,7 @@ public final class JsonLines {
         return guarded(() -> {
             String type = JsonMessages.typeOf(JsonInput.of(bytes, 0, bytes.length));
             try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
-                return switch (type) {
-                    case "moves" -> new JsonMessages(in).made();
-                    case "distances" -> new JsonMessages(in).distances();
-                    case "answers" -> new JsonAnswers(in).answers();
-                    case "bodies" -> new JsonSteps(in).answer();
-                    default ->
-                        throw new ProtocolException(
-                                "an answer's type must be moves, distances, answers or bodies (got: "
-                                        + Text.quoted(type) + ")");
-                };
+                return JsonMessages.reply(type, in);
             }
         });
     }
@@ -121,30 +119,6 @@ public final class JsonLines {
                 return in.find("refused");
             }
         });
-    }
-
-    static Bundle request(String type, JsonInput in) throws IOException {
-        JsonMessages messages = new JsonMessages(in);
-        return switch (type) {
-            case "init" -> {
-                Bundle init = messages.init();
-                if (messages.wantsAnswer()) {
-                    throw new ProtocolException("at /answer: must be left out here, where the question what became of"
-                            + " an init is a line of its own, {\"type\":\"batch\",\"requests\":[{\"kind\":\"world\"}]}"
-                            + " (got: true)");
-                }
-                yield init;
-            }
-            case "moves" -> messages.moves();
-            case "sonars" -> messages.sonars();
-            case "batch" -> new JsonBatches(in).batch();
-            case "step" -> new JsonSteps(in).step();
-            default ->
-                throw ProtocolException.ofRequest(
-                        "a request's type must be init, load, moves, sonars, batch, step or ping (got: "
-                                + Text.quoted(type) + ")",
-                        null);
-        };
     }
 
     static byte[] bytes(String line) throws ProtocolException {
@@ -207,13 +181,13 @@ public final class JsonLines {
     /** An operation that writes. */
     @FunctionalInterface
     interface Writing {
-        void write(JsonOutput output) throws IOException;
+        void write(JsonGenerator out) throws IOException;
     }
 
     private static String text(Writing writing) {
         StringWriter text = new StringWriter();
         try (JsonGenerator generator = JsonInput.FACTORY.createGenerator(text)) {
-            writing.write(new JsonOutput(generator));
+            writing.write(generator);
         } catch (IOException e) {
             throw new UncheckedIOException("writing to a string cannot fail", e);
         }

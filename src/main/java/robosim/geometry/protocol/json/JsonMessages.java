@@ -1,5 +1,6 @@
 package robosim.geometry.protocol.json;
 
+import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -7,50 +8,115 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
-import robosim.geometry.model.Accuracy;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.BatchAnswerBundle;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.json.JsonAnswers.Failed;
 
-/** Reads messages of known type from JSON. */
+/** Messages as JSON, by their types; every double has the shortest digits that identify it. */
 final class JsonMessages {
-    private static final Fields INIT = Fields.of("type objects", "settings answer");
-    private static final Fields LOAD = Fields.of("type file", "files settings named");
-    private static final Fields SETTINGS = Fields.of("", "width height length dimension accuracy");
-    private static final Fields MOVES = Fields.of("type moves", "");
-    private static final Fields MOVE = Fields.of("objectName x y z rx ry", "");
-    private static final Fields SONARS = Fields.of("type requests", "");
-    private static final Fields SONAR = Fields.of("objectName xOffset zOffset", "beam");
-    private static final Fields BEAM = Fields.of("min max width", "");
-    private static final Fields MADE = Fields.of("type moves refused", "");
-    private static final Fields REFUSED = Fields.of("index reason", "");
-    private static final Fields DISTANCES = Fields.of("type distances", "");
-    private static final Fields ERROR = Fields.of("error", "");
-    private static final Fields HELLO = Fields.of("type version", "secret");
-    private static final Fields PING = Fields.of("type", "");
-
     /** Most files of a world: a model of a robot with a mesh for each of its links has some 30. */
     private static final int MAX_FILES = 1_000;
 
     /** Most bytes of one of them; all must fit into a line as base64. */
     private static final int MAX_FILE_BYTES = 3 * MessageLimits.MAX_MESSAGE_BYTES / 8;
 
-    private final JsonInput in;
-    private boolean wantsAnswer;
+    private static final JsonObject<WorldSettings> SETTINGS = JsonObject.of(WorldSettings.class)
+            .form("width", size("width"))
+            .form("height", size("height"))
+            .form("length", size("length"))
+            .omitting(0.0, "width height length")
+            .omitting(null, "dimension accuracy");
 
-    JsonMessages(JsonInput in) {
-        this.in = in;
-    }
+    private static final JsonObject<Bundle> INIT = JsonObject.of(Init.class)
+            .form("objects", JsonForm.list(JsonShapes.OBJECT))
+            .form("settings", SETTINGS)
+            .omitting(null, "settings")
+            .omitting(false, "answer")
+            .as(Init::bundle, Init::of);
+
+    private static final JsonObject<MoveBundle> MOVES =
+            JsonObject.of(MoveBundle.class).form("moves", JsonForm.list(JsonObject.of(MoveRequest.class)));
+
+    private static final JsonObject<SonarRequestBundle> SONARS = JsonObject.of(SonarRequestBundle.class)
+            .form(
+                    "requests",
+                    JsonForm.list(JsonObject.of(SonarRequest.class)
+                            .form("beam", JsonObject.of(Beam.class).form("max", JsonForm.RANGE))
+                            .omitting(null, "beam")));
+
+    private static final JsonObject<Reply> MADE = JsonObject.of(Made.class)
+            .inline("made", MOVES)
+            .form("refused", JsonAnswers.REFUSED)
+            .as(
+                    made -> new Reply(made.made, made.refused),
+                    reply -> new Made((MoveBundle) reply.bundle(), reply.problems()));
+
+    private static final JsonObject<Failed> FAILED = JsonObject.of(Failed.class);
+
+    /** A distance, null for none, or why there is no answer. */
+    private static final JsonForm<Object> DISTANCE = JsonForm.of(JsonMessages::distance, (out, told) -> {
+        if (told instanceof Failed failed) {
+            FAILED.write(out, failed);
+        } else {
+            JsonForm.RANGE.write(out, (Double) told);
+        }
+    });
+
+    private static final JsonObject<Reply> DISTANCES = JsonObject.of(Distances.class)
+            .form("distances", JsonForm.list(DISTANCE))
+            .as(Distances::reply, Distances::of);
+
+    private static final JsonObject<Ping> PING = JsonObject.of(Ping.class);
+
+    private static final Map<String, JsonObject<?>> REQUESTS = Map.of(
+            "init",
+            INIT,
+            "load",
+            JsonObject.of(InitBundle.Load.class)
+                    .form("files", JsonForm.of(JsonMessages::files, (out, files) -> {}))
+                    .optional(Map.of(), "files")
+                    .form("settings", SETTINGS)
+                    .omitting(null, "settings")
+                    .named("isNaming", "named")
+                    .omitting(false, "named"),
+            "moves",
+            MOVES,
+            "sonars",
+            SONARS,
+            "batch",
+            JsonBatches.BATCH,
+            "step",
+            JsonSteps.STEP,
+            "ping",
+            PING);
+
+    private static final Map<String, JsonObject<Reply>> REPLIES =
+            Map.of("moves", MADE, "distances", DISTANCES, "answers", JsonAnswers.ANSWERS, "bodies", JsonSteps.BODIES);
+
+    private static final JsonObject<Hello> HELLO = JsonObject.of(Hello.class).omitting(null, "secret");
+
+    private static final JsonObject<Welcome> WELCOME =
+            JsonObject.of(Welcome.class).form("limits", JsonObject.of(Limits.class));
+
+    private static final JsonObject<Failure> FAILURE = JsonObject.of(Failure.class);
+
+    private JsonMessages() {}
 
     /** The {@code type} of a message, at any position; what follows it is not read. */
     static String typeOf(JsonInput message) throws IOException {
@@ -72,84 +138,96 @@ final class JsonMessages {
         }
     }
 
-    /** The first message of a peer. */
-    record Hello(@Nullable String secret) {
-        @Override
-        public String toString() {
-            return "hello"; // the secret appears nowhere
+    /** Reads a request: a Bundle, an {@link InitBundle.Load} or a {@link Ping}. */
+    static Object request(String type, JsonInput in) throws IOException {
+        JsonObject<?> form = REQUESTS.get(type);
+        if (form == null) {
+            throw ProtocolException.ofRequest(
+                    "a request's type must be init, load, moves, sonars, batch, step or ping (got: " + Text.quoted(type)
+                            + ")",
+                    null);
         }
+        return form.readMessage(in);
     }
 
-    /** A ping: asks whether the peer is alive. */
-    record Ping() {}
+    /** Reads an answer. */
+    static Reply reply(String type, JsonInput in) throws IOException {
+        JsonObject<Reply> form = REPLIES.get(type);
+        if (form == null) {
+            throw new ProtocolException(
+                    "an answer's type must be moves, distances, answers or bodies (got: " + Text.quoted(type) + ")");
+        }
+        return form.readMessage(in);
+    }
 
-    Hello hello() throws IOException {
-        String secret = null;
+    /** Reads the first message of a peer. */
+    static Hello hello(JsonInput in) throws IOException {
         in.begin();
-        JsonMembers message = in.object(HELLO);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            switch (field) {
-                case 0 -> in.text();
-                case 1 -> version();
-                default -> secret = in.text();
-            }
-        }
+        Hello hello = HELLO.read(in);
         in.end();
-        return new Hello(secret);
+        return hello;
     }
 
-    private void version() throws IOException {
-        double version = in.number();
-        if (version != JsonLines.VERSION) {
-            throw in.refused("version must be " + JsonLines.VERSION + " (got: another)");
+    /** Writes a request. */
+    static void write(JsonGenerator out, Bundle request) throws IOException {
+        if (request instanceof InitBundle || request instanceof InitBundle.Answered) {
+            write(out, "init", null, INIT, request);
+        } else if (request instanceof MoveBundle moves) {
+            write(out, "moves", null, MOVES, moves);
+        } else if (request instanceof SonarRequestBundle sonars) {
+            write(out, "sonars", null, SONARS, sonars);
+        } else if (request instanceof BatchRequestBundle batch) {
+            write(out, "batch", null, JsonBatches.BATCH, batch);
+        } else if (request instanceof StepBundle step) {
+            write(out, "step", null, JsonSteps.STEP, step);
+        } else {
+            throw new IllegalArgumentException(
+                    "a request must be an InitBundle, an InitBundle.Answered, a MoveBundle, a"
+                            + " SonarRequestBundle, a BatchRequestBundle or a StepBundle (got: "
+                            + request.getClass().getSimpleName() + ")");
         }
     }
 
-    Ping ping() throws IOException {
-        JsonMembers message = in.message(PING);
-        while (message.next() >= 0) {
-            in.text();
-        }
-        in.end();
-        return new Ping();
+    /** Writes an answer, with the id of its request if that has one. */
+    static void write(JsonGenerator out, Reply reply, @Nullable Object id) throws IOException {
+        String type = reply.bundle() instanceof MoveBundle
+                ? "moves"
+                : reply.bundle() instanceof StepBundle.Answer
+                        ? "bodies"
+                        : reply.bundle() instanceof BatchAnswerBundle ? "answers" : "distances";
+        write(out, type, id, Checks.present("form", REPLIES.get(type)), reply);
     }
 
-    InitBundle init() throws IOException {
-        List<GeometryObject> objects = new ArrayList<>();
-        WorldSettings settings = null;
-        JsonMembers message = in.message(INIT);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            switch (field) {
-                case 0 -> in.text();
-                case 1 -> objects = new JsonObjects(in).list();
-                case 2 -> settings = settings();
-                default -> wantsAnswer = in.flag();
-            }
-        }
-        in.end();
-        return new InitBundle(objects, settings);
+    /** Writes the answer to a peer's hello. */
+    static void writeHello(JsonGenerator out) throws IOException {
+        write(out, "hello", null, WELCOME, new Welcome(JsonLines.VERSION, JsonLines.MODULE, Limits.ALL));
     }
 
-    InitBundle.Load load() throws IOException {
-        String file = "";
+    /** Writes the answer to a ping. */
+    static void writePong(JsonGenerator out, @Nullable Object id) throws IOException {
+        write(out, "pong", id, PING, new Ping());
+    }
+
+    /** Writes why a request is not carried out, in a conversation that goes on. */
+    static void writeError(JsonGenerator out, String message, @Nullable Object id) throws IOException {
+        write(out, "error", id, FAILURE, new Failure(true, message));
+    }
+
+    private static <T> void write(JsonGenerator out, String type, @Nullable Object id, JsonObject<T> form, T message)
+            throws IOException {
+        out.writeStartObject();
+        out.writeStringField("type", type);
+        if (id instanceof Long number) {
+            out.writeNumberField("id", number);
+        } else if (id != null) {
+            out.writeStringField("id", id.toString());
+        }
+        form.writeMembers(out, message);
+        out.writeEndObject();
+    }
+
+    private static Map<String, byte[]> files(JsonInput in) throws IOException {
         Map<String, byte[]> files = new LinkedHashMap<>();
-        WorldSettings settings = null;
-        boolean isNaming = false;
-        JsonMembers message = in.message(LOAD);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            switch (field) {
-                case 0 -> in.text();
-                case 1 -> file = in.text();
-                case 2 -> files(files);
-                case 3 -> settings = settings();
-                default -> isNaming = in.flag();
-            }
-        }
-        in.end();
-        return new InitBundle.Load(file, files, settings, isNaming);
-    }
-
-    private void files(Map<String, byte[]> files) throws IOException {
         in.beginObject();
         for (String name = in.nextField(); name != null; name = in.nextField()) {
             if (files.size() >= MAX_FILES || files.containsKey(name)) {
@@ -158,180 +236,81 @@ final class JsonMessages {
             }
             files.put(name, in.base64(1, MAX_FILE_BYTES));
         }
+        return files;
     }
 
-    /** Whether the init that was read asks what becomes of it. */
-    boolean wantsAnswer() {
-        return wantsAnswer;
+    private static JsonForm<Double> size(String name) {
+        return JsonForm.NUMBER.as(size -> Checks.worldSize(name, size), size -> size);
     }
 
-    private WorldSettings settings() throws IOException {
-        WorldSettings none = WorldSettings.NONE;
-        double[] sizes = {none.width(), none.height(), none.length()};
-        Dimension dimension = none.dimension();
-        Accuracy accuracy = none.accuracy();
-        JsonMembers members = in.object(SETTINGS);
-        for (int next = members.next(); next >= 0; next = members.next()) {
-            int field = next;
-            switch (field) {
-                case 3 -> dimension = in.constant(Dimension.class);
-                case 4 -> accuracy = in.constant(Accuracy.class);
-                default -> {
-                    double size = in.number();
-                    sizes[field] = in.make(() -> Checks.worldSize(SETTINGS.name(field), size));
-                }
+    private static Object distance(JsonInput in) throws IOException {
+        if (in.isObject()) {
+            return FAILED.read(in);
+        }
+        Double distance = JsonForm.RANGE.read(in);
+        if (distance < 0) {
+            throw in.refused("a distance must be at least 0 (got: " + distance + ")");
+        }
+        return distance;
+    }
+
+    /** A ping: asks whether the peer is alive. */
+    record Ping() {}
+
+    /** The first message of a peer. */
+    record Hello(String type, double version, @Nullable String secret) {
+        Hello {
+            if (version != JsonLines.VERSION) {
+                throw new IllegalArgumentException("version must be " + JsonLines.VERSION + " (got: another)");
             }
         }
-        return new WorldSettings(sizes[0], sizes[1], sizes[2], dimension, accuracy);
+
+        @Override
+        public String toString() {
+            return "hello"; // the secret appears nowhere
+        }
     }
 
-    MoveBundle moves() throws IOException {
-        List<MoveRequest> moves = new ArrayList<>();
-        JsonMembers message = in.message(MOVES);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            if (field == 0) {
-                in.text();
-            } else {
-                moves = moveList();
-            }
-        }
-        in.end();
-        return new MoveBundle(moves);
+    record Welcome(int version, String module, Limits limits) {}
+
+    record Limits(
+            int messageBytes, int depth, int references, int arrayLength, int listLength, long parts, int textBytes) {
+        private static final Limits ALL = new Limits(
+                MessageLimits.MAX_MESSAGE_BYTES,
+                MessageLimits.MAX_DEPTH,
+                MessageLimits.MAX_REFERENCES,
+                MessageLimits.MAX_ARRAY_LENGTH,
+                MessageLimits.MAX_LIST_LENGTH,
+                MessageLimits.MAX_PARTS,
+                MessageLimits.MAX_TEXT_BYTES);
     }
 
-    private List<MoveRequest> moveList() throws IOException {
-        List<MoveRequest> moves = new ArrayList<>();
-        in.list();
-        while (in.more(moves.size(), MessageLimits.MAX_LIST_LENGTH)) {
-            moves.add(move());
+    record Failure(boolean continues, String message) {}
+
+    record Made(MoveBundle made, List<Problem> refused) {}
+
+    record Init(List<GeometryObject> objects, @Nullable WorldSettings settings, boolean answer) {
+        static Init of(Bundle bundle) {
+            InitBundle init = bundle instanceof InitBundle.Answered asked ? asked.init() : (InitBundle) bundle;
+            return new Init(init.objects(), init.settings(), bundle != init);
         }
-        return moves;
+
+        Bundle bundle() {
+            InitBundle init = new InitBundle(objects, settings);
+            return answer ? new InitBundle.Answered(init) : init;
+        }
     }
 
-    private MoveRequest move() throws IOException {
-        String[] name = {""};
-        double[] numbers = new double[5];
-        JsonMembers members = in.object(MOVE);
-        for (int field = members.next(); field >= 0; field = members.next()) {
-            if (field == 0) {
-                name[0] = in.text();
-            } else {
-                numbers[field - 1] = in.number();
-            }
+    record Distances(List<Object> distances) {
+        static Distances of(Reply reply) {
+            List<Double> distances = ((DistanceBundle) reply.bundle()).distances();
+            return new Distances(Failed.in(distances, Double.NaN, reply.problems(), "no distance"));
         }
-        return in.make(() -> new MoveRequest(name[0], numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]));
-    }
 
-    SonarRequestBundle sonars() throws IOException {
-        List<SonarRequest> requests = new ArrayList<>();
-        JsonMembers message = in.message(SONARS);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            if (field == 0) {
-                in.text();
-                continue;
-            }
-            in.list();
-            while (in.more(requests.size(), MessageLimits.MAX_LIST_LENGTH)) {
-                requests.add(sonar());
-            }
+        Reply reply() {
+            List<Double> all = new ArrayList<>();
+            List<Problem> problems = Failed.out(distances, Double.NaN, Double.class, all);
+            return new Reply(new DistanceBundle(all), problems);
         }
-        in.end();
-        return new SonarRequestBundle(requests);
-    }
-
-    private SonarRequest sonar() throws IOException {
-        String[] name = {""};
-        double[] offset = new double[2];
-        Beam[] beam = new Beam[1];
-        JsonMembers members = in.object(SONAR);
-        for (int field = members.next(); field >= 0; field = members.next()) {
-            switch (field) {
-                case 0 -> name[0] = in.text();
-                case 3 -> beam[0] = beam();
-                default -> offset[field - 1] = in.number();
-            }
-        }
-        return in.make(() -> new SonarRequest(name[0], offset[0], offset[1], beam[0]));
-    }
-
-    private Beam beam() throws IOException {
-        double[] numbers = new double[3];
-        JsonMembers members = in.object(BEAM);
-        for (int field = members.next(); field >= 0; field = members.next()) {
-            numbers[field] = field == 1 && in.isNull() ? Double.POSITIVE_INFINITY : in.number();
-        }
-        return in.make(() -> new Beam(numbers[0], numbers[1], numbers[2]));
-    }
-
-    /** An answer to moves. */
-    Reply made() throws IOException {
-        List<MoveRequest> moves = new ArrayList<>();
-        List<Problem> problems = new ArrayList<>();
-        JsonMembers message = in.message(MADE);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            switch (field) {
-                case 0 -> in.text();
-                case 1 -> moves = moveList();
-                default -> {
-                    in.list();
-                    while (in.more(problems.size(), MessageLimits.MAX_LIST_LENGTH)) {
-                        problems.add(problem());
-                    }
-                }
-            }
-        }
-        in.end();
-        return new Reply(new MoveBundle(moves), problems);
-    }
-
-    Problem problem() throws IOException {
-        int index = 0;
-        String reason = "";
-        JsonMembers members = in.object(REFUSED);
-        for (int field = members.next(); field >= 0; field = members.next()) {
-            if (field == 0) {
-                index = (int) in.whole(0, MessageLimits.MAX_LIST_LENGTH);
-            } else {
-                reason = in.text();
-            }
-        }
-        return Problem.of(index, reason);
-    }
-
-    /** An answer to sonar requests. */
-    Reply distances() throws IOException {
-        List<Double> distances = new ArrayList<>();
-        List<Problem> problems = new ArrayList<>();
-        JsonMembers message = in.message(DISTANCES);
-        for (int field = message.next(); field >= 0; field = message.next()) {
-            if (field == 0) {
-                in.text();
-                continue;
-            }
-            in.list();
-            while (in.more(distances.size(), MessageLimits.MAX_LIST_LENGTH)) {
-                distances.add(distance(distances.size(), problems));
-            }
-        }
-        in.end();
-        return in.make(() -> new Reply(new DistanceBundle(distances), problems));
-    }
-
-    private double distance(int index, List<Problem> problems) throws IOException {
-        if (in.isNull()) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (!in.isObject()) {
-            double distance = in.number();
-            if (distance < 0) {
-                throw in.refused("a distance must be at least 0 (got: " + distance + ")");
-            }
-            return distance;
-        }
-        JsonMembers members = in.object(ERROR);
-        for (int field = members.next(); field >= 0; field = members.next()) {
-            problems.add(Problem.of(index, in.text()));
-        }
-        return Double.NaN;
     }
 }

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.exc.StreamConstraintsException;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Text;
@@ -30,8 +31,13 @@ final class JsonProblems {
 
     /** Where the current value is. */
     String place() {
+        return place(null);
+    }
+
+    /** Where a member of the current object is; of null, where the value itself is. */
+    String place(@Nullable String member) {
         String pointer =
-                discreet ? "" : parser.getParsingContext().pathAsPointer().toString();
+                discreet ? "" : parser.getParsingContext().pathAsPointer() + (member == null ? "" : "/" + member);
         return pointer.isEmpty() ? "the message: " : "at " + Text.line(pointer) + ": ";
     }
 

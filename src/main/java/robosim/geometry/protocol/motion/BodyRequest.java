@@ -63,77 +63,43 @@ public record BodyRequest(
 
     /** This body with another mass, kg. */
     public BodyRequest withMass(double other) {
-        return new BodyRequest(
-                objectName,
-                other,
-                inertia,
-                surface,
-                damping,
-                turnDamping,
-                maxSpeed,
-                maxTurn,
-                floorFriction,
-                drive,
-                velocity);
+        return with(other, surface, damping, turnDamping, floorFriction, drive, velocity);
     }
 
     /** This body with another surface. */
     public BodyRequest withSurface(SurfaceSettings other) {
-        return new BodyRequest(
-                objectName,
-                mass,
-                inertia,
-                other,
-                damping,
-                turnDamping,
-                maxSpeed,
-                maxTurn,
-                floorFriction,
-                drive,
-                velocity);
+        return with(mass, other, damping, turnDamping, floorFriction, drive, velocity);
     }
 
     /** This body with other dampings, shares of the speeds each second. */
     public BodyRequest withDamping(double ofSpeed, double ofTurn) {
-        return new BodyRequest(
-                objectName, mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction, drive, velocity);
+        return with(mass, surface, ofSpeed, ofTurn, floorFriction, drive, velocity);
     }
 
     /** This body with another friction on the floor. */
     public BodyRequest withFloorFriction(double other) {
-        return new BodyRequest(
-                objectName, mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, other, drive, velocity);
+        return with(mass, surface, damping, turnDamping, other, drive, velocity);
     }
 
     /** This body with another drive. */
     public BodyRequest withDrive(DriveSettings other) {
-        return new BodyRequest(
-                objectName,
-                mass,
-                inertia,
-                surface,
-                damping,
-                turnDamping,
-                maxSpeed,
-                maxTurn,
-                floorFriction,
-                other,
-                velocity);
+        return with(mass, surface, damping, turnDamping, floorFriction, other, velocity);
     }
 
     /** This body with a velocity. */
     public BodyRequest withVelocity(Velocity other) {
+        return with(mass, surface, damping, turnDamping, floorFriction, drive, other);
+    }
+
+    private BodyRequest with(
+            double kg,
+            SurfaceSettings by,
+            double ofSpeed,
+            double ofTurn,
+            double onFloor,
+            @Nullable DriveSettings driven,
+            @Nullable Velocity moving) {
         return new BodyRequest(
-                objectName,
-                mass,
-                inertia,
-                surface,
-                damping,
-                turnDamping,
-                maxSpeed,
-                maxTurn,
-                floorFriction,
-                drive,
-                other);
+                objectName, kg, inertia, by, ofSpeed, ofTurn, maxSpeed, maxTurn, onFloor, driven, moving);
     }
 }

@@ -216,7 +216,7 @@ class JsonBatchesTest {
                                 + " moveAndSlide, list or separate (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
-                Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0: max must be at least min"),
+                Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0/max: max must be at least min"),
                 Arguments.of(fan(",\"min\":-1"), "min must be from 0"),
                 Arguments.of(fan(",\"width\":4"), "width must be an angle in radians"),
                 Arguments.of(fan(",\"width\":0.1,\"normals\":true"), "width must be 0 for normals"),

@@ -226,7 +226,8 @@ class JsonLinesTest {
                         moves.formatted(move.replace(":1,", ":1e999,")),
                         "at /moves/1/x: must be a number that a double"),
                 Arguments.of(
-                        moves.formatted(move.replace(":1,", ":1e31,")), "at /moves/1: x must be a number from -2^100"),
+                        moves.formatted(move.replace(":1,", ":1e31,")),
+                        "at /moves/1/x: x must be a number from -2^100"),
                 Arguments.of(moves.formatted(move.replace(":1,", ":01,")), "must be JSON"),
                 Arguments.of(moves.formatted(move.replace(":1,", ":+1,")), "must be JSON"),
                 Arguments.of(moves.formatted(move.replace(":1,", ":.5,")), "must be JSON"),
@@ -243,7 +244,7 @@ class JsonLinesTest {
                         box.formatted("\"length\":1,\"radius\":1"),
                         "at /objects/0: a box must not have the field \"radius\""),
                 Arguments.of(box.formatted("\"solid\":true"), "a box must have the field \"length\""),
-                Arguments.of(box.formatted("\"length\":-1"), "at /objects/0: length must be a number from 0"),
+                Arguments.of(box.formatted("\"length\":-1"), "at /objects/0/length: length must be a number from 0"),
                 Arguments.of(box.formatted("\"length\":1,\"moveable\":true"), "name must be given"),
                 Arguments.of(box.formatted("\"length\":1,\"moveable\":1"), "/moveable: must be true or false"),
                 Arguments.of(box.formatted("\"length\":1,\"name\":\" \""), "name must have a visible character"),
@@ -304,7 +305,7 @@ class JsonLinesTest {
                         "at /requests/0/beam: must be an object, {...} (got: null)"),
                 Arguments.of(
                         sonar.formatted("\"xOffset\":1,\"zOffset\":0,\"beam\":{\"min\":2,\"max\":1,\"width\":0}"),
-                        "at /requests/0/beam: max must be at least min"),
+                        "at /requests/0/beam/max: max must be at least min"),
                 Arguments.of("\ufeff{\"type\":\"moves\",\"moves\":[]}", "byte order mark"));
     }
 
