@@ -15,7 +15,7 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
-import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;

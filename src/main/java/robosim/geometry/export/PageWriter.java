@@ -19,7 +19,7 @@ import robosim.geometry.scenario.Scenario;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
-import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.World;
 
 /**

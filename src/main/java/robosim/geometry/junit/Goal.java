@@ -11,7 +11,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /** A place that a robot is to reach, a heading, or a path; all as seen from above. */
 public final class Goal {

@@ -15,7 +15,7 @@ import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.session.BodyRequests;
 import robosim.geometry.protocol.Beam;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.world.SonarRing;

@@ -24,7 +24,7 @@ import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;

@@ -1,5 +1,6 @@
 package robosim.geometry.junit;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -16,7 +17,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.session.Falls;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.scenario.drive.Nameless;
 
 /** What robots must never touch, the moves that were refused so far, and what bodies met. */
@@ -222,7 +223,7 @@ final class Watches {
                             + " (if it should stand on a floor, add one to the world)"
                     : Words.object(Nameless.at(geometry, meeting.contact().point()));
         }
-        return geometry.hasObject(other) ? Text.kindAndName(geometry.getObject(other)) : Text.quoted(other);
+        return geometry.hasObject(other) ? ObjectNames.kindAndName(geometry.getObject(other)) : Text.quoted(other);
     }
 
     /** Whether a robot stood on the lower border of the world or on something static, onto which it has not fallen. */

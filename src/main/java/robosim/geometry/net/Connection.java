@@ -36,7 +36,7 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.channel.MessageChannel;

@@ -1,5 +1,7 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.check.Text;
+import robosim.geometry.protocol.pace.MessagePace;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InvalidClassException;

@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.check.Text;
 import java.io.IOException;
 import java.io.Serial;
 import java.util.List;

@@ -15,7 +15,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /**
  * A step whose answer differs from the expected one. Answers are the same if the same moves were made, in the same

@@ -7,7 +7,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /**
  * Records a session as it happens: each request before it is carried out, so that even a request that crashes the

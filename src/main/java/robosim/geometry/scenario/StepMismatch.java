@@ -3,7 +3,7 @@ package robosim.geometry.scenario;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /** Finds where the answer to a step differs, and says so: the first body, contact or stop that is another. */
 final class StepMismatch {

@@ -1,5 +1,6 @@
 package robosim.geometry.sensor;
 
+import robosim.geometry.sensor.effects.Surfaces;
 import java.util.EnumSet;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;

@@ -11,7 +11,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /** Where the robots of one replicate end, and when they reach their goals. */
 final class Journey {

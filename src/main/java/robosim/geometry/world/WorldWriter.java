@@ -1,5 +1,7 @@
 package robosim.geometry.world;
 
+import java.util.function.LongConsumer;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -96,6 +98,22 @@ public final class WorldWriter {
         // Each character takes at least one byte.
         byte[] bytes = writer.out.toString().getBytes(StandardCharsets.UTF_8);
         return bytes.length > most ? new byte[0] : bytes;
+    }
+
+    /**
+     * Writes the surfaces of a world as a Wavefront OBJ file, for display in other programs: world units, Y up, an {@code o}
+     * for each object. Boxes, meshes and the cells of a grid are exact to within rounding. A cylinder has 48 flat sides, and a
+     * sphere or capsule as many around; their corners are on the true surface, so round shapes are slightly too small.
+     *
+     * <p>Where objects have materials, an MTL file of the same name is written beside it, with a PNG file for each picture. A
+     * checker or stripes, and a picture on anything but a mesh with texture coordinates, are only a colour there. An existing
+     * file stays as it was until the new one is complete.
+     *
+     * @param progress called from time to time with the number of objects written
+     * @throws WorldException if the file cannot be written
+     */
+    public static void writeObj(World world, Path file, LongConsumer progress) throws WorldException {
+        ObjWriter.write(world, file, progress);
     }
 
     /**

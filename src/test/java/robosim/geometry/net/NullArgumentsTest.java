@@ -33,7 +33,7 @@ import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.pace.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;

@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.pace.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;

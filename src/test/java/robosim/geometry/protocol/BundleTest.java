@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.check.Text;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 

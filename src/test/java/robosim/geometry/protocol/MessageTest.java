@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.protocol.pace.MessagePace;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;

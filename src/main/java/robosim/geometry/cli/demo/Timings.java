@@ -1,5 +1,6 @@
 package robosim.geometry.cli.demo;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -12,7 +13,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /** How long the module's side of a conversation took, and what blocked moves. */
 public final class Timings implements SessionListener {
@@ -32,7 +33,7 @@ public final class Timings implements SessionListener {
         if (obstacle == null) {
             return "the world's border";
         }
-        return Text.name(obstacle);
+        return ObjectNames.of(obstacle);
     }
 
     @Override

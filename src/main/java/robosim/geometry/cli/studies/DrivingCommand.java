@@ -1,5 +1,6 @@
 package robosim.geometry.cli.studies;
 
+import robosim.geometry.protocol.motion.StopAnswer;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
@@ -34,7 +35,7 @@ import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
@@ -342,7 +343,7 @@ public final class DrivingCommand implements Callable<Integer> {
         }
         if (!run.stopped().isEmpty()) {
             out.println("stopped, since their motion could not be decided: "
-                    + run.stopped().stream().map(Text::of).collect(Collectors.joining(", ")));
+                    + run.stopped().stream().map(StopAnswer::text).collect(Collectors.joining(", ")));
         }
         if (planar || !isSpatial) {
             PlanOverlaps.of(

@@ -1,11 +1,12 @@
 package robosim.geometry.cli.studies;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.world.World;
 
 /**
@@ -34,7 +35,7 @@ final class PlanOverlaps {
                     ? List.of()
                     : geometry.search().touching(geometry.getObject(name)).stream()
                             .filter(other -> !name.equals(other.name()))
-                            .map(Text::kindAndName)
+                            .map(ObjectNames::kindAndName)
                             .toList();
             if (!others.isEmpty()) {
                 int more = others.size() - NAMED;

@@ -22,7 +22,7 @@ import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldWriter;

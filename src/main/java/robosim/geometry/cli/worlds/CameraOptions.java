@@ -16,8 +16,7 @@ import robosim.geometry.render.Lighting;
 import robosim.geometry.render.Sky;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.sensor.Intrinsics;
-import robosim.geometry.sensor.file.SdfSensors;
-import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.WorldException;
 
 /** The options of a picture in three dimensions. */
@@ -91,7 +90,7 @@ public final class CameraOptions {
     @Option(names = "--no-floor", description = "lay no floor under the world")
     private boolean noFloor;
 
-    private SdfReader.@Nullable Sensor sensor;
+    private @Nullable SdfSensor sensor;
 
     private CameraOptions() {}
 
@@ -113,15 +112,15 @@ public final class CameraOptions {
     /** Looks up the sensor that is the camera, if one is. */
     void find(WorldOptions world) throws WorldException {
         if (camera.startsWith(SENSOR)) {
-            SdfReader.Sensor found = world.sensor("--camera sensor:NAME", camera.substring(SENSOR.length()));
-            if (!SdfSensors.kind(found).isCamera()) {
+            SdfSensor found = world.sensor("--camera sensor:NAME", camera.substring(SENSOR.length()));
+            if (!found.kind().isCamera()) {
                 throw refused("--camera sensor:NAME must name a camera (got: " + found.name() + " of type "
                         + found.type() + ")");
             }
             try {
-                Intrinsics own = SdfSensors.intrinsics(found);
+                Intrinsics own = found.intrinsics();
                 size = size == null ? own.width() + "x" + own.height() : size;
-                fieldOfView = fieldOfView(SdfSensors.fieldOfView(found));
+                fieldOfView = fieldOfView(found.fieldOfView());
             } catch (IllegalArgumentException e) {
                 throw refused(String.valueOf(e.getMessage()));
             }
@@ -161,7 +160,7 @@ public final class CameraOptions {
     }
 
     private List<List<Shot>> shots(Studio studio) {
-        SdfReader.Sensor found = sensor;
+        SdfSensor found = sensor;
         if (found != null) {
             ColorCamera plain = camera(studio, width(), height(), 40);
             String carrier = found.carrier();

@@ -1,5 +1,6 @@
 package robosim.geometry.cli.worlds;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +12,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
@@ -137,7 +138,7 @@ public final class CheckText {
                 .forEach(object -> add(
                         "border",
                         "%s reaches beyond the world and is not part of what follows; move it or enlarge the world",
-                        Text.name(object.object())));
+                        ObjectNames.of(object.object())));
     }
 
     private void overlaps() {
@@ -207,7 +208,7 @@ public final class CheckText {
 
     /** The first object's name, and how it touches or overlaps the second. */
     private List<String> overlap(Overlap overlap) {
-        String second = Text.name(overlap.second().object());
+        String second = ObjectNames.of(overlap.second().object());
         String at = " at " + point(overlap.contact());
         String how = overlap.depth() == 0
                 ? "touching " + second + at
@@ -215,7 +216,7 @@ public final class CheckText {
                         ? "inside " + second + at
                         : "overlapping " + second + at + ", " + length(overlap.depth()) + " deep along "
                                 + point(overlap.normal());
-        return List.of(Text.name(overlap.first().object()), how);
+        return List.of(ObjectNames.of(overlap.first().object()), how);
     }
 
     private void rooms() {

@@ -28,7 +28,7 @@ import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.scene.Scene;
-import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 

@@ -1,5 +1,6 @@
 package robosim.geometry.cli.worlds;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -17,7 +18,7 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
@@ -185,7 +186,7 @@ final class RobotSpec {
                     : "free nearby is " + whole.substring(0, words.start(6)) + place + whole.substring(words.end(7));
             String taken = geometry.search()
                     .firstTouching(robot)
-                    .map(Text::kindAndName)
+                    .map(ObjectNames::kindAndName)
                     .orElse("something");
             throw new IllegalArgumentException("a robot must stand where nothing is, since what touches cannot move; "
                     + taken + " is at this place, " + remedy + " (got: " + whole + ")");

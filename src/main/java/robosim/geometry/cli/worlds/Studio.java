@@ -15,7 +15,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.world.World;

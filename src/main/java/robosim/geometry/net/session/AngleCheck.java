@@ -6,7 +6,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.DriveCommand;

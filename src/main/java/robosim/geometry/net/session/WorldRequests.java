@@ -18,7 +18,7 @@ import robosim.geometry.model.Move;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;

@@ -17,10 +17,10 @@ import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.pace.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.batch.WorldAnswer;
 
 /**

@@ -20,7 +20,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /**
  * One line of JSON, read strictly: an object must have its required fields and may have its optional ones, each once; a

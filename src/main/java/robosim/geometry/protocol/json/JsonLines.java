@@ -14,7 +14,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /**
  * Messages as lines of JSON, in both directions: for environments in any language, and for scenario files. {@code

@@ -11,7 +11,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.ProtocolException;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /**
  * A line of JSON that is not a protocol message: an object whose fields are read by name, as strictly as a message.

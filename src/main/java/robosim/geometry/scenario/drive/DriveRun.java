@@ -1,5 +1,6 @@
 package robosim.geometry.scenario.drive;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -18,7 +19,7 @@ import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -155,7 +156,7 @@ public final class DriveRun {
             return GROUND;
         }
         GeometryObject object = Nameless.at(world, contact.point());
-        return object == null ? "the border of the world" : Text.name(object);
+        return object == null ? "the border of the world" : ObjectNames.of(object);
     }
 
     private StepBundle.Answer carryOut(StepBundle step) throws IOException {

@@ -21,7 +21,7 @@ import robosim.geometry.net.session.Opening;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;

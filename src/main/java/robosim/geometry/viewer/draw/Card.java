@@ -1,5 +1,6 @@
 package robosim.geometry.viewer.draw;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.check.NumberText;
@@ -12,7 +13,7 @@ import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 
 /**
@@ -41,7 +42,7 @@ public record Card(String heading, List<String> lines) {
                         : "tipped; heading " + number(object.heading()) + " degrees");
         lines.add(size(object) + suffix);
         String name = object.name();
-        return new Card(name == null ? "(no name)" : Text.name(object), lines);
+        return new Card(name == null ? "(no name)" : ObjectNames.of(object), lines);
     }
 
     private static String size(GeometryObject object) {

@@ -1,5 +1,6 @@
 package robosim.geometry.viewer.playback;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -16,7 +17,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.scenario.Timing;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
@@ -112,7 +113,7 @@ public record Frame(
                 return "something";
             }
             GeometryObject obstacle = result.obstacle();
-            return obstacle == null ? "the border of the world" : Text.name(obstacle);
+            return obstacle == null ? "the border of the world" : ObjectNames.of(obstacle);
         }
     }
 

@@ -1,5 +1,6 @@
 package robosim.geometry.viewer.playback;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -28,7 +29,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
@@ -289,7 +290,7 @@ public final class Replayer {
             return words;
         }
         Frame.Bump first = bumps.get(0);
-        return words + ", " + bumps.size() + " refused: " + Text.name(first.mover()) + " by " + first.obstacle()
+        return words + ", " + bumps.size() + " refused: " + ObjectNames.of(first.mover()) + " by " + first.obstacle()
                 + (bumps.size() > 1 ? ", ..." : "");
     }
 

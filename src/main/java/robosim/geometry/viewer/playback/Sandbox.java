@@ -1,5 +1,6 @@
 package robosim.geometry.viewer.playback;
 
+import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,7 +11,7 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
@@ -43,7 +44,7 @@ public final class Sandbox {
             if (obstacles.isEmpty()) {
                 return "the border of the world";
             }
-            String first = Text.name(obstacles.get(0));
+            String first = ObjectNames.of(obstacles.get(0));
             return obstacles.size() == 1 ? first : first + " and " + (obstacles.size() - 1) + " more";
         }
     }

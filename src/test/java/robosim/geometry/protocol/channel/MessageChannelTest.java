@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.pace.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTest;
 import robosim.geometry.protocol.MessageTranslator;

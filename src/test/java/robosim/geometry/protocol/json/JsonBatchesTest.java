@@ -24,7 +24,7 @@ import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.pace.MessagePace;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;

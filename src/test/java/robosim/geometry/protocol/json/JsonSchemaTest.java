@@ -26,7 +26,7 @@ import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.pace.MessagePace;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;

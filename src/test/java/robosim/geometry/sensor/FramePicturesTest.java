@@ -1,4 +1,4 @@
-package robosim.geometry.sensor.file;
+package robosim.geometry.sensor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -23,7 +23,7 @@ import robosim.geometry.sensor.SegmentationCamera;
 import robosim.geometry.sensor.SegmentationFrame;
 
 /** Images as the JDK reads them. */
-class PngImagesTest {
+class FramePicturesTest {
     private static final Intrinsics LENS = Intrinsics.fieldOfView(31, 21, 80);
 
     @TempDir
@@ -45,7 +45,7 @@ class PngImagesTest {
         DepthFrame frame = new DepthFrame();
         DepthCamera.of(LENS).read(world(3), frame);
         Path file = folder.resolve("depth.png");
-        PngImages.writeDepth(frame, 1, file);
+        frame.writePng(1, file);
         BufferedImage image = ImageIO.read(file.toFile());
         assertThat(image.getWidth()).isEqualTo(31);
         assertThat(image.getHeight()).isEqualTo(21);
@@ -65,13 +65,13 @@ class PngImagesTest {
         SegmentationFrame frame = new SegmentationFrame();
         SegmentationCamera.of(LENS).read(world(40_000), frame);
         Path file = folder.resolve("a.png");
-        PngImages.writeLabels(frame, file);
+        frame.writeLabels(file);
         BufferedImage labels = ImageIO.read(file.toFile());
-        PngImages.writeInstances(frame, file);
+        frame.writeInstances(file);
         BufferedImage instances = ImageIO.read(file.toFile());
         NormalFrame normals = new NormalFrame();
         NormalCamera.of(LENS).read(world(1), normals);
-        PngImages.writeNormals(normals, file);
+        normals.writePng(file);
         BufferedImage colours = ImageIO.read(file.toFile());
         for (int k = 0; k < frame.size(); k++) {
             assertThat(grey(labels, k)).isEqualTo(frame.label(k));
@@ -89,12 +89,12 @@ class PngImagesTest {
     @Test
     void refused() {
         Path file = folder.resolve("no.png");
-        assertThatThrownBy(() -> PngImages.writeDepth(new DepthFrame(), 1, file))
+        assertThatThrownBy(() -> new DepthFrame().writePng(1, file))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("image must have been read");
         SegmentationFrame frame = new SegmentationFrame();
         SegmentationCamera.of(LENS).read(world(65_536), frame);
-        assertThatThrownBy(() -> PngImages.writeLabels(frame, file))
+        assertThatThrownBy(() -> frame.writeLabels(file))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("labels must be from 0 to 65535 for 16 bits (got: 65536)");
         assertThat(file).doesNotExist();

@@ -1,4 +1,4 @@
-package robosim.geometry.sensor.file;
+package robosim.geometry.world;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -14,15 +14,8 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.sensor.Noise;
 import robosim.geometry.world.xml.SafeXml;
 
-/**
- * Reads the noise of a sensor as SDFormat describes it.
- *
- * <pre>{@code
- * Noise noise = SdfNoise.read("<noise type='gaussian'><mean>0</mean><stddev>0.01</stddev></noise>");
- * noise.equals(Noise.gaussian(0.01)); // true
- * }</pre>
- */
-public final class SdfNoise extends DefaultHandler {
+/** Reads the noise of a sensor as SDFormat describes it. */
+final class SdfNoise extends DefaultHandler {
     private static final String SOURCE = "noise";
 
     private final Map<String, String> values = new HashMap<>();
@@ -32,15 +25,8 @@ public final class SdfNoise extends DefaultHandler {
 
     private SdfNoise() {}
 
-    /**
-     * The noise of a {@code <noise>} element. {@code type} is {@code none}, {@code gaussian} or {@code gaussian_quantized},
-     * as an attribute or, as older files have it, an element. {@code mean}, {@code stddev}, {@code bias_mean}, {@code
-     * bias_stddev} and {@code precision} have their values there; a bias that changes with time ({@code
-     * dynamic_bias_stddev}) is refused unless it is 0, and so are other elements.
-     *
-     * @throws IllegalArgumentException if it is not such an element, with the reason
-     */
-    public static Noise read(String xml) {
+    /** The noise of a {@code <noise>} element: see {@link SdfSensor#readNoise}. */
+    static Noise read(String xml) {
         SdfNoise found = new SdfNoise();
         byte[] bytes = Checks.present("xml", xml).getBytes(StandardCharsets.UTF_8);
         try {

@@ -1,17 +1,11 @@
-package robosim.geometry.protocol;
+package robosim.geometry.check;
 
 import java.util.Collection;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Collectors;
-import robosim.geometry.check.Checks;
-import robosim.geometry.check.NearNames;
-import robosim.geometry.check.NumberText;
-import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
-import robosim.geometry.protocol.motion.StopAnswer;
 
-/** Makes text from a peer, and the names of objects, safe for a line of a log. */
+/** Makes text from a peer safe for a line of a log, and suggests names. */
 public final class Text {
     private static final int LONGEST_QUOTE = 100;
     private static final int LONGEST_LINE = 500;
@@ -20,13 +14,6 @@ public final class Text {
     private static final int FEW = 8;
 
     private Text() {}
-
-    /** A body that was stopped, and why: {@code "crate" (BLOCKED by "wall")}. */
-    public static String of(StopAnswer stop) {
-        Checks.present("stop", stop);
-        String by = stop.other() == null ? "" : " by " + quoted(stop.other());
-        return quoted(stop.objectName()) + " (" + stop.reason() + by + ")";
-    }
 
     /** A name in quotes, on one line, shortened if necessary. */
     public static String quoted(String name) {
@@ -38,19 +25,6 @@ public final class Text {
     /** A sentence that may contain text from a peer, on one line, shortened if necessary. */
     public static String line(String sentence) {
         return plain(Checks.present("sentence", sentence), LONGEST_LINE);
-    }
-
-    /**
-     * The name of an object for messages, on one line: its own name, or else its kind and its place to a thousandth.
-     */
-    public static String name(GeometryObject object) {
-        String name = Checks.present("object", object).name();
-        if (name != null) {
-            return line(name);
-        }
-        Point center = object.center();
-        return "a " + object.kind().word() + " at (" + NumberText.places(center.x(), 3) + ", "
-                + NumberText.places(center.y(), 3) + ", " + NumberText.places(center.z(), 3) + ")";
     }
 
     /**
@@ -82,12 +56,6 @@ public final class Text {
 
     private static String list(Collection<String> names) {
         return names.stream().map(Text::quoted).collect(Collectors.joining(", "));
-    }
-
-    /** As in {@code box "wall 3"} or {@code mesh without a name}, on one line. */
-    public static String kindAndName(GeometryObject object) {
-        String name = Checks.present("object", object).name();
-        return object.kind().word() + (name == null ? " without a name" : " " + quoted(name));
     }
 
     /** Text escaped for XML; characters that XML does not allow become U+FFFD. */

@@ -1,4 +1,4 @@
-package robosim.geometry.sensor;
+package robosim.geometry.sensor.effects;
 
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -7,7 +7,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 
 /** What objects and the parts of groups are made of; remembers what it was asked of groups. */
-final class Surfaces {
+public final class Surfaces {
     private final IdentityHashMap<ObjectGroup, List<GeometryObject>> groups = new IdentityHashMap<>();
 
     /**
@@ -15,7 +15,7 @@ final class Surfaces {
      *
      * @param part as {@link robosim.geometry.SenseBuffer#part} tells it; -1 for a group as a whole
      */
-    Material of(GeometryObject object, int part) {
+    public Material of(GeometryObject object, int part) {
         if (!(object instanceof ObjectGroup group) || part < 0) {
             return object.material();
         }
@@ -27,7 +27,7 @@ final class Surfaces {
         return parts.get(part).material();
     }
 
-    void forget() {
+    public void forget() {
         groups.clear();
     }
 }

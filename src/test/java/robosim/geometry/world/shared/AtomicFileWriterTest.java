@@ -1,4 +1,4 @@
-package robosim.geometry.world;
+package robosim.geometry.world.shared;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

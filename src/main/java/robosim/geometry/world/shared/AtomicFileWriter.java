@@ -1,4 +1,4 @@
-package robosim.geometry.world;
+package robosim.geometry.world.shared;
 
 import java.io.BufferedOutputStream;
 import java.io.IOException;

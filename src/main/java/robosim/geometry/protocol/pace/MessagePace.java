@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.pace;
 
 /** Learns from a reader whether a pause of its stream would be between two messages or inside a message. */
 public interface MessagePace {

@@ -1,4 +1,4 @@
-package robosim.geometry.sensor.file;
+package robosim.geometry.sensor;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import robosim.geometry.check.Checks;
-import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /**
  * Writes arrays as NumPy's {@code .npy}, version 1.0, little-endian and in C order: {@code numpy.load} returns them with

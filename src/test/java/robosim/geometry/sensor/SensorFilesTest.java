@@ -1,5 +1,6 @@
-package robosim.geometry.sensor.file;
+package robosim.geometry.sensor;
 
+import robosim.geometry.sensor.NpyWriter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -23,7 +24,7 @@ import robosim.geometry.sensor.PointCloud.Axes;
 import robosim.geometry.sensor.PointCloud.Field;
 
 /** Files of points and arrays, read again by other code that follows the formats' descriptions. */
-class CloudFilesTest {
+class SensorFilesTest {
     @TempDir
     Path folder;
 
@@ -88,7 +89,7 @@ class CloudFilesTest {
     void ply(Axes axes) throws IOException {
         PointCloud cloud = cloud(5000);
         Path file = folder.resolve("a.ply");
-        PlyWriter.write(cloud, axes, file);
+        cloud.writePly(axes, file);
         Split split = Split.of(file, "end_header");
         assertThat(split.header())
                 .containsExactly(
@@ -115,7 +116,7 @@ class CloudFilesTest {
     void pcd(Axes axes) throws IOException {
         PointCloud cloud = cloud(4097);
         Path file = folder.resolve("a.pcd");
-        PcdWriter.write(cloud, axes, file);
+        cloud.writePcd(axes, file);
         Split split = Split.of(file, "DATA");
         assertThat(split.header())
                 .containsExactly(
@@ -141,9 +142,9 @@ class CloudFilesTest {
             cloud.add(k, 2, 3);
         }
         Path file = folder.resolve("few.ply");
-        PlyWriter.write(cloud, Axes.MODULE, file);
+        cloud.writePly(Axes.MODULE, file);
         assertThat(Split.of(file, "end_header").body().remaining()).isEqualTo(12 * points);
-        PcdWriter.write(cloud, Axes.MODULE, file);
+        cloud.writePcd(Axes.MODULE, file);
         assertThat(Split.of(file, "DATA").body().remaining()).isEqualTo(12 * points);
     }
 
@@ -201,11 +202,11 @@ class CloudFilesTest {
                 () -> NpyWriter.write(new double[3], file, 2, 2));
         refused("(got: [65536, 65536])", () -> NpyWriter.write(new double[3], file, 65536, 65536));
         refused("(got: [-1])", () -> NpyWriter.write(new double[3], file, -1));
-        refused("cloud must be given", () -> PlyWriter.write(null, Axes.ROS, file));
-        refused("axes must be given", () -> PcdWriter.write(new PointCloud(), null, file));
+        refused("axes must be given", () -> new PointCloud().writePly(null, file));
+        refused("axes must be given", () -> new PointCloud().writePcd(null, file));
         assertThat(file).doesNotExist();
         Path nowhere = folder.resolve("nowhere").resolve("a.ply");
-        assertThatThrownBy(() -> PlyWriter.write(new PointCloud(), Axes.ROS, nowhere))
+        assertThatThrownBy(() -> new PointCloud().writePly(Axes.ROS, nowhere))
                 .isInstanceOf(NoSuchFileException.class)
                 .hasMessageContaining(nowhere.toString());
     }

@@ -1,4 +1,4 @@
-package robosim.geometry.sensor.file;
+package robosim.geometry.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -11,12 +11,12 @@ import robosim.geometry.sensor.Noise;
 class SdfNoiseTest {
     @Test
     void whatSdformatDescribes() {
-        assertThat(SdfNoise.read("<noise type='none'/>")).isEqualTo(Noise.NONE);
-        assertThat(SdfNoise.read("<noise type=\"gaussian\"><mean>0.0</mean><stddev> 0.01 </stddev></noise>"))
+        assertThat(SdfSensor.readNoise("<noise type='none'/>")).isEqualTo(Noise.NONE);
+        assertThat(SdfSensor.readNoise("<noise type=\"gaussian\"><mean>0.0</mean><stddev> 0.01 </stddev></noise>"))
                 .isEqualTo(Noise.gaussian(0.01));
-        assertThat(SdfNoise.read("<noise><type>gaussian</type><mean>0.5</mean></noise>"))
+        assertThat(SdfSensor.readNoise("<noise><type>gaussian</type><mean>0.5</mean></noise>"))
                 .isEqualTo(Noise.gaussian(0.5, 0));
-        assertThat(SdfNoise.read("""
+        assertThat(SdfSensor.readNoise("""
                 <?xml version="1.0"?>
                 <!-- a laser's -->
                 <noise type="gaussian_quantized">
@@ -30,7 +30,7 @@ class SdfNoiseTest {
                 """))
                 .isEqualTo(Noise.gaussian(0.1, 0.2).and(Noise.bias(0.3, 0.4)).and(Noise.quantized(0.5)));
         // Precision is that of the quantized kind alone.
-        assertThat(SdfNoise.read("<noise type='gaussian'><precision>0.5</precision></noise>"))
+        assertThat(SdfSensor.readNoise("<noise type='gaussian'><precision>0.5</precision></noise>"))
                 .isEqualTo(Noise.NONE);
     }
 
@@ -50,7 +50,7 @@ class SdfNoiseTest {
             <!DOCTYPE noise []><noise type='none'/> | a document type is not allowed
             """)
     void refused(String xml, String message) {
-        assertThatThrownBy(() -> SdfNoise.read(xml))
+        assertThatThrownBy(() -> SdfSensor.readNoise(xml))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(message);
     }

@@ -1,4 +1,4 @@
-package robosim.geometry.sensor.file;
+package robosim.geometry.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -28,11 +28,11 @@ import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
 import robosim.geometry.sensor.OutOfRange;
-import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.WorldException;
 
 /** Sensors as worlds of Gazebo describe them. */
-public class SdfSensorsTest {
+public class SdfSensorTest {
     private static final Path REAL = Path.of("src/test/resources/robosim/geometry/world/sdf/export_occupancy_grid.sdf");
 
     /** A robot with one box, whose object is the box itself, two links with sensors, and a wall ahead of it. */
@@ -79,22 +79,22 @@ public class SdfSensorsTest {
     @TempDir
     Path folder;
 
-    private List<SdfReader.Sensor> found(String sdf) throws IOException, WorldException {
-        return SdfReader.sensors(Files.writeString(folder.resolve("world.sdf"), sdf), List.of());
+    private List<SdfSensor> found(String sdf) throws IOException, WorldException {
+        return SdfSensor.read(Files.writeString(folder.resolve("world.sdf"), sdf), List.of());
     }
 
     @Test
     void theLaserOfARealWorld() throws WorldException {
-        List<SdfReader.Sensor> all = SdfReader.sensors(REAL, List.of());
+        List<SdfSensor> all = SdfSensor.read(REAL, List.of());
         assertThat(all).hasSize(1);
-        SdfReader.Sensor laser = all.get(0);
+        SdfSensor laser = all.get(0);
         assertThat(laser.name()).endsWith("::link::gpu_lidar");
         assertThat(laser.carrier()).isNull(); // its model has no collision
         assertThat(laser.line()).isEqualTo(82);
-        assertThat(SdfSensors.kind(laser)).isEqualTo(SdfSensors.Kind.LIDAR);
-        assertThat(SdfSensors.updateRate(laser)).isEqualTo(10);
-        assertThat(SdfSensors.noise(laser)).isEqualTo(Noise.NONE);
-        Lidar lidar = SdfSensors.lidar(laser);
+        assertThat(laser.kind()).isEqualTo(SdfSensor.Kind.LIDAR);
+        assertThat(laser.updateRate()).isEqualTo(10);
+        assertThat(laser.noise()).isEqualTo(Noise.NONE);
+        Lidar lidar = laser.lidar();
         assertThat(lidar.pattern().size()).isEqualTo(640);
         assertThat(lidar.options()).isEqualTo(SenseOptions.range(0.08, 9));
         assertThat(lidar.outOfRange()).isEqualTo(OutOfRange.REP_117);
@@ -110,8 +110,8 @@ public class SdfSensorsTest {
 
     @Test
     void whereSensorsOfARobotAre() throws IOException, WorldException {
-        List<SdfReader.Sensor> all = found(ROBOT);
-        assertThat(all.stream().map(SdfReader.Sensor::name))
+        List<SdfSensor> all = found(ROBOT);
+        assertThat(all.stream().map(SdfSensor::name))
                 .containsExactly(
                         "rover::base::laser",
                         "rover::base::imu",
@@ -124,7 +124,7 @@ public class SdfSensorsTest {
                 SdfReader.read(folder.resolve("world.sdf"), List.of()).world().toGeometry();
         GeometryObject rover = world.getObject("rover");
         assertThat(rover).isInstanceOf(BoxObject.class); // whose frame is not that of the model
-        Lidar lidar = SdfSensors.lidar(all.get(0));
+        Lidar lidar = all.get(0).lidar();
         assertThat(lidar.carrier()).isEqualTo("rover");
         // In the file's axes: model at (1, 2, 0.5) turned to its left, link 0.25 up, sensor 0.1 ahead and 0.4 up.
         Pose inWorld = lidar.mount().within(rover.pose());
@@ -138,28 +138,28 @@ public class SdfSensorsTest {
         assertThat(pattern.direction(0).y()).isCloseTo(-StrictMath.sin(0.1), within(1e-15));
         assertThat(pattern.direction(0).z()).isPositive(); // to the right, which is where negative angles are
         assertThat(lidar.options()).isEqualTo(SenseOptions.range(0.12, Double.POSITIVE_INFINITY));
-        assertThat(SdfSensors.noise(all.get(0))).isEqualTo(Noise.gaussian(0.01, 0.02));
-        assertThat(SdfSensors.updateRate(all.get(0))).isEqualTo(12.5);
+        assertThat(all.get(0).noise()).isEqualTo(Noise.gaussian(0.01, 0.02));
+        assertThat(all.get(0).updateRate()).isEqualTo(12.5);
         LidarFrame frame = new LidarFrame();
         lidar.read(world, frame);
         double middle = Math.min(frame.range(180 + 89), frame.range(180 + 90));
         assertThat(middle).isCloseTo(4.75, within(1e-3)); // the wall's near face is at 5.75
-        assertThat(SdfSensors.kind(all.get(1))).isEqualTo(SdfSensors.Kind.OTHER);
+        assertThat(all.get(1).kind()).isEqualTo(SdfSensor.Kind.OTHER);
 
-        DepthCamera eye = SdfSensors.depthCamera(all.get(2));
+        DepthCamera eye = all.get(2).depthCamera();
         assertThat(eye.intrinsics()).isEqualTo(Intrinsics.fieldOfView(40, 30, 90));
         assertThat(eye.options()).isEqualTo(SenseOptions.range(0.2, 8));
-        assertThat(SdfSensors.noise(all.get(2)))
+        assertThat(all.get(2).noise())
                 .isEqualTo(Noise.gaussian(0, 0.007).and(Noise.bias(0.5, 0)));
         assertThat(eye.mount().within(rover.pose()).center().y()).isCloseTo(1.75, within(1e-15));
         double[] r = eye.mount().within(rover.pose()).rotation();
         assertThat(r[3]).isCloseTo(-StrictMath.sin(0.5), within(1e-15)); // it looks down
         DepthFrame seen = new DepthFrame();
-        eye.withNoise(SdfSensors.noise(all.get(2)), 3, 0).read(world, 0, seen);
-        assertThat(SdfSensors.fieldOfView(all.get(3))).isCloseTo(60, within(0.02)); // 1.047 radians
-        assertThat(SdfSensors.intrinsics(all.get(3)).width()).isEqualTo(320);
-        assertThat(SdfSensors.segmentationCamera(all.get(4)).carrier()).isEqualTo("rover");
-        assertThat(SdfSensors.normalCamera(all.get(5)).options()).isEqualTo(SenseOptions.range(0.1, 100));
+        eye.withNoise(all.get(2).noise(), 3, 0).read(world, 0, seen);
+        assertThat(all.get(3).fieldOfView()).isCloseTo(60, within(0.02)); // 1.047 radians
+        assertThat(all.get(3).intrinsics().width()).isEqualTo(320);
+        assertThat(all.get(4).segmentationCamera().carrier()).isEqualTo("rover");
+        assertThat(all.get(5).normalCamera().options()).isEqualTo(SenseOptions.range(0.1, 100));
         assertThat(all.get(6).carrier()).isNull();
         assertThat(all.get(6).pose().center()).isEqualTo(new Point(0, 3, -1));
     }
@@ -171,7 +171,7 @@ public class SdfSensorsTest {
                 "<link name=\"head\"><pose relative_to=\"base\">0 0 1 0 0 0</pose>",
                 "<link name=\"head\"><pose relative_to=\"base\">0 0 1 0 0 0</pose><collision name=\"c\"><geometry><sphere>"
                         + "<radius>0.1</radius></sphere></geometry></collision>");
-        List<SdfReader.Sensor> all = found(two);
+        List<SdfSensor> all = found(two);
         Geometry world =
                 SdfReader.read(folder.resolve("world.sdf"), List.of()).world().toGeometry();
         Pose inWorld = all.get(0).pose().within(world.getObject("rover").pose());
@@ -191,9 +191,9 @@ public class SdfSensorsTest {
             <max_angle>0.1</max_angle> | <max_angle>2</max_angle> | elevation
             """)
     void whatNoLidarHas(String before, String after, String reason) throws IOException, WorldException {
-        SdfReader.Sensor laser = found(ROBOT.replace(before, after)).get(0);
+        SdfSensor laser = found(ROBOT.replace(before, after)).get(0);
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> SdfSensors.lidar(laser))
+                .isThrownBy(() -> laser.lidar())
                 .withMessageContaining("world.sdf:8: sensor rover::base::laser: ")
                 .withMessageContaining(reason);
     }
@@ -236,17 +236,17 @@ public class SdfSensorsTest {
 
     @Test
     void refusals() throws IOException, WorldException {
-        List<SdfReader.Sensor> all = found(ROBOT.replace("<width>40</width>", "<width>0</width>")
+        List<SdfSensor> all = found(ROBOT.replace("<width>40</width>", "<width>0</width>")
                 .replace("<type>gaussian</type>", "<type>pink</type>"));
-        assertThatThrownBy(() -> SdfSensors.noise(all.get(0)))
+        assertThatThrownBy(() -> all.get(0).noise())
                 .hasMessageContaining("type must be none, gaussian or gaussian_quantized (got: \"pink\")");
-        assertThatThrownBy(() -> SdfSensors.depthCamera(all.get(2)))
+        assertThatThrownBy(() -> all.get(2).depthCamera())
                 .hasMessageContaining("sensor rover::head::eye: width must be from 1 to");
-        assertThatThrownBy(() -> SdfSensors.lidar(all.get(1)))
+        assertThatThrownBy(() -> all.get(1).lidar())
                 .hasMessage("sensor must be one of LIDAR (got: rover::base::imu of type imu)");
-        assertThatThrownBy(() -> SdfSensors.intrinsics(all.get(0)))
+        assertThatThrownBy(() -> all.get(0).intrinsics())
                 .hasMessage("sensor must be a camera (got: rover::base::laser of type gpu_lidar)");
-        assertThatThrownBy(() -> SdfReader.sensors(folder.resolve("none.sdf"), List.of()))
+        assertThatThrownBy(() -> SdfSensor.read(folder.resolve("none.sdf"), List.of()))
                 .isInstanceOf(WorldException.class);
     }
 }

@@ -15,7 +15,7 @@ import robosim.geometry.model.Pose;
  * @param values  the texts of its elements by their paths, as {@code scan/horizontal/samples}
  * @param file    where it is described
  */
-public record SdfSensor(
+public record SensorElement(
         String name,
         String type,
         @Nullable String carrier,
@@ -24,7 +24,7 @@ public record SdfSensor(
         String file,
         int line) {
 
-    static SdfSensor of(String name, SdfElement element, @Nullable String carrier, Pose pose) {
+    static SensorElement of(String name, SdfElement element, @Nullable String carrier, Pose pose) {
         Map<String, String> values = new TreeMap<>();
         for (SdfElement child : element.children) {
             if (child.name.equals("update_rate")) {
@@ -33,7 +33,7 @@ public record SdfSensor(
                 collect(child, "", values);
             }
         }
-        return new SdfSensor(
+        return new SensorElement(
                 name, element.attribute("type"), carrier, pose, Map.copyOf(values), element.file.shown(), element.line);
     }
 
