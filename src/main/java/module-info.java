@@ -28,6 +28,10 @@ module robosim.geometry {
 
     uses robosim.geometry.protocol.MessageTranslator;
 
+    // JUnit makes the extensions of tests.
+    opens robosim.geometry.junit to
+            org.junit.platform.commons;
+
     // The command line is read into annotated fields.
     opens robosim.geometry.cli to
             info.picocli;

@@ -1,6 +1,5 @@
 package robosim.geometry.junit;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -9,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.Geometry;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.collision.Budget;
 import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
@@ -17,8 +17,8 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.session.Falls;
-import robosim.geometry.check.Text;
 import robosim.geometry.scenario.drive.Nameless;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** What robots must never touch, the moves that were refused so far, and what bodies met. */
 final class Watches {
@@ -251,7 +251,7 @@ final class Watches {
     }
 
     private boolean touch(GeometryObject robot, GeometryObject other) {
-        return ContactQuery.ask(robot, other, geometry.dimension(), Budget.UNLIMITED)
+        return ContactQuery.decide(robot, other, geometry.dimension(), Budget.UNLIMITED)
                         .answer()
                 != Verdict.Answer.NO;
     }

@@ -1,6 +1,5 @@
 package robosim.geometry.junit;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import org.jspecify.annotations.Nullable;
@@ -9,7 +8,7 @@ import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.check.Text;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * Formats numbers, places and refusals for failure messages: without rounding noise, and so that two numbers that a

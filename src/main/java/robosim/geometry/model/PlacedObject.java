@@ -1,5 +1,6 @@
 package robosim.geometry.model;
 
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
@@ -18,6 +19,11 @@ public abstract sealed class PlacedObject<S extends GeometryObject>
     PlacedObject(Tag tag, Pose pose) {
         this.tag = tag;
         this.pose = pose;
+    }
+
+    /** For internal use: all classes of this package that a serialized object may contain, for an allow-list. */
+    public static Set<Class<?>> serialClasses() {
+        return SerialForms.classes();
     }
 
     /** The same shape with another tag and pose. */

@@ -12,6 +12,7 @@ import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -36,7 +37,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.check.Text;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
@@ -219,7 +219,7 @@ public final class Session {
     }
 
     private @Nullable Reply observed(Bundle request) {
-        listener.asked(request);
+        listener.requested(request);
         long start = System.nanoTime();
         Reply reply = carryOut(request);
         listener.replied(request, reply, System.nanoTime() - start);

@@ -2,8 +2,8 @@ package robosim.geometry.scenario;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.check.Text;
+import robosim.geometry.protocol.StepBundle;
 
 /** Finds where the answer to a step differs, and says so: the first body, contact or stop that is another. */
 final class StepMismatch {

@@ -1,7 +1,7 @@
 package robosim.geometry.sensor;
 
-import java.nio.file.Path;
 import java.io.IOException;
+import java.nio.file.Path;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 

@@ -1,9 +1,10 @@
 package robosim.geometry.sensor;
 
-import robosim.geometry.world.shared.AtomicFileWriter;
-import robosim.geometry.image.PngWriter;
-import java.nio.file.Path;
 import java.io.IOException;
+import java.nio.file.Path;
+import robosim.geometry.image.PngWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
+
 /** An image of a {@link NormalCamera}. */
 public final class NormalFrame extends RayFrame {
     private final double[] vector = new double[3];

@@ -1,14 +1,14 @@
 package robosim.geometry.sensor;
 
-import java.nio.file.Path;
 import java.io.IOException;
-import robosim.geometry.sensor.effects.Surfaces;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.sensor.effects.Surfaces;
 
 /**
  * An image of a {@link SegmentationCamera}. Objects are numbered from 1 in the order in which the readings of this frame

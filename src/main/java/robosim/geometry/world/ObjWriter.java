@@ -1,6 +1,5 @@
 package robosim.geometry.world;
 
-import robosim.geometry.world.shared.AtomicFileWriter;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
@@ -26,6 +25,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.mesh.MaterialWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;

@@ -1,6 +1,5 @@
 package robosim.geometry.world;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,8 +14,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
-import robosim.geometry.world.sdf.SdfShapes;
-import robosim.geometry.world.sdf.SdfState;
 import robosim.geometry.world.sdf.SdfTree;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Floor;
@@ -51,12 +48,6 @@ final class SdfReader {
         return read(file, models, new ArrayList<>());
     }
 
-    static SdfObjects found(SdfTree tree, SdfFiles files, Path file) throws FileProblem {
-        SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
-        found.add(SdfState.read(tree, files.main(file.toString())));
-        return found;
-    }
-
     /** Reads the model in a folder. */
     static WorldImport readFolder(Path folder, List<Path> models) throws WorldException {
         List<String> remarks = new ArrayList<>();
@@ -71,7 +62,7 @@ final class SdfReader {
         try {
             SdfFiles files = new SdfFiles(file, models);
             SdfTree tree = new SdfTree(files);
-            SdfObjects found = found(tree, files, file);
+            SdfObjects found = SdfObjects.read(tree, files, file);
             double[] reach = Bounds.reach(found.objects());
             List<WorldObject> objects = objects(found, size(reach[0]), size(reach[2]));
             World world = new World(

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 import robosim.geometry.sensor.DepthCamera;
@@ -21,10 +22,10 @@ import robosim.geometry.sensor.NormalCamera;
 import robosim.geometry.sensor.OutOfRange;
 import robosim.geometry.sensor.RaySensor;
 import robosim.geometry.sensor.SegmentationCamera;
-import robosim.geometry.model.Pose;
 import robosim.geometry.world.sdf.SdfFiles;
-import robosim.geometry.world.sdf.SensorElement;
+import robosim.geometry.world.sdf.SdfObjects;
 import robosim.geometry.world.sdf.SdfTree;
+import robosim.geometry.world.sdf.SensorElement;
 import robosim.geometry.world.shared.FileProblem;
 
 /**
@@ -133,7 +134,7 @@ public record SdfSensor(
         try {
             Path main = Files.isDirectory(file) ? SdfFiles.modelOf(file, remark -> {}) : file;
             SdfFiles files = new SdfFiles(main, models);
-            return SdfReader.found(new SdfTree(files), files, main).sensors().stream()
+            return SdfObjects.read(new SdfTree(files), files, main).sensors().stream()
                     .map(SdfSensor::of)
                     .toList();
         } catch (FileProblem e) {
@@ -200,12 +201,10 @@ public record SdfSensor(
     /** Size and lens of a camera of any kind. */
     public Intrinsics intrinsics() {
         if (!kind().isCamera()) {
-            throw new IllegalArgumentException(
-                    "sensor must be a camera (got: " + name + " of type " + type + ")");
+            throw new IllegalArgumentException("sensor must be a camera (got: " + name + " of type " + type + ")");
         }
         try {
-            return Intrinsics.fieldOfView(
-                    whole("image/width", 320), whole("image/height", 240), fieldOfView());
+            return Intrinsics.fieldOfView(whole("image/width", 320), whole("image/height", 240), fieldOfView());
         } catch (IllegalArgumentException e) {
             throw refused(e);
         }
@@ -324,7 +323,6 @@ public record SdfSensor(
     }
 
     private IllegalArgumentException refused(IllegalArgumentException e) {
-        return new IllegalArgumentException(
-                source + ":" + line + ": sensor " + name + ": " + e.getMessage(), e);
+        return new IllegalArgumentException(source + ":" + line + ": sensor " + name + ": " + e.getMessage(), e);
     }
 }

@@ -1,13 +1,12 @@
 package robosim.geometry.world;
 
-import java.util.function.LongConsumer;
-import robosim.geometry.world.shared.AtomicFileWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.Drive;
@@ -26,6 +25,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.body.BodyXml;
 import robosim.geometry.world.body.ObjectBody;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;

@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.MeshReader;
-import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
 
@@ -71,8 +70,9 @@ class ConvertCommandTest extends CommandRun {
         Path xml = folder.resolve("w.xml");
         Path map = FILES.resolve("maps/tb3_sandbox.yaml");
         assertThat(run("convert", map, xml, "--wall-height", "0.5")).isZero();
-        assertThat(WorldReader.read(xml)).isEqualTo(WorldImport.read(map, new ImportOptions(0.5, 1, ImportOptions.Up.Y, List.of()))
-                .world());
+        assertThat(WorldReader.read(xml))
+                .isEqualTo(WorldImport.read(map, new ImportOptions(0.5, 1, ImportOptions.Up.Y, List.of()))
+                        .world());
         Path stl = FILES.resolve("20mm-xyz-cube.stl");
         assertThat(run("convert", stl, xml, "--scale", "0.001", "--up", "z")).isZero();
         assertThat(WorldReader.read(xml))

@@ -8,10 +8,10 @@ import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,13 +44,10 @@ import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 import robosim.geometry.sweep.Outcome;
+import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.Result;
 import robosim.geometry.sweep.ScenarioSweep;
-import robosim.geometry.sweep.Seeds;
 import robosim.geometry.sweep.Shard;
-import robosim.geometry.sweep.Sweep;
-import robosim.geometry.sweep.SweepDigest;
-import robosim.geometry.sweep.SweepPlot;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepRun;
 import robosim.geometry.sweep.SweepSummary;
@@ -60,10 +57,9 @@ import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.viewer.window.Viewer;
-import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.MeshReader;
+import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldImport;
@@ -71,6 +67,7 @@ import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
 import robosim.geometry.world.WorldWriter;
 import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /** Where a value must be given, null is refused as every other bad argument: by its name, and not by the JVM. */
 @SuppressWarnings("NullAway")
@@ -249,12 +246,12 @@ class NullsTest {
     @Test
     void ofSweeps() throws Exception {
         Path file = folder.resolve("none.jsonl");
-        Sweep sweep =
-                Sweep.of("a", replicate -> Result.of("x", 1)).over(new SweepWorld("w", new Geometry().snapshot()));
+        ParameterSweep sweep = ParameterSweep.of("a", replicate -> Result.of("x", 1))
+                .over(new SweepWorld("w", new Geometry().snapshot()));
         SweepResults results = SweepRun.of(sweep, folder.resolve("some.jsonl")).run();
-        call("scenario", () -> Sweep.of(null));
-        call("scenario", () -> Sweep.of("a", null));
-        call("name of a scenario", () -> Sweep.of(null, replicate -> Result.of("x", 1)));
+        call("scenario", () -> ParameterSweep.of(null));
+        call("scenario", () -> ParameterSweep.of("a", null));
+        call("name of a scenario", () -> ParameterSweep.of(null, replicate -> Result.of("x", 1)));
         call("world", () -> sweep.over(null));
         call("name of a parameter", () -> sweep.vary(null, "1"));
         call("values", () -> sweep.vary("p", (String[]) null));
@@ -273,16 +270,12 @@ class NullsTest {
         call("file", () -> SweepWorld.read(null));
         call("file", () -> ScenarioSweep.read(null));
         call("text", () -> Shard.parse(null));
-        call("scenario", () -> Seeds.of(0, null, "w", new TreeMap<>(), 0));
-        call("world", () -> Seeds.of(0, "s", null, new TreeMap<>(), 0));
-        call("parameters", () -> Seeds.of(0, "s", "w", null, 0));
-        call("scenario", () -> Seeds.paired(0, null, 0));
         call("name", () -> Result.of(null, 1));
         call("line", () -> Outcome.of(null));
-        call("header", () -> new SweepDigest(null));
-        call("outcome", () -> new SweepDigest(results.header()).add(null));
-        call("header", () -> SweepPlot.svg(null, new SweepSummary()));
-        call("summary", () -> SweepPlot.svg(results.header(), null));
+        call("outcomes", () -> results.header().digest(null));
+        call("outcome", () -> results.header().digest(Collections.singletonList(null)));
+        call("header", () -> new SweepSummary().svg(null));
+        call("file", () -> results.writeCsv(null));
         call("outcome", () -> new SweepSummary().accept(null));
         call("other", () -> results.header().isOfSame(null));
         check();

@@ -1,6 +1,5 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.check.Text;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -9,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 

@@ -1,6 +1,5 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.protocol.pace.MessagePace;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
@@ -12,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.pace.MessagePace;
 
 public class MessageTest {
     @Test

@@ -1,6 +1,5 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.protocol.pace.MessagePace;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -15,6 +14,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.Vector;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /** An environment of old, with mutable classes of its own. */
 class TranslatorTest {

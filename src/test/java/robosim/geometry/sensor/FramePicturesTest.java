@@ -14,13 +14,6 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.sensor.DepthCamera;
-import robosim.geometry.sensor.DepthFrame;
-import robosim.geometry.sensor.Intrinsics;
-import robosim.geometry.sensor.NormalCamera;
-import robosim.geometry.sensor.NormalFrame;
-import robosim.geometry.sensor.SegmentationCamera;
-import robosim.geometry.sensor.SegmentationFrame;
 
 /** Images as the JDK reads them. */
 class FramePicturesTest {
@@ -91,7 +84,7 @@ class FramePicturesTest {
         Path file = folder.resolve("no.png");
         assertThatThrownBy(() -> new DepthFrame().writePng(1, file))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("image must have been read");
+                .hasMessageContaining("the frame must have been read");
         SegmentationFrame frame = new SegmentationFrame();
         SegmentationCamera.of(LENS).read(world(65_536), frame);
         assertThatThrownBy(() -> frame.writeLabels(file))

@@ -1,6 +1,5 @@
 package robosim.geometry.sensor;
 
-import robosim.geometry.sensor.NpyWriter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -19,7 +18,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import robosim.geometry.sensor.PointCloud;
 import robosim.geometry.sensor.PointCloud.Axes;
 import robosim.geometry.sensor.PointCloud.Field;
 

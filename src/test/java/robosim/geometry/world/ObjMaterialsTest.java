@@ -277,7 +277,8 @@ class ObjMaterialsTest {
         file("materials/m.mtl", "newmtl a\nKd 0 0 1\nmap_Kd -clamp on .\\m.png\n");
         picture("materials/m.png");
         file("m.obj", "mtllib .\\materials\\m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
-        assertThat(MeshReader.read(folder.resolve("m.obj")).material().texture()).isNotNull();
+        assertThat(MeshReader.read(folder.resolve("m.obj")).material().texture())
+                .isNotNull();
     }
 
     @Test

@@ -28,8 +28,6 @@ import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
 import robosim.geometry.sensor.OutOfRange;
-import robosim.geometry.world.SdfSensor;
-import robosim.geometry.world.WorldException;
 
 /** Sensors as worlds of Gazebo describe them. */
 public class SdfSensorTest {
@@ -149,8 +147,7 @@ public class SdfSensorTest {
         DepthCamera eye = all.get(2).depthCamera();
         assertThat(eye.intrinsics()).isEqualTo(Intrinsics.fieldOfView(40, 30, 90));
         assertThat(eye.options()).isEqualTo(SenseOptions.range(0.2, 8));
-        assertThat(all.get(2).noise())
-                .isEqualTo(Noise.gaussian(0, 0.007).and(Noise.bias(0.5, 0)));
+        assertThat(all.get(2).noise()).isEqualTo(Noise.gaussian(0, 0.007).and(Noise.bias(0.5, 0)));
         assertThat(eye.mount().within(rover.pose()).center().y()).isCloseTo(1.75, within(1e-15));
         double[] r = eye.mount().within(rover.pose()).rotation();
         assertThat(r[3]).isCloseTo(-StrictMath.sin(0.5), within(1e-15)); // it looks down

@@ -117,7 +117,8 @@ class StlReaderTest {
     @Test
     void scales() throws WorldException {
         byte[] bytes = binary(1, 2, -3, 1, 2, -3, 1, 2, -3);
-        assertThat(MeshReader.read(new ByteArrayInputStream(bytes), "t.stl", 0.5).vertices())
+        assertThat(MeshReader.read(new ByteArrayInputStream(bytes), "t.stl", 0.5)
+                        .vertices())
                 .containsExactly(new Point(0.5, 1, -1.5));
         for (double wrong : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatIllegalArgumentException()

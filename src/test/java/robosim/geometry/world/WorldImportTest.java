@@ -135,7 +135,8 @@ class WorldImportTest {
         MeshObject cube = (MeshObject) mesh.objects().get(0).object();
         assertThat(cube.name()).isEqualTo("unit_cube");
         assertThat(cube.vertices())
-                .isEqualTo(MeshReader.read(FILES.resolve("unit_cube.STL"), 0.001).vertices());
+                .isEqualTo(
+                        MeshReader.read(FILES.resolve("unit_cube.STL"), 0.001).vertices());
         // Its own Z points up: what is at z = 1 is at Y = 1.
         assertThat(cube.pose().rotation()).containsExactly(1, 0, 0, 0, 0, 1, 0, -1, 0);
     }

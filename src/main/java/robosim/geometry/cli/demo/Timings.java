@@ -1,6 +1,5 @@
 package robosim.geometry.cli.demo;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -13,7 +12,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.check.Text;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** How long the module's side of a conversation took, and what blocked moves. */
 public final class Timings implements SessionListener {

@@ -1,6 +1,8 @@
 package robosim.geometry.cli.network;
 
 import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
@@ -9,7 +11,6 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.Ports;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
-import robosim.geometry.net.WatchServer;
 import robosim.geometry.scenario.Watching;
 
 /** How {@code serve} and {@code connect} let a session be watched. */
@@ -28,14 +29,13 @@ public final class WatchOptions {
     private WatchOptions() {}
 
     /**
-     * The server for watchers, null if none was asked for, and the options that report to it. Closing it closes that
-     * server.
+     * What watchers dial, null if there is none, and the options that report to it. Closing it stops to listen.
      */
-    record Watch(NetOptions options, @Nullable WatchServer server) implements AutoCloseable {
+    record Watch(NetOptions options, @Nullable Watching watching) implements AutoCloseable {
         @Override
         public void close() {
-            if (server != null) {
-                server.close();
+            if (watching != null) {
+                watching.close();
             }
         }
     }
@@ -47,13 +47,13 @@ public final class WatchOptions {
         }
         Ports.check(spec, port, 0);
         Watching watching = new Watching(options.session());
-        WatchServer server = new WatchServer(port, watching);
+        InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), watching.listen(port));
         PrintWriter out = spec.commandLine().getOut();
-        out.println("Watch on " + server.address());
+        out.println("Watch on " + address);
         out.flush();
         Function<String, SessionListener> others = options.listeners();
         NetOptions told =
                 options.withListeners(connection -> others.apply(connection).and(watching.apply(connection)));
-        return new Watch(told, server);
+        return new Watch(told, watching);
     }
 }

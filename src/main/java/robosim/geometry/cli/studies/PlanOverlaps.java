@@ -1,13 +1,13 @@
 package robosim.geometry.cli.studies;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import robosim.geometry.Geometry;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.check.Text;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * What bodies of a PLANAR world stand on or in from the beginning: the most frequent reason that they cannot move is a floor

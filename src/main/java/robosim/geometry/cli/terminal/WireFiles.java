@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.scenario.WireReader;
+import robosim.geometry.scenario.source.WireReader;
 
 /** The two files in which the demo records its conversation: the bytes sent to the module, and those it sent. */
 public final class WireFiles {

@@ -22,10 +22,10 @@ import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /** Puts robots into a world, into a new file. */
 @Command(

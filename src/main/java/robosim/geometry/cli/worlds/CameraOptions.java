@@ -148,7 +148,7 @@ public final class CameraOptions {
     }
 
     /** The pictures to take, each made of one shot or of four. */
-    List<List<Shot>> pictures(Studio studio) {
+    List<List<Shot>> pictures(CameraWorld studio) {
         try {
             if (frames < 1 || frames > 10_000) {
                 throw refused("--frames must be from 1 to 10000 (got: " + frames + ")");
@@ -159,7 +159,7 @@ public final class CameraOptions {
         }
     }
 
-    private List<List<Shot>> shots(Studio studio) {
+    private List<List<Shot>> shots(CameraWorld studio) {
         SdfSensor found = sensor;
         if (found != null) {
             ColorCamera plain = camera(studio, width(), height(), 40);
@@ -207,14 +207,14 @@ public final class CameraOptions {
     }
 
     private Point target(Bounds box) {
-        return target == null ? Studio.middle(box) : point("--look-at", target);
+        return target == null ? CameraWorld.middle(box) : point("--look-at", target);
     }
 
     private double fieldOfView(double usual) {
         return fieldOfView == null ? usual : fieldOfView;
     }
 
-    private ColorCamera camera(Studio studio, int width, int height, double usualFieldOfView) {
+    private ColorCamera camera(CameraWorld studio, int width, int height, double usualFieldOfView) {
         return ColorCamera.of(width, height, fieldOfView(usualFieldOfView))
                 .withSamples(samples)
                 .withMirrors(mirrors)
@@ -223,11 +223,11 @@ public final class CameraOptions {
                 .withThreads(Runtime.getRuntime().availableProcessors());
     }
 
-    private List<Shot> one(Studio studio, Pose pose) {
+    private List<Shot> one(CameraWorld studio, Pose pose) {
         return List.of(new Shot(camera(studio, width(), height(), 40).at(pose), 0, 0));
     }
 
-    private List<Shot> four(Studio studio, Bounds box) {
+    private List<Shot> four(CameraWorld studio, Bounds box) {
         List<Shot> shots = new ArrayList<>();
         for (String view : List.of("top", "front", "side", "overview")) {
             int left = shots.size() % 2 * (width() / 2);
@@ -239,7 +239,7 @@ public final class CameraOptions {
         return shots;
     }
 
-    private ColorCamera onRobot(Studio studio, String name) {
+    private ColorCamera onRobot(CameraWorld studio, String name) {
         GeometryObject robot = studio.find(name);
         if (robot == null || !robot.isMoveable()) {
             throw refused("--camera robot:NAME must name a moveable object of the world, " + studio.choice(name)

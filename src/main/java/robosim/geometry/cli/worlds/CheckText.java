@@ -1,6 +1,5 @@
 package robosim.geometry.cli.worlds;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,11 +7,11 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.check.Text;
 import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
@@ -24,6 +23,7 @@ import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.check.StandIn;
 import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** A checked world as text for people. */
 public final class CheckText {

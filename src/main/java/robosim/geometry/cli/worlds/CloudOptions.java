@@ -48,7 +48,7 @@ public final class CloudOptions {
     private CloudOptions() {}
 
     /** All points that lidars at the given places see, drawn as a camera sees them; the higher, the lighter. */
-    int[] picture(ColorCamera camera, Studio studio, Snapshot world, double metres) {
+    int[] picture(ColorCamera camera, CameraWorld studio, Snapshot world, double metres) {
         PointCloud cloud = cloud(studio, world, metres);
         int samples = camera.samples();
         int width = camera.width() * samples;
@@ -108,7 +108,7 @@ public final class CloudOptions {
         }
     }
 
-    private PointCloud cloud(Studio studio, Snapshot world, double metres) {
+    private PointCloud cloud(CameraWorld studio, Snapshot world, double metres) {
         Lidar lidar = model.lidar();
         lidar = lidar.withRange(lidar.options().min() / metres, lidar.options().max() / metres)
                 .withThreads(Runtime.getRuntime().availableProcessors());
@@ -128,7 +128,7 @@ public final class CloudOptions {
         return cloud;
     }
 
-    private Lidar placed(Lidar lidar, String place, Studio studio) {
+    private Lidar placed(Lidar lidar, String place, CameraWorld studio) {
         if (!place.startsWith(CameraOptions.ROBOT)) {
             String[] numbers = place.split(",", -1);
             try {

@@ -30,7 +30,6 @@ import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.WorldWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldWriter;

@@ -28,7 +28,7 @@ import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.export.Films;
 import robosim.geometry.export.PageWriter;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
@@ -108,7 +108,7 @@ public final class ExportCommand implements Callable<Integer> {
                 recording(reader, lender, range);
             }
         } else if (file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl")) {
-            try (StepReader reader = ScenarioReader.open(file)) {
+            try (StepReader reader = StepReader.of(ScenarioReader.open(file))) {
                 recording(reader, lender, range);
             }
         } else {

@@ -14,7 +14,7 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.export.Films;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.World;
@@ -63,7 +63,8 @@ public final class RecordingOptions {
     StateHistory read(Path file, @Nullable World lender) throws IOException {
         Path toModule = WireFiles.at(file);
         Colours colours = lender == null ? Colours.NONE : Colours.of(lender);
-        try (StepReader reader = toModule == null ? ScenarioReader.open(file) : WireFiles.open(toModule);
+        try (StepReader reader =
+                        toModule == null ? StepReader.of(ScenarioReader.open(file)) : WireFiles.open(toModule);
                 Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
             return Films.of(reader, colours, progress::at);
         }

@@ -1,6 +1,5 @@
 package robosim.geometry.cli.worlds;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -11,6 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.check.Text;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
@@ -18,13 +18,13 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.check.Text;
 import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.check.StandIn;
 import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * A robot in words: {@code [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING][#RRGGBB]}, or {@code box:WIDTHxLENGTH[xHEIGHT]} in the

@@ -16,6 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Outputs;
 import robosim.geometry.cli.terminal.Progress;
@@ -27,17 +28,16 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.check.Text;
 import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
+import robosim.geometry.sensor.NpyWriter;
 import robosim.geometry.sensor.PointCloud;
 import robosim.geometry.sensor.RayFrame;
 import robosim.geometry.sensor.RaySensor;
-import robosim.geometry.sensor.NpyWriter;
 import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -210,10 +210,8 @@ public final class ScanCommand implements Callable<Integer> {
         try {
             Noise its = found.noise().and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
             return switch (found.kind()) {
-                case LIDAR ->
-                    scan(snapshot, found.lidar().withNoise(its, seed, found.name()), name, progress);
-                case DEPTH ->
-                    scan(snapshot, found.depthCamera().withNoise(its, seed, found.name()), name, progress);
+                case LIDAR -> scan(snapshot, found.lidar().withNoise(its, seed, found.name()), name, progress);
+                case DEPTH -> scan(snapshot, found.depthCamera().withNoise(its, seed, found.name()), name, progress);
                 case SEGMENTATION, NORMALS, COLOR, OTHER ->
                     throw refused("--sensor must be a lidar or a depth camera (got: " + found.name() + " of type "
                             + found.type() + ")");

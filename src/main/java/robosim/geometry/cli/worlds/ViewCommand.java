@@ -20,7 +20,8 @@ import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.WatchReader;
+import robosim.geometry.scenario.source.StepReader;
+import robosim.geometry.scenario.source.WatchReader;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.window.Viewer;
@@ -127,7 +128,7 @@ public final class ViewCommand implements Callable<Integer> {
         if (toModule != null) {
             Viewer.recording(WireFiles.open(toModule), title, lender(), theme());
         } else if (name.endsWith(".jsonl")) {
-            Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
+            Viewer.recording(StepReader.of(ScenarioReader.open(shown)), title, lender(), theme());
         } else {
             Viewer.world(files.world(shown), title, theme());
         }

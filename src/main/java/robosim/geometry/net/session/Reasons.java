@@ -1,11 +1,11 @@
 package robosim.geometry.net.session;
 
-import robosim.geometry.world.shared.ObjectNames;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.check.NumberText;
-import robosim.geometry.model.GeometryObject;
 import robosim.geometry.check.Text;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** Describes in words why a request was refused, or what a user should know of one that was carried out. */
 public final class Reasons {

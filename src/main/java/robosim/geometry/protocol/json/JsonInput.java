@@ -18,9 +18,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
-import robosim.geometry.check.Text;
 
 /**
  * One line of JSON, read strictly: an object must have its required fields and may have its optional ones, each once; a

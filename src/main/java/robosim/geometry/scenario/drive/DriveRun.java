@@ -1,6 +1,5 @@
 package robosim.geometry.scenario.drive;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -12,6 +11,7 @@ import java.util.Objects;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
@@ -19,7 +19,6 @@ import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.check.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -28,6 +27,7 @@ import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** Robots that are driven through a world for a time, as a conversation that can be recorded. */
 public final class DriveRun {

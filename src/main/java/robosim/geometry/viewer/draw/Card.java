@@ -1,6 +1,5 @@
 package robosim.geometry.viewer.draw;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.check.NumberText;
@@ -13,8 +12,8 @@ import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.check.Text;
 import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * The description of one object.

@@ -1,6 +1,5 @@
 package robosim.geometry.viewer.draw;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -10,9 +9,9 @@ import java.util.Set;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.check.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** Paints what happened: trails, measured distances, refused moves. */
 final class TracePainter {

@@ -1,6 +1,5 @@
 package robosim.geometry.viewer.playback;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -17,10 +16,10 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
-import robosim.geometry.check.Text;
 import robosim.geometry.scenario.Timing;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * What one step of a conversation changed.

@@ -1,6 +1,5 @@
 package robosim.geometry.viewer.playback;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -29,7 +29,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.check.Text;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
@@ -39,6 +38,7 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * Replays a recorded conversation to find what the record does not contain: the places of the robots, and what blocked

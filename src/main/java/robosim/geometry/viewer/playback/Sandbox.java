@@ -1,6 +1,5 @@
 package robosim.geometry.viewer.playback;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,8 +10,8 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.check.Text;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * The viewer's own world, in which the user can push robots: that of a world file, or a copy of a moment of a

@@ -1,17 +1,16 @@
 package robosim.geometry.viewer.window;
 
-import robosim.geometry.world.shared.ObjectNames;
 import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.check.Text;
 import robosim.geometry.scenario.Timing;
 import robosim.geometry.viewer.playback.Feed;
 import robosim.geometry.viewer.playback.Player;
 import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** What the line below the views says. */
 final class StatusText {
