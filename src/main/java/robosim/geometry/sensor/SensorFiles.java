@@ -12,7 +12,6 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import robosim.geometry.check.Checks;
 import robosim.geometry.image.PngWriter;
-import robosim.geometry.sensor.PointCloud.Field;
 import robosim.geometry.world.shared.AtomicFileWriter;
 
 /**
@@ -65,12 +64,12 @@ final class SensorFiles {
         columns.add(new Column("x", Type.FLOAT));
         columns.add(new Column("y", Type.FLOAT));
         columns.add(new Column("z", Type.FLOAT));
-        for (Field field : cloud.fields()) {
+        for (PointCloud.Field field : cloud.fields()) {
             columns.add(column(field));
         }
     }
 
-    private static Column column(Field field) {
+    private static Column column(PointCloud.Field field) {
         return switch (field) {
             case INTENSITY -> new Column("intensity", Type.FLOAT);
             case RING -> new Column("ring", Type.UNSIGNED_SHORT);
@@ -101,16 +100,16 @@ final class SensorFiles {
     private void put(int point, ByteBuffer bytes) {
         axes.of(cloud.x(point), cloud.y(point), cloud.z(point), vector);
         putVector(bytes);
-        for (Field field : cloud.fields()) {
+        for (PointCloud.Field field : cloud.fields()) {
             switch (field) {
                 case INTENSITY, TIME -> bytes.putFloat((float) cloud.value(field, point));
                 case RING -> bytes.putShort((short) cloud.value(field, point));
                 case LABEL, INSTANCE -> bytes.putInt((int) cloud.value(field, point));
                 case NORMAL_X -> {
                     axes.of(
-                            cloud.value(Field.NORMAL_X, point),
-                            cloud.value(Field.NORMAL_Y, point),
-                            cloud.value(Field.NORMAL_Z, point),
+                            cloud.value(PointCloud.Field.NORMAL_X, point),
+                            cloud.value(PointCloud.Field.NORMAL_Y, point),
+                            cloud.value(PointCloud.Field.NORMAL_Z, point),
                             vector);
                     putVector(bytes);
                 }

@@ -62,7 +62,7 @@ final class SdfReader {
         try {
             SdfFiles files = new SdfFiles(file, models);
             SdfTree tree = new SdfTree(files);
-            SdfObjects found = SdfObjects.read(tree, files, file);
+            SdfObjects found = SdfSensor.found(tree, files, file);
             double[] reach = Bounds.reach(found.objects());
             List<WorldObject> objects = objects(found, size(reach[0]), size(reach[2]));
             World world = new World(

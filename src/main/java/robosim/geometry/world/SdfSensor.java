@@ -24,6 +24,8 @@ import robosim.geometry.sensor.RaySensor;
 import robosim.geometry.sensor.SegmentationCamera;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
+import robosim.geometry.world.sdf.SdfShapes;
+import robosim.geometry.world.sdf.SdfState;
 import robosim.geometry.world.sdf.SdfTree;
 import robosim.geometry.world.sdf.SensorElement;
 import robosim.geometry.world.shared.FileProblem;
@@ -134,12 +136,19 @@ public record SdfSensor(
         try {
             Path main = Files.isDirectory(file) ? SdfFiles.modelOf(file, remark -> {}) : file;
             SdfFiles files = new SdfFiles(main, models);
-            return SdfObjects.read(new SdfTree(files), files, main).sensors().stream()
+            return found(new SdfTree(files), files, main).sensors().stream()
                     .map(SdfSensor::of)
                     .toList();
         } catch (FileProblem e) {
             throw new WorldException(e);
         }
+    }
+
+    /** All objects and sensors of a file. */
+    static SdfObjects found(SdfTree tree, SdfFiles files, Path file) throws FileProblem {
+        SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
+        found.add(SdfState.read(tree, files.main(file.toString())));
+        return found;
     }
 
     /**

@@ -41,7 +41,9 @@ class ExportsTest {
             "TriangleMesh.wide",
             "MessageReader.<init>",
             "BodyAnswer.<init>",
-            "BodyAnswer.rotation");
+            "BodyAnswer.rotation",
+            "WorldObject.<init>",
+            "WorldObject.body");
 
     /** Bundles that come over the wire only: their parts are internal. */
     private static final Set<String> WIRE = Set.of("BatchRequestBundle", "BatchAnswerBundle", "Loaded");

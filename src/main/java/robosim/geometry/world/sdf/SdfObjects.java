@@ -1,6 +1,5 @@
 package robosim.geometry.world.sdf;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -54,13 +53,6 @@ public final class SdfObjects {
     public SdfObjects(SdfTree tree, SdfShapes shapes) {
         this.tree = tree;
         this.shapes = shapes;
-    }
-
-    /** All objects and sensors of a file. */
-    public static SdfObjects read(SdfTree tree, SdfFiles files, Path file) throws FileProblem {
-        SdfObjects read = new SdfObjects(tree, new SdfShapes(tree, files));
-        read.add(SdfState.read(tree, files.main(file.toString())));
-        return read;
     }
 
     public List<GeometryObject> objects() {
