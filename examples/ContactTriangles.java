@@ -25,7 +25,7 @@ public final class ContactTriangles {
         System.out.println("after 3 steps: from " + few.low() + " to " + few.high());
         Verdict all = ContactQuery.distance(roof, away, Budget.UNLIMITED);
         System.out.println("at the end:    from " + all.low() + " to " + all.high());
-        Verdict soon = ContactQuery.touches(roof, other, Budget.time(Duration.ofMillis(20)));
+        Verdict soon = ContactQuery.decide(roof, other, Budget.time(Duration.ofMillis(20)));
         System.out.println("do they touch? " + soon.answer());
     }
 

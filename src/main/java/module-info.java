@@ -19,18 +19,18 @@ module robosim.geometry {
     exports robosim.geometry.model;
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;
-    exports robosim.geometry.protocol.batch;
-    exports robosim.geometry.protocol.json;
     exports robosim.geometry.protocol.motion;
     exports robosim.geometry.render;
     exports robosim.geometry.scenario;
     exports robosim.geometry.sensor;
-    exports robosim.geometry.sensor.file;
     exports robosim.geometry.sweep;
     exports robosim.geometry.world;
-    exports robosim.geometry.world.check;
 
     uses robosim.geometry.protocol.MessageTranslator;
+
+    // JUnit makes the extensions of tests.
+    opens robosim.geometry.junit to
+            org.junit.platform.commons;
 
     // The command line is read into annotated fields.
     opens robosim.geometry.cli to

@@ -43,6 +43,13 @@ import robosim.geometry.narrow.Scratch;
  * geometry.simpleMove("robot", 5, 0, 0);                                                // false: the wall
  * }</pre>
  *
+ * <h2>What true means</h2>
+ *
+ * A method that changes the world ({@code add...}, {@code place...}, {@code remove...}, {@code simple...}) returns true if it
+ * has done so. A question whether something collides ({@link #testObject}, {@code CollisionDetection.intersects}) returns true
+ * for a collision. A question whether something is possible ({@link ObjectSearch#fits}, {@link MoveResult#allowed}, the
+ * batches {@code free...}) returns true where nothing is touched.
+ *
  * <h2>Contacts at the start</h2>
  *
  * A piece that an object already touches or overlaps where a move begins, as in worlds loaded unchecked, blocks only

@@ -2,6 +2,18 @@
  * A world of objects, and the answers to three questions: may this be here, how far may it move, how far away is the
  * nearest surface? This page is a tour. A test runs all its code and compares the values in the comments.
  *
+ * <ul>
+ *   <li>{@link Geometry}: a world: adds, moves and removes objects, and answers queries; for one thread at a time
+ *   <li>{@link Snapshot}: an immutable copy of a world, which any number of threads may query
+ *   <li>{@link WorldQueries}: the queries that both answer
+ *   <li>{@link MoveResult}: how far a move is free, and what blocks it
+ *   <li>{@link SlideOptions} and {@link SlideResult}: how a move continues along what blocks it, and what it touched
+ *   <li>{@link RayHit} and {@link NearObject}: the nearest surface along a ray, and the nearest object
+ *   <li>{@link SenseBuffer}: the readings of all beams of a pattern, in arrays that are used again
+ *   <li>{@link ObjectSearch}: which objects are where
+ *   <li>{@link WorkLimit} and {@link WorkLimitException}: how much work a call may take
+ * </ul>
+ *
  * <h2>A world</h2>
  *
  * A {@link robosim.geometry.Geometry} is a box around the origin with objects in it. Y is up, X and Z span the floor,

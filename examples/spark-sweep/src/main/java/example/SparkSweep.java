@@ -12,9 +12,8 @@ import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.broadcast.Broadcast;
 import robosim.geometry.sweep.Outcome;
+import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.Shard;
-import robosim.geometry.sweep.Sweep;
-import robosim.geometry.sweep.SweepDigest;
 import robosim.geometry.sweep.SweepHeader;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepSummary;
@@ -31,7 +30,9 @@ public final class SparkSweep {
 
     /** Writes the results of {@link Patrol} and prints their table and digest. */
     public static void main(String[] arguments) throws Exception {
-        Sweep sweep = Sweep.of(new Patrol()).vary("keep", "0.25", "0.5", "1").replicates(Long.parseLong(arguments[2]));
+        ParameterSweep sweep = ParameterSweep.of(new Patrol())
+                .vary("keep", "0.25", "0.5", "1")
+                .replicates(Long.parseLong(arguments[2]));
         for (int k = 3; k < arguments.length; k++) {
             sweep = sweep.over(SweepWorld.read(Path.of(arguments[k])));
         }
@@ -49,8 +50,8 @@ public final class SparkSweep {
     }
 
     /** All outcomes by ascending index. */
-    static List<Outcome> run(JavaSparkContext spark, Sweep sweep, int shards) throws Exception {
-        Broadcast<Sweep> shared = spark.broadcast(sweep);
+    static List<Outcome> run(JavaSparkContext spark, ParameterSweep sweep, int shards) throws Exception {
+        Broadcast<ParameterSweep> shared = spark.broadcast(sweep);
         List<Integer> numbers = IntStream.range(0, shards).boxed().toList();
         List<String> lines = spark.parallelize(numbers, shards)
                 .flatMap(number -> lines(shared.value(), new Shard(number, shards)))
@@ -63,7 +64,7 @@ public final class SparkSweep {
         return outcomes;
     }
 
-    private static Iterator<String> lines(Sweep sweep, Shard shard) {
+    private static Iterator<String> lines(ParameterSweep sweep, Shard shard) {
         return LongStream.range(0, sweep.size())
                 .filter(index -> sweep.isOf(shard, index))
                 .mapToObj(index -> sweep.run(index).line())
@@ -78,8 +79,6 @@ public final class SparkSweep {
     }
 
     static String digest(SweepHeader header, List<Outcome> outcomes) {
-        SweepDigest digest = new SweepDigest(header);
-        outcomes.forEach(digest::add);
-        return digest.hex();
+        return header.digest(outcomes);
     }
 }

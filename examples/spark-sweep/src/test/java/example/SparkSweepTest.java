@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.sweep.Outcome;
-import robosim.geometry.sweep.Sweep;
+import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepRun;
 import robosim.geometry.sweep.SweepWorld;
@@ -37,8 +37,8 @@ class SparkSweepTest {
     @TempDir
     Path folder;
 
-    private static Sweep sweep(long replicates) throws IOException {
-        return Sweep.of(new Patrol())
+    private static ParameterSweep sweep(long replicates) throws IOException {
+        return ParameterSweep.of(new Patrol())
                 .over(SweepWorld.read(Path.of("worlds", "hall.xml")))
                 .over(SweepWorld.read(Path.of("worlds", "corridor.xml")))
                 .vary("keep", "0.25", "0.5", "1")
@@ -69,7 +69,7 @@ class SparkSweepTest {
 
     @Test
     void theSameAsOnOneMachine() throws Exception {
-        Sweep sweep = sweep(12);
+        ParameterSweep sweep = sweep(12);
         Path onOne = folder.resolve("one.jsonl");
         SweepResults results = SweepRun.of(sweep, onOne).run();
         try (JavaSparkContext spark = new JavaSparkContext(conf("local[4]"))) {
@@ -87,7 +87,7 @@ class SparkSweepTest {
     /** Two workers with a process each; one of these is killed while it works. */
     @Test
     void aKilledWorkerChangesNothing() throws Exception {
-        Sweep sweep = sweep(400);
+        ParameterSweep sweep = sweep(400);
         SparkConf conf = conf("local-cluster[2,1,512]")
                 .set("spark.executor.memory", "512m")
                 .set(
@@ -126,7 +126,7 @@ class SparkSweepTest {
         }
         assertTrue(lost.get() >= 1, "an executor was lost while there was work");
         SweepResults onOne =
-                SweepRun.of(sweep, folder.resolve("one.jsonl")).threads(2).run();
+                SweepRun.of(sweep, folder.resolve("one.jsonl")).withThreads(2).run();
         assertEquals(sweep.size(), outcomes.size());
         assertEquals(onOne.digest(), SparkSweep.digest(sweep.header(), outcomes));
     }

@@ -18,9 +18,9 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
+import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.Replicate;
 import robosim.geometry.sweep.Result;
-import robosim.geometry.sweep.Sweep;
 import robosim.geometry.sweep.SweepRun;
 import robosim.geometry.sweep.SweepScenario;
 import robosim.geometry.sweep.SweepWorld;
@@ -219,7 +219,7 @@ public final class Scale {
     }
 
     private static void sweep(int most) throws IOException, InterruptedException {
-        Sweep sweep = Sweep.of(new Errand())
+        ParameterSweep sweep = ParameterSweep.of(new Errand())
                 .over(new SweepWorld("scene", world(OBJECTS, ROBOTS).snapshot()))
                 .replicates(1000);
         double[] best = new double[most + 1];
@@ -228,8 +228,11 @@ public final class Scale {
             for (int threads = 1; threads <= most; threads++) {
                 Path file = Files.createTempFile("scale", ".jsonl");
                 long start = System.nanoTime();
-                String found =
-                        SweepRun.of(sweep, file).resume().threads(threads).run().digest();
+                String found = SweepRun.of(sweep, file)
+                        .resume()
+                        .withThreads(threads)
+                        .run()
+                        .digest();
                 best[threads] = Math.max(best[threads], sweep.size() / ((System.nanoTime() - start) / 1e9));
                 Files.delete(file);
                 if (!digest.isEmpty() && !digest.equals(found)) {

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /**
  * A picture of panels that share a legend.

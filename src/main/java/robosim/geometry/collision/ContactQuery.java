@@ -33,7 +33,7 @@ import robosim.geometry.narrow.mesh.NearestPairs;
  * contacts.get(0).certainty();         // EXACT
  * MeshObject above = roof.movedTo(new Point(0, 3, 0));
  * ContactQuery.distance(floor, above, Budget.UNLIMITED).low(); // 3.0
- * ContactQuery.touches(floor, above, Budget.steps(100)).answer();  // NO
+ * ContactQuery.decide(floor, above, Budget.steps(100)).answer();  // NO
  * }</pre>
  *
  * <p>All queries are symmetric in a and b. Methods may be called from any number of threads. An argument that is null
@@ -101,20 +101,20 @@ public final class ContactQuery {
      * Whether two objects touch or overlap in space. Stops as soon as that is known, or when the budget is spent, with
      * what is known by then. The result is never a guess.
      */
-    public static Verdict touches(GeometryObject a, GeometryObject b, Budget budget) {
-        return touches(a, b, Dimension.SPATIAL, budget);
+    public static Verdict decide(GeometryObject a, GeometryObject b, Budget budget) {
+        return decide(a, b, Dimension.SPATIAL, budget);
     }
 
     /**
      * Whether two objects or their projections touch or overlap. The answer is "undecided" only if the budget was
      * spent. More steps never widen the bracket and never change a decided answer.
      */
-    public static Verdict touches(GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
+    public static Verdict decide(GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
         return limited(a, b, dimension, budget, false);
     }
 
     /**
-     * The distance of two objects in space: continues where {@link #touches(GeometryObject, GeometryObject, Budget)} stops,
+     * The distance of two objects in space: continues where {@link #decide(GeometryObject, GeometryObject, Budget)} stops,
      * until the bracket is as narrow as doubles allow or the budget is spent.
      */
     public static Verdict distance(GeometryObject a, GeometryObject b, Budget budget) {

@@ -1,7 +1,7 @@
 package robosim.geometry.collision;
 
 /**
- * The result of a {@linkplain ContactQuery#touches query with a budget} about two objects.
+ * The result of a {@linkplain ContactQuery#decide query with a budget} about two objects.
  *
  * @param answer whether they touch or overlap
  * @param certainty {@code EXACT} if the answer is proven, which "no" always is; {@code UNCERTAIN} if nothing is decided

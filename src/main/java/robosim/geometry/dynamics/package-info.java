@@ -5,6 +5,18 @@
  * world unit is a metre. {@link robosim.geometry.Geometry} knows nothing of this package, and a world that uses none of it
  * pays nothing.
  *
+ * <ul>
+ *   <li>{@link Dynamics}: steps the bodies of a world through time
+ *   <li>{@link Body}: mass, inertia and surface of an object, and its drive
+ *   <li>{@link Surface}: friction and restitution, and how those of two objects are combined
+ *   <li>{@link Drive}: what turns a command into motion: {@link DifferentialDrive}, {@link AckermannDrive}, {@link
+ *       OmnidirectionalDrive}, {@link VelocityDrive}, {@link ForceDrive}
+ *   <li>{@link StepResult}: what happened in a step: contacts, and bodies that were stopped
+ *   <li>{@link BodyContact}: a contact of two bodies: point, normal, impulse, phase
+ *   <li>{@link SpatialVelocity}: the velocity of a body where heights count
+ *   <li>{@link Odometry}: what a robot measures of its own motion, with its errors
+ * </ul>
+ *
  * <pre>{@code
  * Geometry world = new Geometry(20, 5, 20);
  * world.addObject(new BoxObject(new Point(3, 0, 0), 1, 2, 8).turned(0, 10).named("wall"));

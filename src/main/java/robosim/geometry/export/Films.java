@@ -10,7 +10,7 @@ import robosim.geometry.check.NumberText;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Replayer;

@@ -15,10 +15,10 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
-import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /**
  * Writes a world as a binary glTF 2.0 file (.glb): a node for each object with its name, place and material, groups as

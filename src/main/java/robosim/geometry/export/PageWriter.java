@@ -19,8 +19,8 @@ import robosim.geometry.scenario.Scenario;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
-import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /**
  * Writes a recording as one HTML file that plays it in three dimensions, in any browser with WebGL 2, without a server

@@ -44,12 +44,12 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.Velocity;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.scene.Scene;
-import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /**
  * Writes a recording as an MCAP file of ROS 2 messages, which Foxglove, RViz and PlotJuggler show.

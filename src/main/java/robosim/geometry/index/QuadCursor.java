@@ -2,8 +2,8 @@ package robosim.geometry.index;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.index.regions.NearestFirst;
-import robosim.geometry.index.regions.SectorSearch;
+import robosim.geometry.index.quadtree.NearestFirst;
+import robosim.geometry.index.quadtree.SectorSearch;
 import robosim.geometry.index.tiles.NearGrid;
 import robosim.geometry.index.tiles.NearTarget;
 import robosim.geometry.index.tiles.TileGathering;

@@ -2,9 +2,9 @@ package robosim.geometry.index;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.index.regions.CellGrid;
-import robosim.geometry.index.regions.RegionTree;
-import robosim.geometry.index.regions.Regions;
+import robosim.geometry.index.quadtree.CellGrid;
+import robosim.geometry.index.quadtree.RegionTree;
+import robosim.geometry.index.quadtree.Regions;
 import robosim.geometry.index.tiles.NearGrid;
 import robosim.geometry.index.tiles.TileLayers;
 import robosim.geometry.index.tiles.Tiles;

@@ -12,7 +12,6 @@ import robosim.geometry.net.session.Falls;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -138,6 +137,6 @@ final class Bodies {
     /** When and why a body was last stopped because its motion could not be decided, for a message; empty if it never was. */
     String lastStop(String name) {
         StopAnswer stop = stops.get(name);
-        return stop == null ? "" : "; step " + stopSteps.get(name) + " stopped " + Text.of(stop);
+        return stop == null ? "" : "; step " + stopSteps.get(name) + " stopped " + stop.text();
     }
 }

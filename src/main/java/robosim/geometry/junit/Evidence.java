@@ -12,8 +12,8 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.playback.Pictures;
-import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /** The files that a failed test leaves in its folder. */
 final class Evidence {

@@ -8,10 +8,10 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
 
 /** A place that a robot is to reach, a heading, or a path; all as seen from above. */
 public final class Goal {

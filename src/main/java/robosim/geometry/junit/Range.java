@@ -1,7 +1,7 @@
 package robosim.geometry.junit;
 
+import robosim.geometry.check.Text;
 import robosim.geometry.collision.Verdict;
-import robosim.geometry.protocol.Text;
 
 /**
  * A robot with the distance between its surface and another object's, to within the last bits. It is measured once. An

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.extension.TestTemplateInvocationContext;
 import org.junit.jupiter.api.extension.TestTemplateInvocationContextProvider;
 
 /** Runs a test for each world with each seed. Registered by {@link ScenarioTest}. */
-public final class ScenarioTestProvider implements TestTemplateInvocationContextProvider {
+final class ScenarioTestProvider implements TestTemplateInvocationContextProvider {
     /** Called by JUnit. */
     public ScenarioTestProvider() {}
 

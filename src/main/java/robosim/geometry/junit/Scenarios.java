@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.check.Checks;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.ScenarioException;

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.Geometry;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.collision.Budget;
 import robosim.geometry.collision.Contact;
 import robosim.geometry.collision.ContactQuery;
@@ -16,8 +17,8 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.session.Falls;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.drive.Nameless;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** What robots must never touch, the moves that were refused so far, and what bodies met. */
 final class Watches {
@@ -167,7 +168,7 @@ final class Watches {
                             + " (if it should stand on a floor, add one to the world)"
                     : Words.object(Nameless.at(geometry, meeting.contact().point()));
         }
-        return geometry.hasObject(other) ? Text.kindAndName(geometry.getObject(other)) : Text.quoted(other);
+        return geometry.hasObject(other) ? ObjectNames.kindAndName(geometry.getObject(other)) : Text.quoted(other);
     }
 
     /** Whether a robot stood on the lower border of the world or on something static, onto which it has not fallen. */
@@ -194,7 +195,7 @@ final class Watches {
     }
 
     private boolean touch(GeometryObject robot, GeometryObject other) {
-        return ContactQuery.touches(robot, other, geometry.dimension(), Budget.UNLIMITED)
+        return ContactQuery.decide(robot, other, geometry.dimension(), Budget.UNLIMITED)
                         .answer()
                 != Verdict.Answer.NO;
     }

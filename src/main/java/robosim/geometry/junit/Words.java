@@ -8,7 +8,7 @@ import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * Formats numbers, places and refusals for failure messages: without rounding noise, and so that two numbers that a
@@ -92,7 +92,7 @@ final class Words {
         if (object == null) {
             return "the border of the world";
         }
-        String words = Text.kindAndName(object);
+        String words = ObjectNames.kindAndName(object);
         // The centre of a map says nothing about its walls.
         return object.kind() == GeometryObject.Kind.GRID ? words : words + " at " + center(object);
     }

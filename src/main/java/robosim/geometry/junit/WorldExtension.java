@@ -23,7 +23,7 @@ import robosim.geometry.net.GeometryServer;
  * Resolves the parameters of tests, and says on failure how to reproduce it. Registered by {@link World} and {@link
  * Seed}.
  */
-public final class WorldExtension
+final class WorldExtension
         implements BeforeEachCallback,
                 AfterEachCallback,
                 ParameterResolver,

@@ -1,6 +1,15 @@
 /**
  * What surfaces look like, and what sensors feel of them: colours, materials and textures.
  *
+ * <ul>
+ *   <li>{@link Material}: colour, reflection, texture, and what sensors measure: reflectance and label
+ *   <li>{@link Color}: red, green and blue
+ *   <li>{@link Texture}: a pattern on a surface: {@link Texture.Checker}, {@link Texture.Stripes} or {@link
+ *       ImageTexture}
+ *   <li>{@link ImageTexture}: a picture as a texture
+ *   <li>{@link TextureCoordinates}: where on a mesh a picture goes
+ * </ul>
+ *
  * <p>Every object of a world has a {@link robosim.geometry.material.Material}; one that was given none has {@link
  * robosim.geometry.material.Material#DEFAULT}. No query about collisions, moves or distances looks at it.
  *

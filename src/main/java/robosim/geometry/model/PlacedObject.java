@@ -2,6 +2,7 @@ package robosim.geometry.model;
 
 import java.io.Serial;
 import java.util.Objects;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
@@ -36,6 +37,11 @@ public abstract class PlacedObject<S extends GeometryObject> {
                     "object must be given by sizes, as a box is, and not a " + kind().word() + " (got: " + this + ")");
         }
         return box;
+    }
+
+    /** For internal use: all classes of this package that a serialized object may contain, for an allow-list. */
+    public static Set<Class<?>> serialClasses() {
+        return SerialForms.classes();
     }
 
     /** The same shape with another tag and pose. */

@@ -14,11 +14,11 @@ import robosim.geometry.material.TextureCoordinates;
  * can be created that the constructor would refuse.
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared, and the numbers are checked and copied on the way in
-public final class SerialForms {
+final class SerialForms {
     private SerialForms() {}
 
     /** All classes of this package that a serialized object may contain, for an allow-list. */
-    public static Set<Class<?>> classes() {
+    static Set<Class<?>> classes() {
         return Set.of(
                 Point.class,
                 Ray.class,

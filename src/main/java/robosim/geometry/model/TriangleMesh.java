@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
-import robosim.geometry.index.boxes.BoxTree;
-import robosim.geometry.index.boxes.WideTree;
+import robosim.geometry.index.meshes.BoxTree;
+import robosim.geometry.index.meshes.WideTree;
 import robosim.geometry.material.TextureCoordinates;
 
 /**

@@ -1,6 +1,21 @@
 /**
  * The values that users work with: objects, rays, moves, and the two enums that choose dimension and accuracy.
  *
+ * <ul>
+ *   <li>{@link Point}: a place; {@link Pose} adds an attitude, {@link Twist} is a velocity
+ *   <li>{@link Move}: a translation and then turns
+ *   <li>{@link Ray}: a start and a direction; {@link RayPattern} has the directions of many
+ *   <li>{@link SenseOptions}: ranges and width of the beams of a pattern, what they ignore, and the number of threads
+ *   <li>{@link GeometryObject}: an object of a world; its kinds:
+ *   <li>{@link BoxObject}: a box; {@link CylinderObject}, {@link SphereObject} and {@link CapsuleObject} are the
+ *       other primitives
+ *   <li>{@link MeshObject}: triangles and quads, with their {@link TriangleMesh}
+ *   <li>{@link GridObject}: the occupied cells of a map
+ *   <li>{@link ObjectGroup}: several objects as one
+ *   <li>{@link Bounds}: a box that encloses an object
+ *   <li>{@link Accuracy} and {@link Dimension}: how exactly, and whether heights count
+ * </ul>
+ *
  * <h2>Space</h2>
  *
  * Right-handed axes with Y up; lengths in world units, angles in degrees. A positive angle is counter-clockwise about

@@ -12,6 +12,7 @@ import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -36,7 +37,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
@@ -219,7 +219,7 @@ public final class Session {
     }
 
     private @Nullable Reply observed(Bundle request) {
-        listener.asked(request);
+        listener.requested(request);
         long start = System.nanoTime();
         Reply reply = carryOut(request);
         listener.replied(request, reply, System.nanoTime() - start);
@@ -427,7 +427,7 @@ public final class Session {
             if (stopping != moving && !answer.stops().isEmpty()) {
                 stopping = moving; // a crowd may stop in every step, so only the first is logged
                 complaints.warn(
-                        Text.of(answer.stops().get(0)) + " was stopped in a step; others in this world are not logged");
+                        answer.stops().get(0).text() + " was stopped in a step; others in this world are not logged");
             }
             return new Reply(answer, problems);
         } catch (IllegalArgumentException e) {

@@ -20,7 +20,7 @@ public interface SessionListener {
     default void opened(Session session) {}
 
     /** Called when a request has come, before it is carried out. */
-    default void asked(Bundle request) {}
+    default void requested(Bundle request) {}
 
     /**
      * Called when a move of a moveable object has been tried, in a bundle or as a {@code WorldRequest.Go}; {@code result} says

@@ -21,9 +21,9 @@ record TwoListeners(SessionListener first, SessionListener second) implements Se
     }
 
     @Override
-    public void asked(Bundle request) {
-        first.asked(request);
-        second.asked(request);
+    public void requested(Bundle request) {
+        first.requested(request);
+        second.requested(request);
     }
 
     @Override

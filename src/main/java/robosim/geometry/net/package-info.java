@@ -3,6 +3,17 @@
  * robosim.geometry.net.GeometryServer} serves environments that dial in, and both use the same {@link
  * robosim.geometry.net.Session}. All code that uses sockets is in this package.
  *
+ * <ul>
+ *   <li>{@link GeometryServer}: serves environments that dial in
+ *   <li>{@link GeometryClient}: dials an environment and serves it
+ *   <li>{@link NetOptions}: the options of both ends: {@link Timeouts}, {@link Quotas}, {@link Redial}
+ *   <li>{@link Access}: who may connect, by {@link Secret} and {@link Tls}
+ *   <li>{@link Session}: turns requests into answers; knows no sockets
+ *   <li>{@link SessionOptions}: the world that a session makes where a request leaves it open
+ *   <li>{@link SessionListener}: observes the requests and answers of a session
+ *   <li>{@link FiguresMXBean}: what a server has done, over JMX
+ * </ul>
+ *
  * <p>Requests carry angles in radians; this package is the only place where they are converted to the module's degrees.
  *
  * <pre>{@code

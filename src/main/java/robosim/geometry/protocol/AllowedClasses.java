@@ -15,7 +15,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.SerialForms;
+import robosim.geometry.model.PlacedObject;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
@@ -163,8 +163,8 @@ final class AllowedClasses {
     private final Set<Class<?>> all = new HashSet<>(MADE);
 
     AllowedClasses(Set<Class<?>> translated) {
-        for (Set<Class<?>> some :
-                List.of(BUNDLES, VALUES, BATCHES, STEPS, SerialForms.classes(), Material.serialClasses(), translated)) {
+        for (Set<Class<?>> some : List.of(
+                BUNDLES, VALUES, BATCHES, STEPS, PlacedObject.serialClasses(), Material.serialClasses(), translated)) {
             for (Class<?> type : some) {
                 named.put(type.getName(), type);
             }

@@ -10,6 +10,7 @@ import java.io.ObjectStreamConstants;
 import java.util.IdentityHashMap;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Text;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
@@ -17,6 +18,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /**
  * An object stream that trusts nothing: classes are taken from a list by their exact names, and depth, references,

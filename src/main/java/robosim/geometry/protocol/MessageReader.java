@@ -9,6 +9,8 @@ import java.util.Objects;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /**
  * Reads bundles from a stream, within the {@link MessageLimits} and from an allow-list of classes. It reads ahead; after an

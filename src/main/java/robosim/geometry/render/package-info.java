@@ -2,6 +2,14 @@
  * Pictures of a world as a camera would take them: surfaces with their materials in the light of a sky, a sun and lamps,
  * with shadows and mirrors, by the module's own exact rays. No graphics card, no display and no library is needed.
  *
+ * <ul>
+ *   <li>{@link ColorCamera}: takes pictures of a world or a snapshot
+ *   <li>{@link ColorFrame}: a picture: colours and depths of its pixels
+ *   <li>{@link Light}: a sun, a lamp or a spot
+ *   <li>{@link Lighting}: all lights and the {@link Sky}
+ *   <li>{@link Viewpoints}: poses for cameras: towards a point, around it, with a whole box in the picture
+ * </ul>
+ *
  * <pre>{@code
  * Geometry world = new Geometry(20, 10, 20);
  * world.addObject(new BoxObject(new Point(0, -0.5, 0), 20, 1, 20).withMaterial(Material.of(Color.parse("#b8b0a0"))));

@@ -2,9 +2,9 @@ package robosim.geometry.scenario;
 
 import java.util.BitSet;
 import java.util.List;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;

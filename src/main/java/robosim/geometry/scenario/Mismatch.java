@@ -4,6 +4,7 @@ import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
@@ -15,7 +16,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 
 /**
  * A step whose answer differs from the expected one. Answers are the same if the same moves were made, in the same

@@ -1,13 +1,14 @@
 package robosim.geometry.scenario;
 
 import java.io.IOException;
+import java.util.concurrent.Callable;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
 
 /**
  * Records a session as it happens: each request before it is carried out, so that even a request that crashes the
@@ -21,7 +22,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Recorder.class.getPackageName());
 
     private final String name;
-    private final Opening opening;
+    private final Callable<ScenarioWriter> opening;
     private final @Nullable LongSupplier nanoClock;
     private final long beginning;
 
@@ -30,21 +31,15 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private boolean stopped;
     private boolean gaveUp;
 
-    /** Opens the recording when the first request comes. */
-    @FunctionalInterface
-    public interface Opening {
-        /** Called once; the recorder closes the result. */
-        ScenarioWriter open() throws IOException;
-    }
-
     /**
      * A recorder that has not opened its recording yet.
      *
      * @param name      the session's name in the log
+     * @param opening   opens the recording when the first request comes; called once, and the recorder closes the result
      * @param nanoClock a monotonic clock in nanoseconds, like {@link System#nanoTime}; null for a recording without
      *                  times
      */
-    public Recorder(String name, Opening opening, @Nullable LongSupplier nanoClock) {
+    public Recorder(String name, Callable<ScenarioWriter> opening, @Nullable LongSupplier nanoClock) {
         this.name = Checks.present("name", name);
         this.opening = Checks.present("opening", opening);
         this.nanoClock = nanoClock;
@@ -56,7 +51,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     }
 
     @Override
-    public void asked(Bundle request) {
+    public void requested(Bundle request) {
         askedAt = now();
         record(to -> to.request(request));
     }
@@ -89,10 +84,10 @@ public final class Recorder implements SessionListener, AutoCloseable {
         }
         try {
             if (writer == null) {
-                writer = opening.open();
+                writer = opening.call();
             }
             writing.write(writer);
-        } catch (IOException | RuntimeException | LinkageError | VirtualMachineError e) {
+        } catch (Exception | LinkageError | VirtualMachineError e) {
             LOG.log(
                     System.Logger.Level.WARNING,
                     name + ": recording stopped after " + bytes() + " bytes: " + Text.line(String.valueOf(e)));

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -23,7 +24,7 @@ import robosim.geometry.scenario.recording.Checksums;
  * and {@link #torn()} reports it. Of a recording with checksums {@link #problems()} reports at the end what was altered or is
  * missing.
  */
-public final class ScenarioReader implements StepReader {
+public final class ScenarioReader implements Closeable {
     /** The ending of the names of scenario files. */
     public static final String ENDING = ".scenario.jsonl";
 
@@ -105,7 +106,7 @@ public final class ScenarioReader implements StepReader {
         return new ScenarioReader(Checks.present("in", in), Checks.present("source", source), WorldFiles.none());
     }
 
-    @Override
+    /** The header of the conversation. */
     public ScenarioHeader header() {
         return header;
     }
@@ -116,7 +117,6 @@ public final class ScenarioReader implements StepReader {
      * @return null at the end
      * @throws ScenarioException if reading fails or the file is not a scenario; then nothing more can be read
      */
-    @Override
     public @Nullable Step next() throws ScenarioException {
         String line = peek();
         if (line == null) {
@@ -181,7 +181,7 @@ public final class ScenarioReader implements StepReader {
     }
 
     /** The notes after the last step. Known at the end. */
-    List<String> lastNotes() {
+    public List<String> lastNotes() {
         return List.copyOf(notes);
     }
 

@@ -7,7 +7,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.net.WatchServer;
+import robosim.geometry.net.watch.WatchServer;
 
 /**
  * The steps waiting to be sent to one watcher. They are queued as objects and written as lines by the watcher's own

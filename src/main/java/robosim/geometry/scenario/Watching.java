@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -15,7 +16,8 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.net.WatchServer;
+import robosim.geometry.net.watch.WatchClient;
+import robosim.geometry.net.watch.WatchServer;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -39,10 +41,10 @@ import robosim.geometry.protocol.batch.WorldRequest;
  * NetOptions options = NetOptions.defaults();
  * Watching watching = new Watching(options.session());
  * GeometryServer server = new GeometryServer(address, 5555, options.withListeners(watching));
- * WatchServer watch = new WatchServer(5556, watching);
+ * watching.listen(5556);
  * }</pre>
  */
-public final class Watching implements Function<String, SessionListener>, WatchServer.Source {
+public final class Watching implements Function<String, SessionListener>, AutoCloseable {
     private final ScenarioHeader header;
     private final long beginning = System.nanoTime();
 
@@ -50,6 +52,9 @@ public final class Watching implements Function<String, SessionListener>, WatchS
     private final Set<Watched> sessions = new LinkedHashSet<>();
 
     private final Set<Watcher> watchers = new HashSet<>();
+
+    /** Where watchers dial in; null if it does not listen. */
+    private @Nullable WatchServer server;
 
     /**
      * Without watchers at first.
@@ -65,8 +70,51 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         return new Watched(Checks.present("connection", connection));
     }
 
+    /**
+     * Starts to listen for watchers on the loopback address; nothing is read from them.
+     *
+     * @param port 1 to 65535, or 0 for any free port
+     * @return the port
+     * @throws java.io.UncheckedIOException if it cannot listen there
+     * @throws IllegalStateException if it is listening already
+     */
+    public synchronized int listen(int port) {
+        if (server != null) {
+            throw new IllegalStateException("watching must not be listening already (got: port " + server.port() + ")");
+        }
+        server = new WatchServer(port, this::join);
+        return server.port();
+    }
+
+    /**
+     * Dials what listens, and reads the present world and then each step as it happens; sends nothing. If nothing comes for
+     * 10 seconds, reading throws.
+     *
+     * @throws IOException if it cannot be reached, or does not send a scenario
+     */
+    public static ScenarioReader dial(String host, int port) throws IOException {
+        return ScenarioReader.of(WatchClient.dial(host, port), host + ":" + port);
+    }
+
+    /** Hangs up on all watchers and stops to listen. */
     @Override
-    public WatchServer.Lines join(Runnable breakOff) {
+    public void close() {
+        WatchServer open;
+        synchronized (this) {
+            open = server;
+            server = null;
+        }
+        if (open != null) {
+            open.close();
+        }
+    }
+
+    /**
+     * Adds a watcher.
+     *
+     * @param breakOff to be called, from any thread, when the watcher gets no more; it does not block
+     */
+    WatchServer.Lines join(Runnable breakOff) {
         Watcher watcher = new Watcher(Checks.present("breakOff", breakOff));
         synchronized (this) {
             watchers.add(watcher);
@@ -136,7 +184,7 @@ public final class Watching implements Function<String, SessionListener>, WatchS
 
         /** If the session began with an existing world, it has that world only after {@code opened}. */
         @Override
-        public void asked(Bundle request) {
+        public void requested(Bundle request) {
             askedAt = System.nanoTime();
             Geometry world = begun || session == null ? null : session.world();
             if (world != null) {

@@ -1,5 +1,7 @@
 package robosim.geometry.sensor;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 
@@ -66,5 +68,19 @@ public final class DepthFrame extends RayFrame {
             double millimetres = Math.rint(depths[k] * scale);
             out[k] = (short) (millimetres >= 0 && millimetres <= MOST_MILLIMETRES ? (int) millimetres : 0);
         }
+    }
+
+    /**
+     * Writes depths along the axis as PNG, greys of 16 bits, in whole millimetres, 0 where there is none: see {@link
+     * #millimetres}.
+     *
+     * @param metresPerUnit of the world, above 0: 1 for a world in metres
+     * @throws IOException if it cannot be written, naming the file
+     * @throws IllegalArgumentException if nothing has been read into this frame
+     */
+    public void writePng(double metresPerUnit, Path file) throws IOException {
+        short[] millimetres = new short[SensorFiles.pixels(this)];
+        millimetres(metresPerUnit, millimetres);
+        SensorFiles.writeGreys(millimetres, this, file);
     }
 }

@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.sensor.effects.Surfaces;
 
 /** A turn of a {@link Lidar}: ranges, rings and times, and where they are wanted intensities and objects. */
 public final class LidarFrame extends RayFrame {

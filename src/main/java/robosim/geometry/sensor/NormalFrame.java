@@ -1,5 +1,10 @@
 package robosim.geometry.sensor;
 
+import java.io.IOException;
+import java.nio.file.Path;
+import robosim.geometry.image.PngWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
+
 /** An image of a {@link NormalCamera}. */
 public final class NormalFrame extends RayFrame {
     private final double[] vector = new double[3];
@@ -50,5 +55,27 @@ public final class NormalFrame extends RayFrame {
             return vector[field.axis()];
         }
         return super.field(field, ray);
+    }
+
+    /**
+     * Writes normals along the camera's optical axes (X to the right, Y down, Z forward) as a PNG image: red, green and blue
+     * from 0 for -1 to 255 for 1; black where there is none.
+     *
+     * @throws IOException if it cannot be written, naming the file
+     * @throws IllegalArgumentException if nothing has been read into this frame
+     */
+    public void writePng(Path file) throws IOException {
+        int[] pixels = new int[SensorFiles.pixels(this)];
+        double[] normal = new double[3];
+        for (int k = 0; k < pixels.length; k++) {
+            ownNormal(k, normal, 0);
+            boolean isThere = normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
+            pixels[k] = isThere ? level(normal[2]) << 16 | level(0.0 - normal[1]) << 8 | level(normal[0]) : 0;
+        }
+        AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, columns(), rows(), pixels));
+    }
+
+    private static int level(double component) {
+        return (int) Math.rint(127.5 * (Math.max(-1, Math.min(1, component)) + 1));
     }
 }

@@ -1,5 +1,7 @@
 package robosim.geometry.sensor;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -198,5 +200,29 @@ public final class PointCloud {
                     "point must be from 0 to size - 1, " + (size - 1) + " (got: " + point + ")");
         }
         return point;
+    }
+
+    /**
+     * Writes the points as PLY (Polygon File Format), version 1.0, binary and little-endian, which CloudCompare, MeshLab,
+     * Open3D and Blender read. Places and normals are floats of 32 bits. An existing file stays as it was until the new one is
+     * complete.
+     *
+     * @param axes along which the file has its points
+     * @throws IOException if it cannot be written, naming the file
+     */
+    public void writePly(Axes axes, Path file) throws IOException {
+        SensorFiles.writePly(this, axes, file);
+    }
+
+    /**
+     * Writes the points as PCD, version 0.7, binary: the format of the Point Cloud Library (PCL), which Open3D and ROS's
+     * pcl_ros read too. Places and normals are floats of 32 bits. An existing file stays as it was until the new one is
+     * complete.
+     *
+     * @param axes along which the file has its points
+     * @throws IOException if it cannot be written, naming the file
+     */
+    public void writePcd(Axes axes, Path file) throws IOException {
+        SensorFiles.writePcd(this, axes, file);
     }
 }

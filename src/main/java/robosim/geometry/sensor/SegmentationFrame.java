@@ -1,11 +1,14 @@
 package robosim.geometry.sensor;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.sensor.effects.Surfaces;
 
 /**
  * An image of a {@link SegmentationCamera}. Objects are numbered from 1 in the order in which the readings of this frame
@@ -118,5 +121,25 @@ public final class SegmentationFrame extends RayFrame {
             return label(ray);
         }
         return field == PointCloud.Field.INSTANCE ? instance(ray) : super.field(field, ray);
+    }
+
+    /**
+     * Writes the labels as PNG, greys of 16 bits, 0 where there is none.
+     *
+     * @throws IOException if it cannot be written, naming the file
+     * @throws IllegalArgumentException if a label is above 65,535, or nothing has been read into this frame
+     */
+    public void writeLabels(Path file) throws IOException {
+        SensorFiles.writeGreys("labels", labels(), this, file);
+    }
+
+    /**
+     * Writes the numbers of the objects as PNG, greys of 16 bits, 0 where there is none.
+     *
+     * @throws IOException if it cannot be written, naming the file
+     * @throws IllegalArgumentException if a number is above 65,535, or nothing has been read into this frame
+     */
+    public void writeInstances(Path file) throws IOException {
+        SensorFiles.writeGreys("instances", instances(), this, file);
     }
 }

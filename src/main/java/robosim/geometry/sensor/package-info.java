@@ -1,6 +1,20 @@
 /**
  * The sensors of robots: lidars, depth cameras and other cameras, sonars, bumpers, and their noise.
  *
+ * <ul>
+ *   <li>{@link Lidar}: rotating or still lasers; reads a {@link LidarFrame}
+ *   <li>{@link DepthCamera}: reads a {@link DepthFrame}
+ *   <li>{@link NormalCamera} and {@link SegmentationCamera}: read a {@link NormalFrame} and a {@link
+ *       SegmentationFrame}
+ *   <li>{@link SonarArray}: reads a {@link SonarFrame}
+ *   <li>{@link ProximitySensor} and {@link Bumper}: the distance to what is near, and contacts
+ *   <li>{@link RaySensor} and {@link RayFrame}: what sensors of rays and their frames share
+ *   <li>{@link Intrinsics}: size and lens of a camera
+ *   <li>{@link Noise} and {@link OutOfRange}: what a sensor gets wrong, and what it reports out of range
+ *   <li>{@link PointCloud}: points with their fields; writes PLY and PCD
+ *   <li>{@link NpyWriter}: arrays for NumPy
+ * </ul>
+ *
  * <p>A sensor is an immutable value: what it is mounted on, its rays, its ranges and its noise. It is read into a frame,
  * whose arrays are used again by the next reading, so that a sensor that keeps its frame allocates nothing. It reads a
  * world or, on any number of threads, a snapshot; no answer depends on the number of threads. Without noise, which is off

@@ -6,12 +6,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import robosim.geometry.Geometry;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 
 /** Where the robots of one replicate end, and when they reach their goals. */
 final class Journey {

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -26,7 +27,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.Replay;
@@ -214,7 +214,8 @@ public final class ScenarioSweep implements SweepScenario {
     public void check(String parameter, String value) {
         if (!PARAMETERS.contains(parameter)) {
             throw new IllegalArgumentException("a parameter of a scenario file must be one of "
-                    + String.join(", ", PARAMETERS) + ", " + Sweep.ACCURACY + ", " + Sweep.DIMENSION + " (got: "
+                    + String.join(", ", PARAMETERS) + ", " + ParameterSweep.ACCURACY + ", " + ParameterSweep.DIMENSION
+                    + " (got: "
                     + parameter + ")");
         }
         double amount;

@@ -13,15 +13,14 @@ import robosim.geometry.check.Checks;
  * SplitMix64 (Steele, Lea and Flood 2014, with Stafford's constants): the root seed; each string as its UTF-16 code
  * units followed by the word 0x10000, which is not a code unit; the number of the replicate.
  */
-public final class Seeds {
+final class Seeds {
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
     private static final long END = 0x10000;
 
     private Seeds() {}
 
     /** The seed of a replicate; the parameters in the order of their names, each a name and a value. */
-    public static long of(
-            long root, String scenario, String world, SortedMap<String, String> parameters, long replicate) {
+    static long of(long root, String scenario, String world, SortedMap<String, String> parameters, long replicate) {
         Checks.present("scenario", scenario);
         Checks.present("world", world);
         Checks.present("parameters", parameters);
@@ -33,7 +32,7 @@ public final class Seeds {
     }
 
     /** The seed shared by replicates of one number in all worlds and for all parameters. */
-    public static long paired(long root, String scenario, long replicate) {
+    static long paired(long root, String scenario, long replicate) {
         Checks.present("scenario", scenario);
         return take(take(take(0, root), scenario), replicate);
     }

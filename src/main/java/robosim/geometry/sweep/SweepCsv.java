@@ -18,11 +18,11 @@ import robosim.geometry.check.Checks;
  * Writes the results of a sweep as CSV (RFC 4180) for spreadsheets and data frames: a row for each replicate, with a column
  * for each parameter and each number. A cell is empty where there is no value, as for a beam without an echo.
  */
-public final class SweepCsv {
+final class SweepCsv {
     private SweepCsv() {}
 
     /** Writes a file, in the order of the indices. */
-    public static void write(SweepResults results, Path file) throws IOException {
+    static void write(SweepResults results, Path file) throws IOException {
         Checks.present("results", results);
         Checks.present("file", file);
         List<String> parameters = List.copyOf(results.header().parameters().keySet());

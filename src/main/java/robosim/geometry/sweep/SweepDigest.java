@@ -9,12 +9,12 @@ import robosim.geometry.sweep.lines.Fingerprint;
  * A digest of a sweep's results: the same on any machine and for any division into shards. It covers the header and
  * each outcome in the order of their indices, numbers by their bits.
  */
-public final class SweepDigest {
+final class SweepDigest {
     private final Fingerprint print = new Fingerprint();
     private long last = -1;
 
     /** A digest of a sweep's header, without outcomes yet. */
-    public SweepDigest(SweepHeader header) {
+    SweepDigest(SweepHeader header) {
         Checks.present("header", header);
         print.add(header.scenario()).add(header.print()).add(header.seed()).add(header.replicates());
         add(header.worlds());
@@ -27,7 +27,7 @@ public final class SweepDigest {
     }
 
     /** Adds the next outcome. */
-    public void add(Outcome outcome) {
+    void add(Outcome outcome) {
         Checks.present("outcome", outcome);
         if (outcome.index() <= last) {
             throw new IllegalArgumentException(
@@ -44,7 +44,7 @@ public final class SweepDigest {
     }
 
     /** The digest, 64 hexadecimal digits; nothing can be added after that. */
-    public String hex() {
+    String hex() {
         return print.hex();
     }
 }

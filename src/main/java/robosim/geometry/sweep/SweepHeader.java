@@ -49,6 +49,18 @@ public record SweepHeader(
         return line(0).equals(other.line(0));
     }
 
+    /**
+     * The digest of outcomes of this sweep, 64 hexadecimal digits: see {@code docs/sweep.md}.
+     *
+     * @param outcomes by ascending index
+     */
+    public String digest(Iterable<Outcome> outcomes) {
+        Checks.present("outcomes", outcomes);
+        SweepDigest digest = new SweepDigest(this);
+        outcomes.forEach(digest::add);
+        return digest.hex();
+    }
+
     /** How another sweep differs, in words that can follow "it has". */
     String differences(SweepHeader other) {
         List<String> differences = new ArrayList<>();

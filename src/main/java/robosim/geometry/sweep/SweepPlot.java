@@ -21,7 +21,7 @@ import robosim.geometry.check.NumberText;
  * a line for each world and combination of the others; bars are the interval of {@link SweepSummary.Spread#margin()}. Where
  * no parameter varies, the worlds stand side by side. A number that is one and the same everywhere gets a sentence below.
  */
-public final class SweepPlot {
+final class SweepPlot {
     private static final int HEIGHT = 250;
     private static final List<Marker> MARKERS = List.of(Marker.values());
 
@@ -46,7 +46,7 @@ public final class SweepPlot {
     }
 
     /** The plot as SVG. */
-    public static String svg(SweepHeader header, SweepSummary summary) {
+    static String svg(SweepHeader header, SweepSummary summary) {
         Checks.present("header", header);
         Checks.present("summary", summary);
         return new SweepPlot(header, summary).figure().svg();

@@ -123,11 +123,20 @@ public final class SweepResults {
         }
     }
 
-    /** A digest of all of them: see {@link SweepDigest}. */
+    /** A digest of all of them: see {@link SweepHeader#digest}. */
     public String digest() throws IOException {
         SweepDigest digest = new SweepDigest(header);
         forEach(digest::add);
         return digest.hex();
+    }
+
+    /**
+     * Writes all of them as CSV (RFC 4180) for spreadsheets and data frames, in the order of their indices: a row for each
+     * replicate, with a column for each parameter and each number. A cell is empty where there is no value, as for a beam
+     * without an echo.
+     */
+    public void writeCsv(Path file) throws IOException {
+        SweepCsv.write(this, file);
     }
 
     /** Writes all of them to one file by ascending index; the file appears only when it is complete. */

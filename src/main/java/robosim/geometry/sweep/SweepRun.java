@@ -26,20 +26,20 @@ import robosim.geometry.sweep.lines.SweepLines;
  * other runs from writing to it.
  */
 public final class SweepRun {
-    private final Sweep sweep;
+    private final ParameterSweep sweep;
     private final Path file;
     private Shard shard = Shard.ALL;
     private int threads = 1;
     private boolean isResumed;
     private LongConsumer progress = done -> {};
 
-    private SweepRun(Sweep sweep, Path file) {
+    private SweepRun(ParameterSweep sweep, Path file) {
         this.sweep = sweep;
         this.file = file;
     }
 
     /** A run of the whole sweep into a new file, on one thread. */
-    public static SweepRun of(Sweep sweep, Path file) {
+    public static SweepRun of(ParameterSweep sweep, Path file) {
         Checks.present("sweep", sweep);
         Checks.present("file", file);
         return new SweepRun(sweep, file);
@@ -53,7 +53,7 @@ public final class SweepRun {
     }
 
     /** A run on a number of threads, at least 1. */
-    public SweepRun threads(int count) {
+    public SweepRun withThreads(int count) {
         Checks.refuse(count < 1, "threads must be at least 1", count);
         threads = count;
         return this;

@@ -47,7 +47,7 @@ public interface SweepScenario extends Serializable {
 
     /**
      * The name in the results, from which seeds are derived too. By default the name of the class; that of a lambda
-     * differs in each run, so give it one with {@link Sweep#of(String, SweepScenario)}.
+     * differs in each run, so give it one with {@link ParameterSweep#of(String, SweepScenario)}.
      */
     default String name() {
         Class<?> type = getClass();

@@ -125,6 +125,17 @@ public final class SweepSummary implements Consumer<Outcome> {
     }
 
     /**
+     * The summary as a picture, SVG: a panel for each number, its mean over the values of the parameter with the most numeric
+     * ones, a line for each world and combination of the others; bars are the interval of {@link Spread#margin()}. If no
+     * parameter varies, the worlds stand side by side. A number that is the same everywhere gets a sentence below.
+     *
+     * @param header of the sweep that is summarized
+     */
+    public String svg(SweepHeader header) {
+        return SweepPlot.svg(header, this);
+    }
+
+    /**
      * A table for people, in Markdown: a row for each cell and number. The ends of robots are left out: the rows of the
      * results have them.
      */

@@ -22,6 +22,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RoundedBox;
 import robosim.geometry.world.mesh.MaterialWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
@@ -35,9 +36,9 @@ import robosim.geometry.world.shared.Rectangles;
  * <p>Where objects were given materials, an MTL file of the same name is written beside it, with a PNG file for each picture.
  * A checker or stripes, and a picture on anything but a mesh with texture coordinates, are only a colour there.
  */
-public final class ObjWriter {
+final class ObjWriter {
     /** Number of flat sides of a round shape. */
-    public static final int SIDES = 48;
+    static final int SIDES = 48;
 
     private static final int RINGS = SIDES / 2;
 
@@ -65,7 +66,7 @@ public final class ObjWriter {
      * @param progress called from time to time with the number of objects written
      * @throws WorldException if the file cannot be written
      */
-    public static void write(World world, Path file, LongConsumer progress) throws WorldException {
+    static void write(World world, Path file, LongConsumer progress) throws WorldException {
         Checks.present("world", world);
         Checks.present("file", file);
         Checks.present("progress", progress);

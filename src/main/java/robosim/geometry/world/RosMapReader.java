@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
@@ -41,36 +40,8 @@ import robosim.geometry.world.shared.FileProblem;
  *
  * <p>Requires snakeyaml-engine on the class path.
  */
-public final class RosMapReader {
-    /** Height in metres of the walls of a map, which does not specify it: that of a door. */
-    public static final double WALL_HEIGHT = MapWalls.HEIGHT;
-
+final class RosMapReader {
     private RosMapReader() {}
-
-    /**
-     * Reads a map with walls of {@link #WALL_HEIGHT}.
-     *
-     * @throws WorldException naming file and line, if the map or its image cannot be read
-     */
-    public static World read(Path yaml) throws WorldException {
-        return read(yaml, WALL_HEIGHT);
-    }
-
-    /**
-     * Reads a map with walls of a given height.
-     *
-     * @param height height of the walls and the world in metres; above 0
-     * @throws WorldException naming file and line, if the map or its image cannot be read
-     */
-    public static World read(Path yaml, double height) throws WorldException {
-        Checks.present("yaml", yaml);
-        if (!(height > 0 && height <= 0x1p100)) {
-            throw new IllegalArgumentException("height must be above 0 and at most 2^100 (got: " + height + ")");
-        }
-        ImportOptions usual = ImportOptions.DEFAULT;
-        return readImport(yaml, new ImportOptions(height, usual.scale(), usual.up(), usual.models()))
-                .world();
-    }
 
     /** Reads a map, with a report of what was read. */
     static WorldImport readImport(Path yaml, ImportOptions options) throws WorldException {

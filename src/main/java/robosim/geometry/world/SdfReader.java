@@ -1,28 +1,19 @@
 package robosim.geometry.world;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Pose;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
-import robosim.geometry.world.sdf.SdfSensor;
-import robosim.geometry.world.sdf.SdfShapes;
-import robosim.geometry.world.sdf.SdfState;
 import robosim.geometry.world.sdf.SdfTree;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Floor;
@@ -39,7 +30,7 @@ import robosim.geometry.world.shared.Floor;
  * <p>A mistake costs the part that has it: it is left out and listed in the result, as are relevant elements that are not
  * supported. The rest is read.
  */
-public final class SdfReader {
+final class SdfReader {
     /** The format's name in reports. */
     static final String FORMAT = "SDFormat";
 
@@ -51,92 +42,10 @@ public final class SdfReader {
      * @param models folders whose subfolders are models, in addition to the file's own folder, for {@code model://}
      * @throws WorldException naming file, line and remedy, if the file cannot be read, has no world and no model, or exceeds a limit
      */
-    public static WorldImport read(Path file, List<Path> models) throws WorldException {
+    static WorldImport read(Path file, List<Path> models) throws WorldException {
         Checks.present("file", file);
         Checks.list("models", models);
         return read(file, models, new ArrayList<>());
-    }
-
-    /**
-     * A sensor of a link, as a file describes it; {@code robosim.geometry.sensor.file.SdfSensors} makes sensors of it.
-     *
-     * @param name    those of its models, its link and its own, separated by {@code ::}
-     * @param type    as in the file: {@code gpu_lidar}, {@code camera}
-     * @param carrier the name of the moveable object that carries it; null for one that stands in the world
-     * @param pose    in the frame of the carrier, or in the world
-     * @param values  the texts of its elements by their paths, as {@code scan/horizontal/samples} or {@code noise/stddev}
-     * @param source  the file that describes it
-     * @param line    in the file, from 1
-     */
-    public record Sensor(
-            String name,
-            String type,
-            @Nullable String carrier,
-            Pose pose,
-            Map<String, String> values,
-            String source,
-            int line) {
-        /** Keeps a copy. */
-        public Sensor {
-            values = Map.copyOf(values);
-        }
-
-        /**
-         * What of its description is not applied although it changes what the sensor measures, as a sentence for people that
-         * names the sensor; empty if nothing is.
-         */
-        public Optional<String> ignored() {
-            Set<String> elements = new TreeSet<>();
-            values.forEach((path, value) -> {
-                String[] names = path.split("/", -1);
-                if (names.length == 3 && names[0].equals("lens")) { // <intrinsics> or <projection>, and a number
-                    elements.add("<lens><" + names[1] + ">");
-                } else if (path.startsWith("distortion/") && !isZero(value)) {
-                    elements.add("<distortion>");
-                }
-            });
-            return elements.isEmpty()
-                    ? Optional.empty()
-                    : Optional.of(source + ":" + line + ": sensor " + name + ": " + String.join(", ", elements)
-                            + " is ignored; the camera is a pinhole with its <horizontal_fov> and without distortion");
-        }
-
-        private static boolean isZero(String number) {
-            return number.matches("[-+]?(0+\\.?0*|\\.0+)([eE][-+]?\\d+)?");
-        }
-
-        private static Sensor of(SdfSensor each) {
-            return new Sensor(
-                    each.name(), each.type(), each.carrier(), each.pose(), each.values(), each.file(), each.line());
-        }
-    }
-
-    /**
-     * The sensors of a file, of any type, in the order of their links; their carriers are named as in the world that
-     * {@link #read} makes of it.
-     *
-     * @param file   SDFormat, or the folder of a model
-     * @param models as in {@link #read}
-     * @throws WorldException naming file, line and remedy, as {@link #read} does
-     */
-    public static List<Sensor> sensors(Path file, List<Path> models) throws WorldException {
-        Checks.present("file", file);
-        Checks.list("models", models);
-        try {
-            Path main = Files.isDirectory(file) ? SdfFiles.modelOf(file, remark -> {}) : file;
-            SdfFiles files = new SdfFiles(main, models);
-            return found(new SdfTree(files), files, main).sensors().stream()
-                    .map(Sensor::of)
-                    .toList();
-        } catch (FileProblem e) {
-            throw new WorldException(e);
-        }
-    }
-
-    private static SdfObjects found(SdfTree tree, SdfFiles files, Path file) throws FileProblem {
-        SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
-        found.add(SdfState.read(tree, files.main(file.toString())));
-        return found;
     }
 
     /** Reads the model in a folder. */
@@ -153,7 +62,7 @@ public final class SdfReader {
         try {
             SdfFiles files = new SdfFiles(file, models);
             SdfTree tree = new SdfTree(files);
-            SdfObjects found = found(tree, files, file);
+            SdfObjects found = SdfSensor.found(tree, files, file);
             double[] reach = Bounds.reach(found.objects());
             List<WorldObject> objects = objects(found, size(reach[0]), size(reach[2]));
             World world = new World(
@@ -168,7 +77,7 @@ public final class SdfReader {
             remarks.addAll(files.remarks());
             remarks.addAll(tree.remarks());
             remarks.addAll(found.remarks());
-            found.sensors().forEach(each -> Sensor.of(each).ignored().ifPresent(remarks::add));
+            found.sensors().forEach(each -> SdfSensor.of(each).ignored().ifPresent(remarks::add));
             List<Skipped> skipped = Stream.concat(tree.skipped().stream(), files.leftOut().stream())
                     .map(Skipped::of)
                     .toList();

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.Drive;
@@ -20,6 +21,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.world.body.BodyXml;
 import robosim.geometry.world.body.ObjectBody;
+import robosim.geometry.world.shared.AtomicFileWriter;
 import robosim.geometry.world.shared.Decimal;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
@@ -92,6 +94,22 @@ public final class WorldWriter {
         // Each character takes at least one byte.
         byte[] bytes = writer.out.toString().getBytes(StandardCharsets.UTF_8);
         return bytes.length > most ? new byte[0] : bytes;
+    }
+
+    /**
+     * Writes the surfaces of a world as a Wavefront OBJ file, for display in other programs: world units, Y up, an {@code o}
+     * for each object. Boxes, meshes and the cells of a grid are exact to within rounding. A cylinder has 48 flat sides, and a
+     * sphere or capsule as many around; their corners are on the true surface, so round shapes are slightly too small.
+     *
+     * <p>Where objects have materials, an MTL file of the same name is written beside it, with a PNG file for each picture. A
+     * checker or stripes, and a picture on anything but a mesh with texture coordinates, are only a colour there. An existing
+     * file stays as it was until the new one is complete.
+     *
+     * @param progress called from time to time with the number of objects written
+     * @throws WorldException if the file cannot be written
+     */
+    public static void writeObj(World world, Path file, LongConsumer progress) throws WorldException {
+        ObjWriter.write(world, file, progress);
     }
 
     /**

@@ -2,6 +2,17 @@
  * Worlds as files: an XML format with a schema, its reader and writer, and readers of SDFormat, ROS maps and OBJ and STL
  * meshes.
  *
+ * <ul>
+ *   <li>{@link World}: a world as a value: size, {@link Unit} and objects
+ *   <li>{@link WorldObject}: an object, with its body and each {@link SonarRing}
+ *   <li>{@link WorldReader} and {@link WorldWriter}: worlds from and to files
+ *   <li>{@link WorldImport}: a world from a file of any format, and a report of what was {@link Skipped}
+ *   <li>{@link ImportOptions}: what files of other formats leave open
+ *   <li>{@link MeshReader}: meshes from OBJ, STL, COLLADA, PLY and glTF
+ *   <li>{@link SdfSensor}: the sensors that SDFormat describes
+ *   <li>{@link WorldException}: a file that cannot be used, with its line and the remedy
+ * </ul>
+ *
  * <p>{@link robosim.geometry.world.WorldReader} turns a file into a {@link robosim.geometry.world.World}, a value;
  * {@link robosim.geometry.world.World#toGeometry()} makes a {@link robosim.geometry.Geometry} of it. The format's
  * schema is {@code worlds/world.xsd}, which is also in the jar, in this package. Files of other formats contain more

@@ -33,8 +33,8 @@ final class Contacts {
             }
         }
         Answer expected = collides ? Answer.YES : Answer.NO;
-        Verdict whole = ContactQuery.touches(a, b, dimension, Budget.UNLIMITED);
-        Verdict early = ContactQuery.touches(a, b, dimension, Budget.steps(2));
+        Verdict whole = ContactQuery.decide(a, b, dimension, Budget.UNLIMITED);
+        Verdict early = ContactQuery.decide(a, b, dimension, Budget.steps(2));
         boolean same = whole.answer() == expected
                 && (early.answer() == expected || early.answer() == Answer.UNDECIDED)
                 && (!collides || early.low() == 0);

@@ -14,9 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.ObjReader;
-import robosim.geometry.world.RosMapReader;
-import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.MeshReader;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
 
@@ -52,7 +50,7 @@ class ConvertCommandTest extends CommandRun {
                 .anySatisfy(line -> assertThat(line)
                         .startsWith("Wrote " + xml + ": 7 objects, 6 of them moveable; the world is 4 x 4 x "));
         assertThat(WorldReader.read(xml))
-                .isEqualTo(SdfReader.read(in, List.of()).world());
+                .isEqualTo(WorldImport.read(in, ImportOptions.DEFAULT).world());
         assertThat(Files.list(folder)).containsExactly(xml);
     }
 
@@ -72,7 +70,9 @@ class ConvertCommandTest extends CommandRun {
         Path xml = folder.resolve("w.xml");
         Path map = FILES.resolve("maps/tb3_sandbox.yaml");
         assertThat(run("convert", map, xml, "--wall-height", "0.5")).isZero();
-        assertThat(WorldReader.read(xml)).isEqualTo(RosMapReader.read(map, 0.5));
+        assertThat(WorldReader.read(xml))
+                .isEqualTo(WorldImport.read(map, new ImportOptions(0.5, 1, ImportOptions.Up.Y, List.of()))
+                        .world());
         Path stl = FILES.resolve("20mm-xyz-cube.stl");
         assertThat(run("convert", stl, xml, "--scale", "0.001", "--up", "z")).isZero();
         assertThat(WorldReader.read(xml))
@@ -97,7 +97,7 @@ class ConvertCommandTest extends CommandRun {
         Path obj = folder.resolve("rooms.obj");
         assertThat(run("convert", "worlds/rooms.xml", obj)).isZero();
         assertThat(out.toString()).contains("Read world: object 113", "Wrote " + obj + ": 113 objects, 8 of them");
-        assertThat(ObjReader.read(obj).faces().length).isGreaterThan(5000);
+        assertThat(MeshReader.read(obj).faces().length).isGreaterThan(5000);
     }
 
     @Test

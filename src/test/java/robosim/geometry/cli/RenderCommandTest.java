@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.image.PngReader;
-import robosim.geometry.sensor.file.SdfSensorsTest;
+import robosim.geometry.world.SdfSensorTest;
 
 /** The cameras of {@code render}. */
 class RenderCommandTest {
@@ -62,7 +62,7 @@ class RenderCommandTest {
     /** A camera that the file describes, with its own size unless another one is given. */
     @Test
     void aSensorOfAWorldInSdf() throws IOException {
-        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);
+        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorTest.ROBOT);
         Path file = folder.resolve("seen.png");
         String[] words = {
             "render",

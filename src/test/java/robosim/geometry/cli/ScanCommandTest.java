@@ -13,7 +13,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.sensor.file.SdfSensorsTest;
+import robosim.geometry.world.SdfSensorTest;
 
 class ScanCommandTest {
     @TempDir
@@ -124,7 +124,7 @@ class ScanCommandTest {
 
     @Test
     void sensorsOfAWorldInSdf() throws IOException {
-        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);
+        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorTest.ROBOT);
         Path one = folder.resolve("one.npy");
         assertThat(run("scan", world.toString(), "--sensor", "laser", "--seed", "1", "-o", one.toString()))
                 .isZero();
@@ -168,8 +168,8 @@ class ScanCommandTest {
     /** Two equal lasers of one robot, and the same laser on two robots, have errors of their own for one seed. */
     @Test
     void sensorsOfOneSeedHaveErrorsOfTheirOwn() throws IOException {
-        String laser = SdfSensorsTest.ROBOT.replace("name=\"eye\"", "name=\"eye2\"");
-        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorsTest.ROBOT);
+        String laser = SdfSensorTest.ROBOT.replace("name=\"eye\"", "name=\"eye2\"");
+        Path world = Files.writeString(folder.resolve("w.sdf"), SdfSensorTest.ROBOT);
         Path other = Files.writeString(folder.resolve("v.sdf"), laser);
         byte[][] files = new byte[3][];
         String[][] runs = {{world.toString(), "eye"}, {other.toString(), "eye2"}, {world.toString(), "eye"}};

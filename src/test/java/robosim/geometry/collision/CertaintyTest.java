@@ -33,7 +33,7 @@ class CertaintyTest {
                 if (touching == null) {
                     continue;
                 }
-                Verdict verdict = ContactQuery.touches(touching, b, dimension, Budget.UNLIMITED);
+                Verdict verdict = ContactQuery.decide(touching, b, dimension, Budget.UNLIMITED);
                 if (verdict.certainty() == Certainty.UNCERTAIN) {
                     assertThat(verdict.answer()).isEqualTo(Verdict.Answer.YES);
                     uncertain.add(pair(a, b));
@@ -93,7 +93,7 @@ class CertaintyTest {
         double far = 1e3;
         for (int k = 0; k < 64; k++) {
             double middle = near / 2 + far / 2;
-            boolean isApart = ContactQuery.touches(moved(a, x, y, z, middle), b, dimension, Budget.UNLIMITED)
+            boolean isApart = ContactQuery.decide(moved(a, x, y, z, middle), b, dimension, Budget.UNLIMITED)
                             .answer()
                     == Verdict.Answer.NO;
             near = isApart ? near : middle;

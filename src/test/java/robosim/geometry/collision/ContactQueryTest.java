@@ -212,7 +212,7 @@ class ContactQueryTest {
         assertThat(held.error()).isZero();
         assertThat(CollisionDetection.intersects(cube, new SphereObject(held.point(), 0)))
                 .isTrue();
-        assertThat(ContactQuery.touches(solid, ball, Budget.UNLIMITED).answer()).isEqualTo(Answer.YES);
+        assertThat(ContactQuery.decide(solid, ball, Budget.UNLIMITED).answer()).isEqualTo(Answer.YES);
         // A surface has no inside.
         MeshObject surface = Meshes.finely(8, 8, 8, 3, true);
         assertThat(ContactQuery.contacts(surface, cube)).isEmpty();
@@ -242,7 +242,7 @@ class ContactQueryTest {
             assertThat(c.a()).isEqualTo(new ContactPart(0, 12, 0));
             assertThat(c.b()).isEqualTo(new ContactPart(0, -1, -1));
         });
-        assertThat(ContactQuery.touches(two, solid, Budget.UNLIMITED).answer()).isEqualTo(Answer.YES);
+        assertThat(ContactQuery.decide(two, solid, Budget.UNLIMITED).answer()).isEqualTo(Answer.YES);
         assertThat(ContactQuery.contacts(two.movedTo(new Point(0, 20, 0)), solid))
                 .isEmpty();
     }
@@ -276,10 +276,10 @@ class ContactQueryTest {
                 .isThrownBy(() -> ContactQuery.first(nothing(), ball))
                 .withMessage("a must be given (got: null)");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> ContactQuery.touches(ball, nothing(), Budget.UNLIMITED))
+                .isThrownBy(() -> ContactQuery.decide(ball, nothing(), Budget.UNLIMITED))
                 .withMessage("b must be given (got: null)");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> ContactQuery.touches(ball, ball, nothing()))
+                .isThrownBy(() -> ContactQuery.decide(ball, ball, nothing()))
                 .withMessage("budget must be given (got: null)");
     }
 

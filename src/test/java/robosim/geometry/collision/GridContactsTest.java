@@ -111,10 +111,10 @@ class GridContactsTest {
             List<Contact> one = ContactQuery.contacts(grid, other, dimension, 1);
             assertThat(one).as(as).hasSize(Math.min(1, truth.size()));
             assertThat(inCells(truth, grid, null)).as(as).containsAll(one);
-            Verdict verdict = ContactQuery.touches(grid, other, dimension, Budget.UNLIMITED);
+            Verdict verdict = ContactQuery.decide(grid, other, dimension, Budget.UNLIMITED);
             assertThat(verdict.answer())
                     .as(as)
-                    .isEqualTo(ContactQuery.touches(group, other, dimension, Budget.UNLIMITED)
+                    .isEqualTo(ContactQuery.decide(group, other, dimension, Budget.UNLIMITED)
                             .answer());
             checkDistance(as, grid, group, other, dimension);
             meeting += truth.isEmpty() ? 0 : 1;

@@ -57,7 +57,7 @@ class VerdictTest {
         assertThat(verdict.low()).isBetween(13 - 1e-11, 13.0);
         assertThat(verdict.high()).isBetween(13.0, 13 + 1e-11);
         assertThat(verdict.steps()).isLessThan(2000);
-        Verdict asked = ContactQuery.touches(a, b, Budget.UNLIMITED);
+        Verdict asked = ContactQuery.decide(a, b, Budget.UNLIMITED);
         assertThat(asked.answer()).isEqualTo(Answer.NO);
         assertThat(asked.steps()).isLessThan(10);
         Verdict flat = ContactQuery.distance(a, b, Dimension.PLANAR, Budget.UNLIMITED);
@@ -70,17 +70,17 @@ class VerdictTest {
         MeshObject a = Meshes.finely(4, 4, 4, 12, false);
         MeshObject b = Meshes.finely(2, 2, 2, 12, false).movedTo(new Point()); // a surface inside a surface: 1 apart
         for (Budget none : List.of(Budget.steps(0), Budget.time(Duration.ZERO), new Budget(0, Duration.ofDays(1)))) {
-            Verdict verdict = ContactQuery.touches(a, b, none);
+            Verdict verdict = ContactQuery.decide(a, b, none);
             assertThat(verdict.answer()).isEqualTo(Answer.UNDECIDED);
             assertThat(verdict.certainty()).isEqualTo(Certainty.UNCERTAIN);
             assertThat(verdict.steps()).isZero();
             assertThat(verdict.low()).isZero();
             assertThat(verdict.high()).isBetween(1.0, 20.0);
         }
-        Verdict early = ContactQuery.touches(a, b, Budget.steps(12));
+        Verdict early = ContactQuery.decide(a, b, Budget.steps(12));
         assertThat(early.answer()).isEqualTo(Answer.UNDECIDED);
         assertThat(early.high()).isBetween(1.0, 10.0);
-        Verdict end = ContactQuery.touches(a, b, new Budget(Long.MAX_VALUE, Duration.ofDays(1_000_000)));
+        Verdict end = ContactQuery.decide(a, b, new Budget(Long.MAX_VALUE, Duration.ofDays(1_000_000)));
         assertThat(end.answer()).isEqualTo(Answer.NO);
         assertThat(end.certainty()).isEqualTo(Certainty.EXACT);
         assertThat(ContactQuery.distance(a, b, Budget.UNLIMITED).high()).isBetween(1.0, 1 + 1e-12);
@@ -119,7 +119,7 @@ class VerdictTest {
             GeometryObject tilted = new CylinderObject(new Point(0, 0, 2.0 - (k % 3 - 1) * 1e-9 * (k % 2)), 1, 10)
                     .oriented(tilt(Math.toRadians(10 + k / 4.0)));
             Contact contact = ContactQuery.first(upright, tilted);
-            Verdict verdict = ContactQuery.touches(tilted, upright, Budget.UNLIMITED);
+            Verdict verdict = ContactQuery.decide(tilted, upright, Budget.UNLIMITED);
             assertThat(contact != null).isEqualTo(CollisionDetection.intersects(upright, tilted));
             assertThat(verdict.answer()).isEqualTo(contact == null ? Answer.NO : Answer.YES);
             if (contact == null) {

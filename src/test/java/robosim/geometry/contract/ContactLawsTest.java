@@ -48,7 +48,7 @@ class ContactLawsTest {
             List<Contact> one = ContactQuery.contacts(a, b, dimension, 1);
             assertThat(one).as(pair).hasSize(truth ? 1 : 0);
             assertThat(contacts).as(pair).containsAll(one);
-            Verdict asked = ContactQuery.touches(a, b, dimension, Budget.UNLIMITED);
+            Verdict asked = ContactQuery.decide(a, b, dimension, Budget.UNLIMITED);
             assertThat(asked.answer()).as(pair).isEqualTo(truth ? Answer.YES : Answer.NO);
             Verdict measured = ContactQuery.distance(a, b, dimension, Budget.UNLIMITED);
             assertThat(measured.answer()).as(pair).isEqualTo(asked.answer());
@@ -79,9 +79,9 @@ class ContactLawsTest {
                     .as(pair)
                     .containsExactlyInAnyOrderElementsOf(ContactQuery.contacts(a, b, dimension, 2));
             Budget few = Budget.steps(k % 12);
-            assertThat(ContactQuery.touches(b, a, dimension, few))
+            assertThat(ContactQuery.decide(b, a, dimension, few))
                     .as(pair)
-                    .isEqualTo(ContactQuery.touches(a, b, dimension, few));
+                    .isEqualTo(ContactQuery.decide(a, b, dimension, few));
             assertThat(ContactQuery.distance(b, a, dimension, few))
                     .as(pair)
                     .isEqualTo(ContactQuery.distance(a, b, dimension, few));

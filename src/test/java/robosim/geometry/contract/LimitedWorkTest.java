@@ -23,8 +23,8 @@ import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.ColorFrame;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.sweep.Outcome;
+import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.Result;
-import robosim.geometry.sweep.Sweep;
 import robosim.geometry.sweep.SweepWorld;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -164,7 +164,7 @@ class LimitedWorkTest {
 
     @Test
     void aReplicateThatWouldTakeMoreFailsAndTheOthersDoNot() {
-        Sweep sweep = Sweep.of("moves", replicate -> {
+        ParameterSweep sweep = ParameterSweep.of("moves", replicate -> {
                     Geometry world = replicate.world();
                     for (int k = 0; k < 3; k++) {
                         world.move("m", new Move(0, 1e-6, 0, 0, 0));

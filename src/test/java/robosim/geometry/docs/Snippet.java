@@ -44,7 +44,6 @@ final class Snippet {
             import robosim.geometry.scenario.*;
             import robosim.geometry.render.*;
             import robosim.geometry.sensor.*;
-            import robosim.geometry.sensor.file.*;
             import robosim.geometry.sweep.*;
             import robosim.geometry.world.*;
             """;

@@ -44,7 +44,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 
 /** What an MCAP file of a recording has, by a reader of its own, and by Python's libraries where they are. */
 class RosRecordingTest {

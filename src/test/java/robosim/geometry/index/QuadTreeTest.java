@@ -17,7 +17,7 @@ import robosim.geometry.Allocated;
 import robosim.geometry.Effort;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.index.regions.Regions;
+import robosim.geometry.index.quadtree.Regions;
 import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.index.tiles.Tiles;
 

@@ -21,7 +21,6 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;
@@ -35,6 +34,7 @@ import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /**
  * Gives bytes to a decoder and judges what becomes of them: bundles, or the protocol's own exception, within a second and

@@ -207,7 +207,7 @@ class EndsTest {
         GeometryClient[] client = new GeometryClient[1];
         NetOptions options = NetOptions.defaults().withListeners(connection -> new SessionListener() {
             @Override
-            public void asked(Bundle request) {
+            public void requested(Bundle request) {
                 client[0].close();
             }
         });
@@ -344,7 +344,7 @@ class EndsTest {
     void whoIsRefusedForLackOfMemoryIsToldThat() throws Exception {
         NetOptions options = NetOptions.defaults().withListeners(connection -> new SessionListener() {
             @Override
-            public void asked(Bundle request) {
+            public void requested(Bundle request) {
                 throw new OutOfMemoryError("Java heap space");
             }
         });

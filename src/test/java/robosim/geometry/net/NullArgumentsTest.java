@@ -33,7 +33,6 @@ import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;
@@ -44,6 +43,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.pace.MessagePace;
 import robosim.geometry.scenario.Recorder;
 import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.Replay;
@@ -78,7 +78,7 @@ class NullArgumentsTest {
 
     /** What the module tells its listeners: that is never null. */
     private static final List<String> TOLD =
-            List.of("equals", "main", "asked", "replied", "tried", "answered", "opened");
+            List.of("equals", "main", "requested", "replied", "tried", "answered", "opened");
 
     private final Map<Class<?>, @Nullable Object> samples = new HashMap<>();
 
@@ -198,7 +198,9 @@ class NullArgumentsTest {
 
     private static List<Class<?>> publicTypes() throws Exception {
         List<Class<?>> types = new ArrayList<>();
-        for (String room : new String[] {"protocol", "protocol/channel", "protocol/json", "net", "scenario"}) {
+        for (String room : new String[] {
+            "protocol", "protocol/channel", "protocol/json", "net", "net/watch", "scenario", "scenario/source"
+        }) {
             Path classes = Path.of(
                     Path.of(Session.class
                                     .getProtectionDomain()

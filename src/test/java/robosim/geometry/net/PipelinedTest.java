@@ -24,7 +24,6 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
@@ -34,6 +33,7 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /**
  * Conversations of all sizes that are sent without waiting: how their bytes are split and joined on the way changes no

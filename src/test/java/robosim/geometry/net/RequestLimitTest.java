@@ -70,7 +70,7 @@ class RequestLimitTest {
     private static NetOptions tellingOf(CountDownLatch begun, Class<? extends Bundle> kind) {
         return within(Duration.ofHours(1), Long.MAX_VALUE).withListeners(connection -> new SessionListener() {
             @Override
-            public void asked(Bundle request) {
+            public void requested(Bundle request) {
                 if (kind.isInstance(request)) {
                     begun.countDown();
                 }

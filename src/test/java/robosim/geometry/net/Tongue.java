@@ -11,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;
@@ -20,6 +19,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /** What an environment speaks. */
 enum Tongue {

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.pace.MessagePace;
 
 public class MessageTest {
     @Test

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.Vector;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /** An environment of old, with mutable classes of its own. */
 class TranslatorTest {

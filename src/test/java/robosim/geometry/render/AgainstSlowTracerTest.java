@@ -22,7 +22,7 @@ import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.world.ObjReader;
+import robosim.geometry.world.MeshReader;
 
 /**
  * Each pixel beside that of a slow tracer that shares no code: rounded from the same number to within a hundredth, wherever rays
@@ -80,7 +80,7 @@ class AgainstSlowTracerTest {
                     .append('\n');
         }
         text.append("f 1/1 4/2 3/3 2/4\nf 4/5 6/6 5/7 3/8\n");
-        MeshObject tent = ObjReader.read(Files.writeString(folder.resolve("tent.obj"), text.toString()));
+        MeshObject tent = MeshReader.read(Files.writeString(folder.resolve("tent.obj"), text.toString()));
         assertThat(tent.material().texture()).isInstanceOf(ImageTexture.class);
         assertThat(tent.textureCoordinates()).isNotNull();
         return tent;

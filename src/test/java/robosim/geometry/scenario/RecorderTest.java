@@ -104,7 +104,7 @@ class RecorderTest {
     @Test
     void aRequestIsWrittenBeforeItIsCarriedOut() throws IOException {
         Recorder recorder = new Recorder("test", this::open, null);
-        recorder.asked(talk().get(1));
+        recorder.requested(talk().get(1));
         assertThat(recorded().steps()).hasSize(1);
         assertThat(recorded().steps().get(0).expected()).isNull();
         recorder.ended();
@@ -242,7 +242,7 @@ class RecorderTest {
                 },
                 null);
         recorder.ended();
-        recorder.asked(talk().get(0));
+        recorder.requested(talk().get(0));
         assertThat(recorder.isRecording()).isFalse();
     }
 

@@ -29,7 +29,7 @@ import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.LogCapture;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.net.WatchServer;
+import robosim.geometry.net.watch.WatchServer;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageReader;
@@ -38,6 +38,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.scenario.source.WatchReader;
 
 /** A server that is watched, over loopback. */
 @Tag("clock")
@@ -53,7 +54,7 @@ class WatchOverSocketsTest {
     private final Watching watching = new Watching(options.session());
     private final GeometryServer server =
             new GeometryServer(InetAddress.getLoopbackAddress(), 0, options.withListeners(watching));
-    private final WatchServer watch = new WatchServer(0, watching);
+    private final WatchServer watch = new WatchServer(0, watching::join);
 
     @AfterEach
     void close() {
@@ -180,14 +181,14 @@ class WatchOverSocketsTest {
 
     @Test
     void aServerThatIsGoneIsDialledAgain() throws Exception {
-        WatchServer first = new WatchServer(0, watching);
+        WatchServer first = new WatchServer(0, watching::join);
         try (Environment environment = new Environment();
                 WatchReader reader = dial(first.port())) {
             environment.ask(FORWARD);
             assertThat(reader.next()).isNotNull();
             int port = first.port();
             first.close();
-            try (WatchServer second = new WatchServer(port, watching)) {
+            try (WatchServer second = new WatchServer(port, watching::join)) {
                 Step step = reader.next();
                 while (!(step.request() instanceof InitBundle)) {
                     step = reader.next();

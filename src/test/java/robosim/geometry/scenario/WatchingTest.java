@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,7 +22,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.net.WatchServer;
+import robosim.geometry.net.watch.WatchServer;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -391,5 +392,22 @@ class WatchingTest {
         assertThat(new String(lines.next(0), "UTF-8")).contains("\"note\"", "a step cannot be written as lines: ");
         assertThatThrownBy(() -> lines.next(0)).hasMessageContaining("cannot be written");
         assertThat(lines.problem()).contains("cannot be written");
+    }
+
+    @Test
+    void itListensOnOnePortUntilItIsClosed() throws Exception {
+        int first = watching.listen(0);
+        assertThatThrownBy(() -> watching.listen(0))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("watching must not be listening already (got: port " + first + ")");
+        try (ScenarioReader reader = Watching.dial("127.0.0.1", first)) {
+            assertThat(reader.header().title()).isEqualTo("a live session");
+        }
+        watching.close();
+        watching.close();
+        assertThatThrownBy(() -> Watching.dial("127.0.0.1", first)).isInstanceOf(IOException.class);
+        int second = watching.listen(0);
+        assertThat(second).isPositive();
+        watching.close();
     }
 }

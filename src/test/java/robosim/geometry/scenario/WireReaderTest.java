@@ -21,6 +21,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.scenario.source.WireReader;
 
 class WireReaderTest {
     private static final InitBundle INIT = new InitBundle(List.of(new CylinderObject(new Point(), 1, 1).moveable("r")));

@@ -40,13 +40,13 @@ class ScenarioSweepTest {
     @TempDir
     Path folder;
 
-    private static Map<String, Double> values(Sweep sweep, long index) {
+    private static Map<String, Double> values(ParameterSweep sweep, long index) {
         Outcome outcome = sweep.run(index);
         assertThat(outcome.error()).isNull();
         return outcome.values();
     }
 
-    private static double value(Sweep sweep, long index, String name) {
+    private static double value(ParameterSweep sweep, long index, String name) {
         Double value = values(sweep, index).get(name);
         assertThat(value).as(name).isNotNull();
         return value;
@@ -60,10 +60,11 @@ class ScenarioSweepTest {
         assertThat(Replay.of(Scenario.read(file))).isEmpty();
         ScenarioSweep scenario = ScenarioSweep.read(file);
         assertThat(scenario.name()).isEqualTo(name);
-        Sweep sweep = Sweep.of(scenario).over(scenario.world()).replicates(2);
+        ParameterSweep sweep =
+                ParameterSweep.of(scenario).over(scenario.world()).replicates(2);
         assertThat(value(sweep, 0, "other than recorded")).isZero();
         assertThat(values(sweep, 1)).isEqualTo(values(sweep, 0));
-        Sweep zeros =
+        ParameterSweep zeros =
                 sweep.vary("place", "0").vary("aim", "0").vary("slip", "0").vary("range", "0");
         assertThat(values(zeros, 0)).isEqualTo(values(sweep, 0));
     }
@@ -73,7 +74,7 @@ class ScenarioSweepTest {
     void eachKindOfChanceTells(String parameter) throws IOException {
         ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
         String[] words = parameter.split("=", 2);
-        Sweep sweep = Sweep.of(scenario)
+        ParameterSweep sweep = ParameterSweep.of(scenario)
                 .over(scenario.world())
                 .vary(words[0], "0", words[1])
                 .replicates(20);
@@ -96,7 +97,7 @@ class ScenarioSweepTest {
     @Test
     void drawsArePairedOverValues() throws IOException {
         ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
-        Sweep sweep = Sweep.of(scenario)
+        ParameterSweep sweep = ParameterSweep.of(scenario)
                 .over(scenario.world())
                 .vary("range", "0", "0.001", "0.002")
                 .replicates(30);
@@ -119,7 +120,8 @@ class ScenarioSweepTest {
                 .isGreaterThan(maze.snapshot().size())
                 .isLessThanOrEqualTo(
                         maze.snapshot().size() + scenario.world().snapshot().size());
-        Sweep sweep = Sweep.of(scenario).over(both).over(scenario.world()).vary("accuracy", "EXACT", "SPHERE");
+        ParameterSweep sweep =
+                ParameterSweep.of(scenario).over(both).over(scenario.world()).vary("accuracy", "EXACT", "SPHERE");
         for (long index = 0; index < 4; index++) {
             assertThat(value(sweep, index, "not answered")).isEqualTo(value(sweep, 1, "not answered"));
         }
@@ -165,12 +167,12 @@ class ScenarioSweepTest {
         Path file = Files.createDirectories(folder.resolve("other")).resolve("wandering.scenario.jsonl");
         Path results = folder.resolve("results.jsonl");
         ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
-        Sweep sweep = Sweep.of(scenario).over(scenario.world());
+        ParameterSweep sweep = ParameterSweep.of(scenario).over(scenario.world());
         SweepRun.of(sweep, results).run();
         Files.writeString(file, text.replaceFirst("\"title\":\"", "\"title\":\"Retold: "));
         assertThat(Files.readString(file)).isNotEqualTo(text);
         ScenarioSweep same = ScenarioSweep.read(file);
-        assertThat(SweepRun.of(Sweep.of(same).over(same.world()), results)
+        assertThat(SweepRun.of(ParameterSweep.of(same).over(same.world()), results)
                         .resume()
                         .run()
                         .digest())
@@ -178,7 +180,7 @@ class ScenarioSweepTest {
         String shorter = text.substring(0, text.stripTrailing().lastIndexOf('\n') + 1);
         Files.writeString(file, shorter.substring(0, shorter.stripTrailing().lastIndexOf('\n') + 1));
         ScenarioSweep other = ScenarioSweep.read(file);
-        Sweep changed = Sweep.of(other).over(other.world());
+        ParameterSweep changed = ParameterSweep.of(other).over(other.world());
         assertThat(changed.header().worlds()).isEqualTo(sweep.header().worlds());
         assertThatThrownBy(() -> SweepRun.of(changed, results).resume().run())
                 .isInstanceOf(SweepException.class)
@@ -203,7 +205,7 @@ class ScenarioSweepTest {
         Files.writeString(none, lines[0] + "\n");
         assertThatThrownBy(() -> ScenarioSweep.read(none)).hasMessageContaining("must begin with its world");
         ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
-        Sweep wrong = Sweep.of(scenario).over(scenario.world());
+        ParameterSweep wrong = ParameterSweep.of(scenario).over(scenario.world());
         for (String amount : new String[] {"-1", "NaN", "Infinity"}) {
             assertThatThrownBy(() -> wrong.vary("place", "0", amount))
                     .hasMessageContaining("place must be at least 0 and finite (got: " + amount + ")");
@@ -237,7 +239,7 @@ class ScenarioSweepTest {
         Point first = places.get(0);
         double half = Math.hypot(last.x() - first.x(), last.z() - first.z()) / 2;
         assertThat(half).isPositive();
-        Sweep sweep = Sweep.of(scenario.toGoal("drum 1", last.x(), last.z(), half)
+        ParameterSweep sweep = ParameterSweep.of(scenario.toGoal("drum 1", last.x(), last.z(), half)
                         .toGoal("drum 1", first.x(), first.z(), half)
                         .toGoal("drum 2", 1000, 0, 1))
                 .over(scenario.world());
@@ -269,19 +271,21 @@ class ScenarioSweepTest {
     @Test
     void itKnowsWhereReplicatesCannotDiffer() throws IOException {
         ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
-        Sweep sweep = Sweep.of(scenario).over(scenario.world()).replicates(3);
+        ParameterSweep sweep =
+                ParameterSweep.of(scenario).over(scenario.world()).replicates(3);
         assertThat(sweep.canDiffer()).isFalse();
         assertThat(sweep.replicates(1).canDiffer()).isTrue();
         assertThat(sweep.vary("speed", "1", "2").canDiffer()).isFalse();
         assertThat(sweep.vary("place", "0").vary("slip", "0").canDiffer()).isFalse();
         for (String parameter : List.of("place", "heading", "slip", "aim", "range")) {
-            Sweep varied = sweep.vary(parameter, "0", "0.5").vary("speed", "1", "2");
+            ParameterSweep varied = sweep.vary(parameter, "0", "0.5").vary("speed", "1", "2");
             assertThat(varied.canDiffer()).as(parameter).isTrue();
             assertThat(values(varied, 1)).as(parameter).isNotEqualTo(values(varied, 5));
         }
         // What is not requested cannot vary.
         ScenarioSweep turns = ScenarioSweep.read(STORED.resolve("by-hand.scenario.jsonl"));
-        Sweep deaf = Sweep.of(turns).over(turns.world()).replicates(2).vary("range", "1");
+        ParameterSweep deaf =
+                ParameterSweep.of(turns).over(turns.world()).replicates(2).vary("range", "1");
         assertThat(deaf.canDiffer()).isEqualTo(!values(deaf, 0).equals(values(deaf, 1)));
         assertThat(Sweeps.wander(0).replicates(2).canDiffer()).isTrue();
     }

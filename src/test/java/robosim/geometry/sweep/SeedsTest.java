@@ -67,8 +67,8 @@ class SeedsTest {
 
     @Test
     void aReplicateKeepsItsSeedWhereASweepGrows() {
-        Sweep small = Sweeps.wander(0);
-        Sweep large = small.vary("step", "0.25", "0.5", "1").replicates(30);
+        ParameterSweep small = Sweeps.wander(0);
+        ParameterSweep large = small.vary("step", "0.25", "0.5", "1").replicates(30);
         Map<String, Long> seeds = new TreeMap<>();
         for (long index = 0; index < small.size(); index++) {
             Outcome outcome = small.run(index);

@@ -23,15 +23,15 @@ class SweepFailureTest {
     @TempDir
     Path folder;
 
-    private static Sweep sweep(SweepScenario scenario) {
-        return Sweep.of("trouble", scenario)
+    private static ParameterSweep sweep(SweepScenario scenario) {
+        return ParameterSweep.of("trouble", scenario)
                 .over(new SweepWorld("empty", new Geometry().snapshot()))
                 .replicates(12);
     }
 
-    private List<Outcome> outcomes(Sweep sweep) throws Exception {
+    private List<Outcome> outcomes(ParameterSweep sweep) throws Exception {
         List<Outcome> outcomes = new ArrayList<>();
-        SweepRun.of(sweep, folder.resolve("results.jsonl")).threads(2).run().forEach(outcomes::add);
+        SweepRun.of(sweep, folder.resolve("results.jsonl")).withThreads(2).run().forEach(outcomes::add);
         assertThat(outcomes).hasSize(12);
         return outcomes;
     }
@@ -73,7 +73,7 @@ class SweepFailureTest {
                 default -> assertThat(error).isNull();
             }
         }
-        Sweep full = sweep(replicate -> {
+        ParameterSweep full = sweep(replicate -> {
             throw new OutOfMemoryError("no heap");
         });
         assertThatThrownBy(() -> full.run(0)).isInstanceOf(OutOfMemoryError.class);

@@ -59,7 +59,7 @@ class SweepFileTest {
         ExecutorService pool = Executors.newSingleThreadExecutor();
         try {
             Future<SweepResults> running = pool.submit(() -> SweepRun.of(Sweeps.wander(10), file)
-                    .threads(2)
+                    .withThreads(2)
                     .progress(count -> {
                         done.set(count);
                         awaitFrom(4, count, others);
@@ -177,7 +177,7 @@ class SweepFileTest {
     @Test
     void whatCouldNotBeReadAgainIsNotBegun() throws Exception {
         Path file = folder.resolve("none.jsonl");
-        Sweep sweep = Sweeps.wander(0);
+        ParameterSweep sweep = Sweeps.wander(0);
         assertThatThrownBy(() -> sweep.vary("step", "\ud800")).hasMessageContaining("value of step must be");
         assertThatThrownBy(() -> Result.of("\udc00", 1)).hasMessageContaining("half of a surrogate pair");
         assertThatThrownBy(() -> Result.of("n".repeat(201), 1)).hasMessageContaining("at most 200 characters");
@@ -188,12 +188,12 @@ class SweepFileTest {
         assertThatThrownBy(() -> SweepRun.of(sweep.vary("many", values), file).run())
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("must be readable again");
-        Sweep large = sweep.replicates(Integer.MAX_VALUE);
+        ParameterSweep large = sweep.replicates(Integer.MAX_VALUE);
         assertThatThrownBy(() -> SweepRun.of(large, file).run()).hasMessageContaining("at most 2147483647 replicates");
         assertThatThrownBy(() -> SweepRun.of(large, file).size()).hasMessageContaining("at most 2147483647 replicates");
         String[] thousands =
                 Stream.iterate(0, k -> k + 1).limit(5000).map(String::valueOf).toArray(String[]::new);
-        Sweep beyond = large.vary("a", thousands).vary("b", thousands).vary("c", thousands);
+        ParameterSweep beyond = large.vary("a", thousands).vary("b", thousands).vary("c", thousands);
         assertThatThrownBy(beyond::size).hasMessageContaining("fewer than 2^63");
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();
@@ -203,7 +203,8 @@ class SweepFileTest {
     /** Nothing to run is no sweep that is done. */
     @Test
     void aSweepWithoutAWorldIsAnError() throws IOException {
-        Sweep none = Sweep.of("none", replicate -> Result.of("x", 1)).vary("p", "1", "2");
+        ParameterSweep none =
+                ParameterSweep.of("none", replicate -> Result.of("x", 1)).vary("p", "1", "2");
         String message = "a sweep must have at least one world; add it by over(world) (got: none)";
         Path file = folder.resolve("none.jsonl");
         for (ThrowingCallable call : List.<ThrowingCallable>of(
@@ -249,24 +250,24 @@ class SweepFileTest {
     /** Who merges files of two sweeps is told in what they differ, and not how a record prints itself. */
     @Test
     void anotherSweepIsToldByWhatDiffers() throws Exception {
-        Sweep one = Sweep.of("one", replicate -> Result.of("x", 1))
+        ParameterSweep one = ParameterSweep.of("one", replicate -> Result.of("x", 1))
                 .over(world("w", 10))
                 .vary("p", "1", "2");
         Path mine = folder.resolve("mine.jsonl");
         SweepRun.of(one, mine).run();
-        Map<Sweep, String> others = Map.of(
+        Map<ParameterSweep, String> others = Map.of(
                 one.seed(3), "the seed 0x0000000000000003 and not 0x0000000000000000",
                 one.vary("p", "1", "3"), "the parameters {p=1,3} and not {p=1,2}",
                 one.over(world("v", 10)), "the worlds [w, v] and not [w]",
-                Sweep.of("one", replicate -> Result.of("x", 1))
+                ParameterSweep.of("one", replicate -> Result.of("x", 1))
                                 .over(world("w", 11))
                                 .vary("p", "1", "2"),
                         "another world of the name w",
-                Sweep.of("two", replicate -> Result.of("x", 1))
+                ParameterSweep.of("two", replicate -> Result.of("x", 1))
                                 .over(world("w", 10))
                                 .vary("p", "1", "2"),
                         "the scenario two and not one");
-        for (Map.Entry<Sweep, String> other : others.entrySet()) {
+        for (Map.Entry<ParameterSweep, String> other : others.entrySet()) {
             Path file = folder.resolve("other.jsonl");
             Files.deleteIfExists(file);
             SweepRun.of(other.getKey(), file).run();

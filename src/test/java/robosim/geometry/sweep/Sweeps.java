@@ -9,9 +9,9 @@ final class Sweeps {
     private Sweeps() {}
 
     /** 2 worlds x 4 combinations x 20 replicates. */
-    static Sweep wander(int pauseMillis) {
+    static ParameterSweep wander(int pauseMillis) {
         try {
-            return Sweep.of(new Wander(pauseMillis))
+            return ParameterSweep.of(new Wander(pauseMillis))
                     .over(SweepWorld.read(Path.of("worlds", "rooms.xml")))
                     .over(SweepWorld.read(Path.of("worlds", "maze.xml")))
                     .vary("step", "0.25", "1")
@@ -25,6 +25,6 @@ final class Sweeps {
 
     /** A process that is to be killed: carries it out slowly into a file. */
     public static void main(String[] arguments) throws Exception {
-        SweepRun.of(wander(100), Path.of(arguments[0])).threads(2).resume().run();
+        SweepRun.of(wander(100), Path.of(arguments[0])).withThreads(2).resume().run();
     }
 }

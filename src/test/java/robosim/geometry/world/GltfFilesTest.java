@@ -288,7 +288,7 @@ class GltfFilesTest {
         WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT);
         assertThat(read.isWhole()).isTrue();
         Path obj = folder.resolve("world.obj");
-        ObjWriter.write(world, obj, done -> {});
+        WorldWriter.writeObj(world, obj, done -> {});
         assertThat(MeshTriangles.of(MeshTriangles.mesh(read))).isEqualTo(MeshTriangles.of(MeshTriangles.read(obj)));
     }
 

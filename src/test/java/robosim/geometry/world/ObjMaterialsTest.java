@@ -51,7 +51,7 @@ class ObjMaterialsTest {
     private MeshObject read(String mtl, String obj) throws IOException {
         file("m.mtl", mtl);
         file("m.obj", "mtllib m.mtl\n" + SQUARE + obj);
-        return ObjReader.read(folder.resolve("m.obj"));
+        return MeshReader.read(folder.resolve("m.obj"));
     }
 
     @Test
@@ -87,10 +87,10 @@ class ObjMaterialsTest {
         assertThat(read("newmtl a\nKd 1 0 0\n", "usemtl\nf 1 2 3\n").material().isDefault())
                 .isTrue();
         file("m.obj", "mtllib none.mtl ../../m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
-        assertThat(ObjReader.read(folder.resolve("m.obj")).material().isDefault())
+        assertThat(MeshReader.read(folder.resolve("m.obj")).material().isDefault())
                 .isTrue();
         byte[] bytes = ("mtllib m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n").getBytes(StandardCharsets.UTF_8);
-        assertThat(ObjReader.read(new ByteArrayInputStream(bytes), "m.obj", 1)
+        assertThat(MeshReader.read(new ByteArrayInputStream(bytes), "m.obj", 1)
                         .material()
                         .isDefault())
                 .isTrue();
@@ -103,9 +103,9 @@ class ObjMaterialsTest {
         file("a b.mtl", "newmtl x\nKd 1 0 0\n");
         file("c.mtl", "newmtl x\nKd 0 1 0\nnewmtl \u00fc\nKd 0 0 1\n");
         file("m.obj", "mtllib a b.mtl\nmtllib no.mtl c.mtl\n" + SQUARE + "usemtl x\nf 1 2 3\n");
-        assertThat(ObjReader.read(folder.resolve("m.obj")).material().color()).isEqualTo(new Color(1, 0, 0));
+        assertThat(MeshReader.read(folder.resolve("m.obj")).material().color()).isEqualTo(new Color(1, 0, 0));
         file("m.obj", "mtllib c.mtl\n" + SQUARE + "usemtl \u00fc\nf 1 2 3\n");
-        assertThat(ObjReader.read(folder.resolve("m.obj")).material().color()).isEqualTo(new Color(0, 0, 1));
+        assertThat(MeshReader.read(folder.resolve("m.obj")).material().color()).isEqualTo(new Color(0, 0, 1));
     }
 
     @Test
@@ -156,7 +156,7 @@ class ObjMaterialsTest {
         }
         file("m.mtl", "newmtl a\nmap_Kd m.png\n");
         file("m.obj", obj + "\n");
-        TriangleMesh triangles = ObjReader.read(folder.resolve("m.obj")).triangles();
+        TriangleMesh triangles = MeshReader.read(folder.resolve("m.obj")).triangles();
         assertThat(triangles.size()).isEqualTo(8);
         for (int t = 0; t < 8; t++) {
             assertThat(triangles.isTextured(t)).isTrue();
@@ -277,7 +277,8 @@ class ObjMaterialsTest {
         file("materials/m.mtl", "newmtl a\nKd 0 0 1\nmap_Kd -clamp on .\\m.png\n");
         picture("materials/m.png");
         file("m.obj", "mtllib .\\materials\\m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
-        assertThat(ObjReader.read(folder.resolve("m.obj")).material().texture()).isNotNull();
+        assertThat(MeshReader.read(folder.resolve("m.obj")).material().texture())
+                .isNotNull();
     }
 
     @Test
@@ -306,7 +307,7 @@ class ObjMaterialsTest {
         assertThat(red.material()).isEqualTo(Material.of(new Color(1, 0, 0)));
         assertThat(red.textureCoordinates()).as("of no use without a picture").isNull();
         assertThat(((MeshObject) objects.get(2).object()).triangles()).isSameAs(first.triangles());
-        assertThatThrownBy(() -> ObjReader.read(folder.resolve("meshes/m.obj")))
+        assertThatThrownBy(() -> MeshReader.read(folder.resolve("meshes/m.obj")))
                 .isInstanceOf(WorldException.class)
                 .hasMessageContaining("a picture must be below the folder of the file that is read; move it there"
                         + " (got: ../textures/m.png)");
@@ -331,7 +332,7 @@ class ObjMaterialsTest {
         ObjectGroup group = new ObjectGroup(List.of(box, box.withMaterial(checked))).withMaterial(red);
         List<WorldObject> objects =
                 List.of(new WorldObject(box), new WorldObject(poster), new WorldObject(group), new WorldObject(poster));
-        ObjWriter.write(new World(9, 9, 9, objects), folder.resolve("a b.obj"), done -> {});
+        WorldWriter.writeObj(new World(9, 9, 9, objects), folder.resolve("a b.obj"), done -> {});
         assertThat(Files.readString(folder.resolve("a b.mtl"))).isEqualTo("""
                 # materials of a b.obj
                 newmtl material_1
@@ -367,14 +368,14 @@ class ObjMaterialsTest {
                         "usemtl material_2");
         assertThat(obj.lines().filter(line -> line.contains("/")))
                 .containsExactly("f 9/1 10/2 11/3 12/4", "f 9/1 10 11/3", "f 29/5 30/6 31/7 32/8", "f 29/5 30 31/7");
-        MeshObject again = ObjReader.read(folder.resolve("a b.obj"));
+        MeshObject again = MeshReader.read(folder.resolve("a b.obj"));
         assertThat(again.material().texture()).isEqualTo(IMAGE);
     }
 
     @Test
     void aWorldWithoutMaterialsIsOneFile() throws IOException {
         World world = new World(9, 9, 9, List.of(new WorldObject(new SphereObject(new Point(), 1))));
-        ObjWriter.write(world, folder.resolve("w.obj"), done -> {});
+        WorldWriter.writeObj(world, folder.resolve("w.obj"), done -> {});
         assertThat(folder).isDirectoryContaining(file -> file.endsWith("w.obj"));
         assertThat(Files.exists(folder.resolve("w.mtl"))).isFalse();
         assertThat(Files.readString(folder.resolve("w.obj"))).doesNotContain("mtl");

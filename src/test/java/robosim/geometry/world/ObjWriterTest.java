@@ -31,8 +31,8 @@ class ObjWriterTest {
             all.add(new WorldObject(object));
         }
         Path file = folder.resolve("w.obj");
-        ObjWriter.write(new World(100, 100, 100, all), file, done -> {});
-        return ObjReader.read(file);
+        WorldWriter.writeObj(new World(100, 100, 100, all), file, done -> {});
+        return MeshReader.read(file);
     }
 
     /** All are closed surfaces, which look outwards, of the volume that the shape has or a little less. */
@@ -100,7 +100,7 @@ class ObjWriterTest {
                 new WorldObject(new SphereObject(new Point(), 1)));
         List<Long> told = new ArrayList<>();
         Path file = folder.resolve("w.obj");
-        ObjWriter.write(new World(4, 4, 4, all), file, told::add);
+        WorldWriter.writeObj(new World(4, 4, 4, all), file, told::add);
         assertThat(told).containsExactly(0L, 1L);
         assertThat(Files.readAllLines(file))
                 .startsWith("# 4 x 4 x 4, Y up")
@@ -111,12 +111,12 @@ class ObjWriterTest {
     void allOrNothing() throws IOException {
         Path file = Files.writeString(folder.resolve("old.obj"), "old");
         World world = new World(4, 4, 4, List.of(new WorldObject(new SphereObject(new Point(), 1))));
-        assertThatThrownBy(() -> ObjWriter.write(world, file, done -> {
+        assertThatThrownBy(() -> WorldWriter.writeObj(world, file, done -> {
                     throw new IllegalStateException("stopped");
                 }))
                 .hasMessage("stopped");
         assertThat(file).hasContent("old");
-        assertThatThrownBy(() -> ObjWriter.write(world, folder.resolve("no/such.obj"), done -> {}))
+        assertThatThrownBy(() -> WorldWriter.writeObj(world, folder.resolve("no/such.obj"), done -> {}))
                 .isInstanceOf(WorldException.class)
                 .hasMessageStartingWith(folder.resolve("no/such.obj") + ": the file could not be written: ");
     }

@@ -37,7 +37,7 @@ class RosMapBoxesTest {
 
     private World world(String origin) throws IOException {
         Files.copy(MAPS.resolve("tb3_sandbox.pgm"), folder.resolve("tb3_sandbox.pgm"));
-        return RosMapReader.read(Files.writeString(folder.resolve("map.yaml"), YAML.formatted(origin)), 1);
+        return RosMaps.read(Files.writeString(folder.resolve("map.yaml"), YAML.formatted(origin)), 1);
     }
 
     private static Geometry boxes(World world) {

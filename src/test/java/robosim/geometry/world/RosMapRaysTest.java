@@ -108,7 +108,7 @@ class RosMapRaysTest {
     }
 
     private Geometry world(Cells cells) throws IOException {
-        Geometry geometry = RosMapReader.read(yaml(cells), 1).toGeometry();
+        Geometry geometry = RosMaps.read(yaml(cells), 1).toGeometry();
         // The walk ends with the image, and so that it can: what stands around the image has its own test.
         for (String side : new String[] {"left", "right", "upper", "lower"}) {
             assertThat(geometry.removeObject(side + " edge of the map")).isTrue();

@@ -79,7 +79,7 @@ class RosMapReaderTest {
 
     @Test
     void standsWhereRosHasIt() throws IOException {
-        World world = RosMapReader.read(map("P2 4 3 255  0 0 254 254  254 254 254 254  254 254 254 0"), 3);
+        World world = RosMaps.read(map("P2 4 3 255  0 0 254 254  254 254 254 254  254 254 254 0"), 3);
         // The lower left corner is (-1, -2) of the map, which is X -1 and Z +2; up in the image is -Z.
         assertThat(world.objects())
                 .containsExactly(
@@ -108,7 +108,7 @@ class RosMapReaderTest {
     @Test
     void anAbsoluteImageIsFoundByItsNameAndUnknownKeysAreTold() throws IOException {
         Path yaml = map("P2 2 1 1 0 1");
-        World plain = RosMapReader.read(yaml);
+        World plain = RosMaps.read(yaml);
         Files.writeString(
                 yaml, Files.readString(yaml).replace("map.img", "/home/me/maps/map.img") + "colour: [1, 2]\n");
         WorldImport read = WorldImport.read(yaml, ImportOptions.DEFAULT);
@@ -152,7 +152,7 @@ class RosMapReaderTest {
         String text = Files.readString(yaml);
         for (String origin : new String[] {"-1, -2, 0", "3, -8, 0", "3, -8, 0.7", "30, 20, 1.5707963267948966"}) {
             Files.writeString(yaml, text.replace("-1, -2, 0", origin));
-            World usual = RosMapReader.read(yaml);
+            World usual = RosMaps.read(yaml);
             WorldImport read = WorldImport.read(yaml, ImportOptions.DEFAULT.withMapCentred(true));
             World centred = read.world();
             Point map = usual.objects().get(0).object().center();
@@ -177,7 +177,7 @@ class RosMapReaderTest {
         int inside = 0;
         for (String yaw : new String[] {"0", "1.5707963267948966", "3.141592653589793", "-1.5707963267948966"}) {
             Files.writeString(yaml, text.replace("-1, -2, 0", "3, -8, " + yaw));
-            World world = RosMapReader.read(yaml);
+            World world = RosMaps.read(yaml);
             Geometry geometry = world.toGeometry();
             assertThat(geometry.objects()).hasSize(4);
             for (int k = 0; k < 1000; k++) {
@@ -203,7 +203,7 @@ class RosMapReaderTest {
     /** A robot that maps replaces what it was given. */
     @Test
     void theGridCanBeReplacedByItsName() throws IOException {
-        Geometry geometry = RosMapReader.read(map("P2 2 1 1 0 1")).toGeometry();
+        Geometry geometry = RosMaps.read(map("P2 2 1 1 0 1")).toGeometry();
         GridObject before = (GridObject) geometry.getObject("map");
         assertThat(geometry.removeObject("map")).isTrue();
         BitSet other = new BitSet();
@@ -220,7 +220,7 @@ class RosMapReaderTest {
         String text = Files.readString(yaml);
         for (String yaw : new String[] {"0", "1.5707963267948966", "0.7", "-2.5"}) {
             Files.writeString(yaml, text.replace("-1, -2, 0", "3, -8, " + yaw));
-            Geometry geometry = RosMapReader.read(yaml).toGeometry();
+            Geometry geometry = RosMaps.read(yaml).toGeometry();
             assertThat(geometry.objects()).hasSize(4);
             double cos = StrictMath.cos(Double.parseDouble(yaw));
             double sin = StrictMath.sin(Double.parseDouble(yaw));
@@ -252,12 +252,12 @@ class RosMapReaderTest {
     @Test
     void givesWallsTheHeightThatIsAskedFor() throws IOException {
         Path yaml = map("P2 1 1 1 0");
-        assertThat(((GridObject) RosMapReader.read(yaml).objects().get(0).object()).height())
-                .isEqualTo(RosMapReader.WALL_HEIGHT);
+        assertThat(((GridObject) RosMaps.read(yaml).objects().get(0).object()).height())
+                .isEqualTo(ImportOptions.DEFAULT.wallHeight());
         for (double wrong : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatIllegalArgumentException()
-                    .isThrownBy(() -> RosMapReader.read(yaml, wrong))
-                    .withMessage("height must be above 0 and at most 2^100 (got: " + wrong + ")");
+                    .isThrownBy(() -> RosMaps.read(yaml, wrong))
+                    .withMessage("the walls' height must be above 0 and at most 2^100 (got: " + wrong + ")");
         }
     }
 
@@ -412,7 +412,7 @@ class RosMapReaderTest {
                 byte[] part = Arrays.copyOf(bytes, 4 + random.nextInt(bytes.length - 3));
                 Path yaml = map(part, 0, "trinary");
                 try {
-                    RosMapReader.read(yaml);
+                    RosMaps.read(yaml);
                 } catch (WorldException e) {
                     refused++;
                     assertThat(e.getMessage()).contains("image");
@@ -465,7 +465,7 @@ class RosMapReaderTest {
             })
     void refusesImagesWithPlaceAndRemedy(String image, int line, String message) throws IOException {
         Path yaml = map(image.replace(';', '\n'));
-        assertThatThrownBy(() -> RosMapReader.read(yaml))
+        assertThatThrownBy(() -> RosMaps.read(yaml))
                 .isInstanceOfSatisfying(
                         WorldException.class, e -> assertThat(e.line()).isEqualTo(line))
                 .hasMessageContaining("map.img:")
@@ -485,7 +485,7 @@ class RosMapReaderTest {
             damaged[4 + random.nextInt(damaged.length - 4)] ^= (byte) (1 + random.nextInt(255));
             Path yaml = map(damaged, 0, "trinary");
             try {
-                RosMapReader.read(yaml);
+                RosMaps.read(yaml);
             } catch (WorldException e) {
                 refused++;
                 assertThat(e).hasMessageContaining("map.img: ");
@@ -497,7 +497,7 @@ class RosMapReaderTest {
         sum.update(png, 12, 17);
         ByteBuffer.wrap(png).putInt(29, (int) sum.getValue());
         Path yaml = map(png, 0, "trinary");
-        assertThatThrownBy(() -> RosMapReader.read(yaml))
+        assertThatThrownBy(() -> RosMaps.read(yaml))
                 .isInstanceOf(WorldException.class)
                 .hasMessageContaining("an image must have 1 to 268435456 pixels (got: 8323112 x 40)");
     }
@@ -532,7 +532,7 @@ class RosMapReaderTest {
         String text = Files.readString(yaml);
         assertThat(text).contains(was);
         Files.writeString(yaml, text.replace(was, is.replace(';', '\n')));
-        assertThatThrownBy(() -> RosMapReader.read(yaml))
+        assertThatThrownBy(() -> RosMaps.read(yaml))
                 .isInstanceOfSatisfying(
                         WorldException.class, e -> assertThat(e.line()).isEqualTo(line))
                 .hasMessageStartingWith(yaml.toString())
@@ -542,24 +542,24 @@ class RosMapReaderTest {
     @Test
     void refusesWhatIsNoMapAtAll() throws IOException {
         Path yaml = folder.resolve("map.yaml");
-        assertThatThrownBy(() -> RosMapReader.read(yaml)).hasMessage(yaml + ": there is no such file; check the path");
+        assertThatThrownBy(() -> RosMaps.read(yaml)).hasMessage(yaml + ": there is no such file; check the path");
         for (String text : new String[] {"", "- a\n", "word"}) {
             Files.writeString(yaml, text);
-            assertThatThrownBy(() -> RosMapReader.read(yaml))
+            assertThatThrownBy(() -> RosMaps.read(yaml))
                     .isInstanceOf(WorldException.class)
                     .hasMessageContaining("a map must consist of keys with values");
         }
         Files.writeString(yaml, "#".repeat(Limits.MAX_SETTINGS + 1));
-        assertThatThrownBy(() -> RosMapReader.read(yaml))
+        assertThatThrownBy(() -> RosMaps.read(yaml))
                 .hasMessageContaining(
                         "at most 65536 bytes; split it in several files, or simplify what is in it (got: more)");
         Path raw = map("P2 1 1 1 0".getBytes(StandardCharsets.US_ASCII), 1, "raw");
-        assertThatThrownBy(() -> RosMapReader.read(raw)).hasMessageContaining("negate must be 0 in mode raw");
+        assertThatThrownBy(() -> RosMaps.read(raw)).hasMessageContaining("negate must be 0 in mode raw");
     }
 
     @Test
     void readsSettingsAsPeopleWriteThem() throws IOException {
-        World plain = RosMapReader.read(map("P2 2 1 1 0 1"));
+        World plain = RosMaps.read(map("P2 2 1 1 0 1"));
         Path yaml = Files.writeString(folder.resolve("other.yaml"), """
                 %YAML 1.1
                 ---
@@ -575,9 +575,9 @@ class RosMapReaderTest {
                 occupied_thresh: .65
                 free_thresh: 0.196
                 """);
-        assertThat(RosMapReader.read(yaml)).isEqualTo(plain);
+        assertThat(RosMaps.read(yaml)).isEqualTo(plain);
         Files.writeString(yaml, Files.readString(yaml).replace("'trinary'", "Trinary"));
-        assertThat(RosMapReader.read(yaml)).isEqualTo(plain);
+        assertThat(RosMaps.read(yaml)).isEqualTo(plain);
     }
 
     /** What is above both thresholds is a wall, as the reference asks that first; nothing is unknown. */
@@ -605,7 +605,7 @@ class RosMapReaderTest {
                         ".......... .......... .......### ....#..### ....#..### .......... .......... ...###.... .......###"
                                 + " .......###");
         assertThat(grid.unknown()).isEqualTo(2);
-        World world = RosMapReader.read(MAPS.resolve("TenByTen.yaml"));
+        World world = RosMaps.read(MAPS.resolve("TenByTen.yaml"));
         assertThat(world.objects()).hasSize(1 + 4);
         assertThat(((GridObject) world.objects().get(0).object()).occupied()).isEqualTo(grid.occupied);
     }
@@ -617,7 +617,7 @@ class RosMapReaderTest {
         assertThat(grid.height).isEqualTo(384);
         assertThat(grid.occupied.cardinality()).isEqualTo(870);
         assertThat(grid.unknown()).isEqualTo(138_683);
-        World world = RosMapReader.read(MAPS.resolve("tb3_sandbox.yaml"));
+        World world = RosMaps.read(MAPS.resolve("tb3_sandbox.yaml"));
         GridObject walls = (GridObject) world.objects().get(0).object();
         assertThat(walls.occupied()).isEqualTo(grid.occupied);
         assertThat(walls.cell()).isEqualTo(0.05);

@@ -23,8 +23,8 @@ class WithoutYamlTest {
     @Test
     void aMapNamesTheLibraryThatItNeeds() throws Exception {
         try (URLClassLoader loader = alone()) {
-            Method read = loader.loadClass(RosMapReader.class.getName()).getMethod("read", Path.class);
-            assertThat(read.getDeclaringClass()).isNotEqualTo(RosMapReader.class);
+            Method read = loader.loadClass(WorldReader.class.getName()).getMethod("read", Path.class);
+            assertThat(read.getDeclaringClass()).isNotEqualTo(WorldReader.class);
             assertThatThrownBy(() -> loader.loadClass("org.snakeyaml.engine.v2.nodes.Node"))
                     .isInstanceOf(ClassNotFoundException.class);
             assertThatThrownBy(() -> read.invoke(null, MAP))

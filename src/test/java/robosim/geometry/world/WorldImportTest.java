@@ -130,12 +130,13 @@ class WorldImportTest {
         World map =
                 WorldImport.read(FILES.resolve("maps/TenByTen.yaml"), options).world();
         assertThat(map.height()).isEqualTo(0.25);
-        assertThat(map).isEqualTo(RosMapReader.read(FILES.resolve("maps/TenByTen.yaml"), 0.25));
+        assertThat(map).isEqualTo(RosMaps.read(FILES.resolve("maps/TenByTen.yaml"), 0.25));
         World mesh = WorldImport.read(FILES.resolve("unit_cube.STL"), options).world();
         MeshObject cube = (MeshObject) mesh.objects().get(0).object();
         assertThat(cube.name()).isEqualTo("unit_cube");
         assertThat(cube.vertices())
-                .isEqualTo(StlReader.read(FILES.resolve("unit_cube.STL"), 0.001).vertices());
+                .isEqualTo(
+                        MeshReader.read(FILES.resolve("unit_cube.STL"), 0.001).vertices());
         // Its own Z points up: what is at z = 1 is at Y = 1.
         assertThat(cube.pose().rotation()).containsExactly(1, 0, 0, 0, 0, 1, 0, -1, 0);
     }
@@ -289,10 +290,10 @@ class WorldImportTest {
         for (String name : List.of("cylinders", "meshes", "rooms")) {
             World world = WorldReader.read(Path.of("worlds", name + ".xml"));
             Path triangles = folder.resolve(name + ".obj");
-            ObjWriter.write(world, triangles, done -> {});
+            WorldWriter.writeObj(world, triangles, done -> {});
             double[] least = {9e9, 9e9, 9e9};
             double[] most = {-9e9, -9e9, -9e9};
-            for (Point vertex : ObjReader.read(triangles).vertices()) {
+            for (Point vertex : MeshReader.read(triangles).vertices()) {
                 double[] at = {vertex.x(), vertex.y(), vertex.z()};
                 for (int axis = 0; axis < 3; axis++) {
                     least[axis] = Math.min(least[axis], at[axis]);

@@ -11,11 +11,11 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.viewer.space.BackgroundRenderer;
 import robosim.geometry.viewer.space.Moment;
 import robosim.geometry.viewer.space.Picture;
 import robosim.geometry.viewer.space.Shot;
 import robosim.geometry.viewer.space.SpaceCamera;
-import robosim.geometry.viewer.space.Studio;
 
 /**
  * The window in three dimensions while a mouse drags the camera around, without a display: a picture is ordered as the window
@@ -45,7 +45,7 @@ final class SensorWindow {
         Semaphore shown = new Semaphore(0);
         ExecutorService worker = Executors.newSingleThreadExecutor();
         try {
-            Studio studio = new Studio(worker, shown::release, THREADS);
+            BackgroundRenderer studio = new BackgroundRenderer(worker, shown::release, THREADS);
             int warm = (int) form.warmMillis() / 2;
             int count = 10 * form.rounds();
             Ecdf nanos = new Ecdf();
@@ -55,7 +55,7 @@ final class SensorWindow {
                 long begin = System.nanoTime();
                 camera.orbit(3, k % 2);
                 Shot shot = new Shot(camera.view(), null);
-                studio.order(moment, List.of(shot), Studio.LIGHT);
+                studio.order(moment, List.of(shot), BackgroundRenderer.LIGHT);
                 Picture picture = studio.picture(0);
                 while (picture == null || !picture.view().equals(shot.view())) {
                     shown.acquireUninterruptibly();

@@ -23,7 +23,7 @@ import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
-import robosim.geometry.scenario.WireReader;
+import robosim.geometry.scenario.source.WireReader;
 import robosim.geometry.viewer.draw.Painter;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Pictures;

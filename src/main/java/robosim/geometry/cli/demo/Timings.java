@@ -9,7 +9,9 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** How long the module's side of a conversation took, and what blocked moves. */
 public final class Timings implements SessionListener {
@@ -29,7 +31,7 @@ public final class Timings implements SessionListener {
         if (obstacle == null) {
             return "the world's border";
         }
-        return Text.name(obstacle);
+        return ObjectNames.of(obstacle);
     }
 
     @Override

@@ -98,7 +98,7 @@ public final class ConnectCommand implements Callable<Integer> {
             out.flush();
             SessionListener asked = new SessionListener() {
                 @Override
-                public void asked(Bundle request) {
+                public void requested(Bundle request) {
                     isAsked.set(true);
                 }
             };

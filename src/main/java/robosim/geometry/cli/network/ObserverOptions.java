@@ -3,6 +3,8 @@ package robosim.geometry.cli.network;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -13,7 +15,6 @@ import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
-import robosim.geometry.net.WatchServer;
 import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.Watching;
 
@@ -75,14 +76,13 @@ public final class ObserverOptions {
     }
 
     /**
-     * The server for watchers, null if none was asked for, and the options that report to it. Closing it closes that
-     * server.
+     * What watchers dial, null if there is none, and the options that report to it. Closing it stops to listen.
      */
-    record Watch(NetOptions options, @Nullable WatchServer server) implements AutoCloseable {
+    record Watch(NetOptions options, @Nullable Watching watching) implements AutoCloseable {
         @Override
         public void close() {
-            if (server != null) {
-                server.close();
+            if (watching != null) {
+                watching.close();
             }
         }
     }
@@ -94,13 +94,13 @@ public final class ObserverOptions {
         }
         Arguments.port(port, 0);
         Watching watching = new Watching(options.session());
-        WatchServer server = new WatchServer(port, watching);
+        InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), watching.listen(port));
         PrintWriter out = spec.commandLine().getOut();
-        out.println("Watch on " + server.address());
+        out.println("Watch on " + address);
         out.flush();
         Function<String, SessionListener> others = options.listeners();
         NetOptions told =
                 options.withListeners(connection -> others.apply(connection).and(watching.apply(connection)));
-        return new Watch(told, server);
+        return new Watch(told, watching);
     }
 }

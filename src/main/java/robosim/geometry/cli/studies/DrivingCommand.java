@@ -22,6 +22,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
@@ -32,12 +33,12 @@ import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.DriveSettings.Kind;
+import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.drive.DriveRun;
@@ -331,7 +332,7 @@ public final class DrivingCommand implements Callable<Integer> {
         }
         if (!run.stopped().isEmpty()) {
             out.println("stopped, since their motion could not be decided: "
-                    + run.stopped().stream().map(Text::of).collect(Collectors.joining(", ")));
+                    + run.stopped().stream().map(StopAnswer::text).collect(Collectors.joining(", ")));
         }
         if (planar || !isSpatial) {
             PlanOverlaps.of(

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import robosim.geometry.check.NumberText;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 import robosim.geometry.sweep.Outcome;
 
 /** Why replicates of a sweep failed: the first few distinct errors, each with the first replicate that it came from. */

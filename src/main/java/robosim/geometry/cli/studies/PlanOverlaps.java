@@ -4,9 +4,10 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import robosim.geometry.Geometry;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * What bodies of a PLANAR world stand on or in from the beginning: the most frequent reason that they cannot move is a floor
@@ -30,7 +31,7 @@ final class PlanOverlaps {
                     ? List.of()
                     : geometry.search().touching(geometry.getObject(name)).stream()
                             .filter(other -> !name.equals(other.name()))
-                            .map(Text::kindAndName)
+                            .map(ObjectNames::kindAndName)
                             .toList();
             if (!others.isEmpty()) {
                 int more = others.size() - NAMED;

@@ -25,7 +25,7 @@ import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 
 /** Replays recorded conversations. */
 @Command(
@@ -158,7 +158,7 @@ public final class ReplayCommand implements Callable<Integer> {
         if (file.endsWith(WireFiles.TO_MODULE)) {
             return WireFiles.open(file);
         }
-        return root == null ? ScenarioReader.open(file) : ScenarioReader.open(file, root);
+        return StepReader.of(root == null ? ScenarioReader.open(file) : ScenarioReader.open(file, root));
     }
 
     private void replay(Path file, int number, Progress progress) {
@@ -190,8 +190,9 @@ public final class ReplayCommand implements Callable<Integer> {
             out.println(file + ": and " + NumberText.count(rest, "more step") + (rest == 1 ? " is" : " are")
                     + " answered differently");
         }
-        boolean isRecording = reader instanceof ScenarioReader lines && lines.isRecording();
-        if (reader instanceof ScenarioReader lines) {
+        ScenarioReader lines = reader.scenario();
+        boolean isRecording = lines != null && lines.isRecording();
+        if (lines != null) {
             lines.problems().forEach(problem -> out.println(file + ": " + problem));
             altered += lines.altered() > 0 || lines.hasOtherCount() ? 1 : 0;
             incomplete += lines.isComplete() ? 0 : 1;

@@ -31,9 +31,9 @@ import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.ScenarioSweep;
 import robosim.geometry.sweep.Shard;
-import robosim.geometry.sweep.Sweep;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepRun;
 import robosim.geometry.sweep.SweepScenario;
@@ -139,9 +139,9 @@ public final class SweepCommand implements Callable<Integer> {
                     + file + ", which exists)");
         }
         output.check();
-        Sweep sweep = sweep();
+        ParameterSweep sweep = sweep();
         SweepRun run =
-                SweepRun.of(sweep, files.output("--out", file)).shard(part).threads(threads);
+                SweepRun.of(sweep, files.output("--out", file)).shard(part).withThreads(threads);
         output.keep(files);
         if (!sweep.canDiffer()) {
             spec.commandLine()
@@ -223,16 +223,16 @@ public final class SweepCommand implements Callable<Integer> {
                         : left.toSeconds() + " s left";
     }
 
-    private Sweep sweep() throws IOException {
+    private ParameterSweep sweep() throws IOException {
         if (scenario == null) {
             throw new UsageException("SCENARIO must be given (got: none)");
         }
-        Sweep sweep;
+        ParameterSweep sweep;
         if (scenario.endsWith(ScenarioReader.ENDING) || Files.isRegularFile(Path.of(scenario))) {
             Path conversationFile = Arguments.input("SCENARIO", Path.of(scenario));
             files.opened(conversationFile);
             ScenarioSweep conversation = withGoals(ScenarioSweep.read(conversationFile));
-            sweep = Sweep.of(conversation);
+            sweep = ParameterSweep.of(conversation);
             if (worlds.isEmpty()) {
                 sweep = sweep.over(conversation.world());
             }
@@ -244,7 +244,7 @@ public final class SweepCommand implements Callable<Integer> {
                 throw new UsageException(
                         "--goal is for a scenario file; a class measures what it wants (got: " + goals.get(0) + ")");
             }
-            sweep = Sweep.of(made(scenario));
+            sweep = ParameterSweep.of(made(scenario));
             if (worlds.isEmpty()) {
                 throw new UsageException("WORLD must be given for a class; a scenario file has its own (got: none)");
             }

@@ -9,8 +9,6 @@ import picocli.CommandLine.Option;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.sweep.SweepCsv;
-import robosim.geometry.sweep.SweepPlot;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepSummary;
 
@@ -73,10 +71,10 @@ public final class SweepOutput {
             Files.writeString(table, text);
         }
         if (plot != null) {
-            Files.writeString(plot, SweepPlot.svg(results.header(), summary));
+            Files.writeString(plot, summary.svg(results.header()));
         }
         if (csv != null) {
-            SweepCsv.write(results, csv);
+            results.writeCsv(csv);
         }
         if (summary.isRepetition()) {
             out.println("The replicates of each world and combination of values are all the same: nothing random"

@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.StepReader;
-import robosim.geometry.scenario.WireReader;
+import robosim.geometry.scenario.source.StepReader;
+import robosim.geometry.scenario.source.WireReader;
 
 /** The two files in which the demo records its conversation: the bytes sent to the module, and those it sent. */
 public final class WireFiles {
@@ -33,6 +33,6 @@ public final class WireFiles {
     /** Opens a recording: the two files, given as to {@link #at}, or a scenario. */
     public static StepReader recording(Path place) throws IOException {
         Path toModule = at(place);
-        return toModule == null ? ScenarioReader.open(place) : open(toModule);
+        return toModule == null ? StepReader.of(ScenarioReader.open(place)) : open(toModule);
     }
 }

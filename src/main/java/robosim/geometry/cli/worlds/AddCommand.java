@@ -19,10 +19,10 @@ import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /** Puts robots into a world, into a new file. */
 @Command(

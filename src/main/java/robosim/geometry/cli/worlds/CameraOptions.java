@@ -15,8 +15,7 @@ import robosim.geometry.render.Lighting;
 import robosim.geometry.render.Sky;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.sensor.Intrinsics;
-import robosim.geometry.sensor.file.SdfSensors;
-import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.WorldException;
 
 /** The options of a picture in three dimensions. */
@@ -86,7 +85,7 @@ public final class CameraOptions {
     @Option(names = "--no-floor", description = "lay no floor under the world")
     private boolean noFloor;
 
-    private SdfReader.@Nullable Sensor sensor;
+    private @Nullable SdfSensor sensor;
 
     /** A camera, and where its picture stands in the whole. */
     record Shot(ColorCamera camera, int left, int top) {}
@@ -106,15 +105,15 @@ public final class CameraOptions {
     /** Looks up the sensor that is the camera, if one is. */
     void find(WorldOptions world) throws WorldException {
         if (camera.startsWith(SENSOR)) {
-            SdfReader.Sensor found = world.sensor("--camera sensor:NAME", camera.substring(SENSOR.length()));
-            if (!SdfSensors.kind(found).isCamera()) {
+            SdfSensor found = world.sensor("--camera sensor:NAME", camera.substring(SENSOR.length()));
+            if (!found.kind().isCamera()) {
                 throw new UsageException("--camera sensor:NAME must name a camera (got: " + found.name() + " of type "
                         + found.type() + ")");
             }
             try {
-                Intrinsics own = SdfSensors.intrinsics(found);
+                Intrinsics own = found.intrinsics();
                 size = size == null ? own.width() + "x" + own.height() : size;
-                fieldOfView = fieldOfView(SdfSensors.fieldOfView(found));
+                fieldOfView = fieldOfView(found.fieldOfView());
             } catch (IllegalArgumentException e) {
                 throw new UsageException(String.valueOf(e.getMessage()));
             }
@@ -138,7 +137,7 @@ public final class CameraOptions {
     }
 
     /** The pictures to take, each made of one shot or of four. */
-    List<List<Shot>> pictures(Studio studio) {
+    List<List<Shot>> pictures(CameraWorld studio) {
         try {
             Arguments.refuse(frames < 1 || frames > 10_000, "--frames must be from 1 to 10000", frames);
             return shots(studio);
@@ -147,8 +146,8 @@ public final class CameraOptions {
         }
     }
 
-    private List<List<Shot>> shots(Studio studio) {
-        SdfReader.Sensor found = sensor;
+    private List<List<Shot>> shots(CameraWorld studio) {
+        SdfSensor found = sensor;
         if (found != null) {
             ColorCamera plain = camera(studio, width(), height(), 40);
             String carrier = found.carrier();
@@ -195,14 +194,14 @@ public final class CameraOptions {
     }
 
     private Point target(Bounds box) {
-        return target == null ? Studio.middle(box) : point("--look-at", target);
+        return target == null ? CameraWorld.middle(box) : point("--look-at", target);
     }
 
     private double fieldOfView(double usual) {
         return fieldOfView == null ? usual : fieldOfView;
     }
 
-    private ColorCamera camera(Studio studio, int width, int height, double usualFieldOfView) {
+    private ColorCamera camera(CameraWorld studio, int width, int height, double usualFieldOfView) {
         return ColorCamera.of(width, height, fieldOfView(usualFieldOfView))
                 .withSamples(samples)
                 .withMirrors(mirrors)
@@ -211,11 +210,11 @@ public final class CameraOptions {
                 .withThreads(Runtime.getRuntime().availableProcessors());
     }
 
-    private List<Shot> one(Studio studio, Pose pose) {
+    private List<Shot> one(CameraWorld studio, Pose pose) {
         return List.of(new Shot(camera(studio, width(), height(), 40).at(pose), 0, 0));
     }
 
-    private List<Shot> four(Studio studio, Bounds box) {
+    private List<Shot> four(CameraWorld studio, Bounds box) {
         List<Shot> shots = new ArrayList<>();
         for (String view : List.of("top", "front", "side", "overview")) {
             int left = shots.size() % 2 * (width() / 2);
@@ -227,7 +226,7 @@ public final class CameraOptions {
         return shots;
     }
 
-    private ColorCamera onRobot(Studio studio, String name) {
+    private ColorCamera onRobot(CameraWorld studio, String name) {
         GeometryObject robot = studio.find(name);
         if (robot == null || !robot.isMoveable()) {
             throw new UsageException("--camera robot:NAME must name a moveable object of the world, "

@@ -7,11 +7,11 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
@@ -23,6 +23,7 @@ import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.check.StandIn;
 import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** A checked world as text for people. */
 public final class CheckText {
@@ -139,7 +140,7 @@ public final class CheckText {
                 .forEach(object -> add(
                         "border",
                         "%s reaches beyond the world and is not part of what follows; move it or enlarge the world",
-                        Text.name(object.object())));
+                        ObjectNames.of(object.object())));
     }
 
     private void overlaps() {
@@ -206,7 +207,7 @@ public final class CheckText {
 
     /** The first object's name, and how it touches or overlaps the second. */
     private List<String> overlap(Overlap overlap) {
-        String second = Text.name(overlap.second().object());
+        String second = ObjectNames.of(overlap.second().object());
         String at = " at " + point(overlap.contact());
         String how = overlap.depth() == 0
                 ? "touching " + second + at
@@ -214,7 +215,7 @@ public final class CheckText {
                         ? "inside " + second + at
                         : "overlapping " + second + at + ", " + length(overlap.depth()) + " deep along "
                                 + point(overlap.normal());
-        return List.of(Text.name(overlap.first().object()), how);
+        return List.of(ObjectNames.of(overlap.first().object()), how);
     }
 
     private void rooms() {

@@ -39,7 +39,7 @@ public final class CloudOptions {
     private List<String> places = new ArrayList<>();
 
     /** All points that lidars at the given places see, drawn as a camera sees them; the higher, the lighter. */
-    int[] picture(ColorCamera camera, Studio studio, Snapshot world, double metres) {
+    int[] picture(ColorCamera camera, CameraWorld studio, Snapshot world, double metres) {
         PointCloud cloud = cloud(studio, world, metres);
         int samples = camera.samples();
         int width = camera.width() * samples;
@@ -99,7 +99,7 @@ public final class CloudOptions {
         }
     }
 
-    private PointCloud cloud(Studio studio, Snapshot world, double metres) {
+    private PointCloud cloud(CameraWorld studio, Snapshot world, double metres) {
         Lidar lidar = model.lidar();
         lidar = lidar.withRange(lidar.options().min() / metres, lidar.options().max() / metres)
                 .withThreads(Runtime.getRuntime().availableProcessors());
@@ -119,7 +119,7 @@ public final class CloudOptions {
         return cloud;
     }
 
-    private Lidar placed(Lidar lidar, String place, Studio studio) {
+    private Lidar placed(Lidar lidar, String place, CameraWorld studio) {
         if (!place.startsWith(CameraOptions.ROBOT)) {
             return lidar.at(Pose.of(Arguments.point("--from", "robot:NAME or X,Y,Z, three numbers", place), 0));
         }

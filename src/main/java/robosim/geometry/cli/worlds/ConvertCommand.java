@@ -28,7 +28,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.ObjWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldWriter;
@@ -165,7 +164,7 @@ public final class ConvertCommand implements Callable<Integer> {
         try (Progress progress =
                 Progress.of(spec.commandLine(), "objects", world.objects().size())) {
             switch (ending) {
-                case ".obj" -> ObjWriter.write(world, out, progress::at);
+                case ".obj" -> WorldWriter.writeObj(world, out, progress::at);
                 case ".glb" -> GlbWriter.write(world, Pictures.title(in), out, progress::at);
                 default -> WorldWriter.write(world, out);
             }

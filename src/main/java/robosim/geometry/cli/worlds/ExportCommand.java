@@ -26,7 +26,7 @@ import robosim.geometry.export.PageWriter;
 import robosim.geometry.export.RosRecording;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;

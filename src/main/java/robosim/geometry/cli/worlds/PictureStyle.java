@@ -44,7 +44,7 @@ enum PictureStyle {
     private static final double[] ROUNDS = {1, 0.62, 1.3, 0.8};
 
     /** The picture of a sensor in a camera's place, as colours row by row: each is the mean of several samples. */
-    int[] picture(ColorCamera camera, Studio studio, Snapshot world) {
+    int[] picture(ColorCamera camera, CameraWorld studio, Snapshot world) {
         int samples = camera.samples();
         int width = camera.width() * samples;
         int height = camera.height() * samples;
@@ -125,7 +125,7 @@ enum PictureStyle {
     }
 
     /** An object has its colour in every picture of its world. */
-    private static int[] objects(SegmentationFrame frame, Studio studio) {
+    private static int[] objects(SegmentationFrame frame, CameraWorld studio) {
         int[] colours = new int[frame.known() + 1];
         colours[0] = NOTHING;
         for (int k = 1; k < colours.length; k++) {

@@ -13,7 +13,7 @@ import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.export.Films;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.World;

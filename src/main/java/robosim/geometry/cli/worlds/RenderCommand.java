@@ -27,9 +27,9 @@ import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.scene.Scene;
-import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /** Draws a world file, or each step of a recording: as a camera sees it, or as a plan. */
 @Command(
@@ -256,11 +256,11 @@ public final class RenderCommand implements Callable<Integer> {
         private final List<List<CameraOptions.Shot>> pictures;
         private final int[] pixels;
         private final ColorFrame frame = new ColorFrame();
-        private Studio studio;
+        private CameraWorld studio;
         private Snapshot snapshot;
 
         Camera(World world) throws WorldException {
-            studio = new Studio(world, cameras.hasFloor());
+            studio = new CameraWorld(world, cameras.hasFloor());
             cameras.find(RenderCommand.this.world);
             pictures = cameras.pictures(studio);
             snapshot = studio.snapshot();
@@ -268,7 +268,7 @@ public final class RenderCommand implements Callable<Integer> {
         }
 
         void look(World world) {
-            studio = new Studio(world, cameras.hasFloor());
+            studio = new CameraWorld(world, cameras.hasFloor());
             snapshot = studio.snapshot();
         }
 

@@ -10,6 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.check.Text;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
@@ -17,13 +18,13 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.check.StandIn;
 import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * A robot in words: {@code [NAME=]disc:RADIUS[xHEIGHT]@X,Z[,HEADING][#RRGGBB]}, or {@code box:WIDTHxLENGTH[xHEIGHT]} in the
@@ -185,7 +186,7 @@ final class RobotSpec {
                     : "free nearby is " + whole.substring(0, words.start(6)) + place + whole.substring(words.end(7));
             String taken = geometry.search()
                     .firstTouching(robot)
-                    .map(Text::kindAndName)
+                    .map(ObjectNames::kindAndName)
                     .orElse("something");
             throw new IllegalArgumentException("a robot must stand where nothing is, since what touches cannot move; "
                     + taken + " is at this place, " + remedy + " (got: " + whole + ")");

@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import robosim.geometry.Snapshot;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
@@ -26,21 +27,17 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
+import robosim.geometry.sensor.NpyWriter;
 import robosim.geometry.sensor.PointCloud;
 import robosim.geometry.sensor.RayFrame;
 import robosim.geometry.sensor.RaySensor;
-import robosim.geometry.sensor.file.NpyWriter;
-import robosim.geometry.sensor.file.PcdWriter;
-import robosim.geometry.sensor.file.PlyWriter;
-import robosim.geometry.sensor.file.SdfSensors;
-import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
@@ -197,15 +194,13 @@ public final class ScanCommand implements Callable<Integer> {
     /** Scans with a sensor that the world's file describes. */
     private String scan(World read, Snapshot snapshot, String described, String name, Progress progress)
             throws Exception {
-        SdfReader.Sensor found = world.sensor("--sensor", described);
+        SdfSensor found = world.sensor("--sensor", described);
         warn(read, found);
         try {
-            Noise its = SdfSensors.noise(found).and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
-            return switch (SdfSensors.kind(found)) {
-                case LIDAR ->
-                    scan(snapshot, SdfSensors.lidar(found).withNoise(its, seed, found.name()), name, progress);
-                case DEPTH ->
-                    scan(snapshot, SdfSensors.depthCamera(found).withNoise(its, seed, found.name()), name, progress);
+            Noise its = found.noise().and(noise > 0 ? Noise.gaussian(noise) : Noise.NONE);
+            return switch (found.kind()) {
+                case LIDAR -> scan(snapshot, found.lidar().withNoise(its, seed, found.name()), name, progress);
+                case DEPTH -> scan(snapshot, found.depthCamera().withNoise(its, seed, found.name()), name, progress);
                 case SEGMENTATION, NORMALS, COLOR, OTHER ->
                     throw new UsageException("--sensor must be a lidar or a depth camera (got: " + found.name()
                             + " of type " + found.type() + ")");
@@ -216,7 +211,7 @@ public final class ScanCommand implements Callable<Integer> {
     }
 
     /** Warns of a sensor in what stands still, which it sees: a robot is invisible to its own sensors only. */
-    private void warn(World read, SdfReader.Sensor found) {
+    private void warn(World read, SdfSensor found) {
         if (found.carrier() != null) {
             return;
         }
@@ -299,9 +294,9 @@ public final class ScanCommand implements Callable<Integer> {
                 frame.addTo(cloud);
             }
             if (name.endsWith(".ply")) {
-                PlyWriter.write(cloud, axes.axes, output);
+                cloud.writePly(axes.axes, output);
             } else {
-                PcdWriter.write(cloud, axes.axes, output);
+                cloud.writePcd(axes.axes, output);
             }
             return NumberText.count(cloud.size(), "point") + " of " + NumberText.count(frame.size(), "ray");
         }

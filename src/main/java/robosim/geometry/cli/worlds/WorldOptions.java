@@ -8,11 +8,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.check.Text;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.protocol.Text;
-import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 
@@ -56,22 +56,22 @@ public final class WorldOptions {
      * @param option that names it, for messages
      * @param name   in full, or what follows the last {@code ::} of one sensor only
      */
-    SdfReader.Sensor sensor(String option, String name) throws WorldException {
+    SdfSensor sensor(String option, String name) throws WorldException {
         String file = world.toString().toLowerCase(Locale.ROOT);
         Arguments.refuse(
                 !file.endsWith(".sdf") && !file.endsWith(".world"), option + " must be for a WORLD in SDFormat", world);
-        List<SdfReader.Sensor> all = SdfReader.sensors(world, files.folders());
-        List<SdfReader.Sensor> found = all.stream()
+        List<SdfSensor> all = SdfSensor.read(world, files.folders());
+        List<SdfSensor> found = all.stream()
                 .filter(each -> each.name().equals(name) || each.name().endsWith("::" + name))
                 .toList();
-        for (SdfReader.Sensor each : found) {
+        for (SdfSensor each : found) {
             if (each.name().equals(name)) {
                 return warned(each);
             }
         }
         if (found.size() != 1) {
             List<String> names = (found.isEmpty() ? all : found)
-                    .stream().map(SdfReader.Sensor::name).toList();
+                    .stream().map(SdfSensor::name).toList();
             throw new UsageException(option + " must name a sensor of WORLD, "
                     + (names.isEmpty() ? "which has none" : Text.choice(name, names)) + " (got: " + name
                     + ")");
@@ -79,7 +79,7 @@ public final class WorldOptions {
         return warned(found.get(0));
     }
 
-    private SdfReader.Sensor warned(SdfReader.Sensor found) {
+    private SdfSensor warned(SdfSensor found) {
         found.ignored().ifPresent(what -> spec.commandLine().getErr().println("warning: " + what));
         return found;
     }

@@ -1,7 +1,7 @@
 package robosim.geometry.index.hierarchy;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.index.regions.KeyedLinks;
+import robosim.geometry.index.quadtree.KeyedLinks;
 
 /**
  * Visits the objects of two hierarchies that a cone may meet, in the order of how far their bounds are within the cone, or

@@ -1,6 +1,6 @@
 package robosim.geometry.index.hierarchy;
 
-import robosim.geometry.index.boxes.SurfaceAreaSplits;
+import robosim.geometry.index.meshes.SurfaceAreaSplits;
 
 /** Builds the nodes of a {@link Hierarchy} from the top by the surface area heuristic. */
 final class HierarchyBuilder {

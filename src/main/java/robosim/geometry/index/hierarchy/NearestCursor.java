@@ -1,6 +1,6 @@
 package robosim.geometry.index.hierarchy;
 
-import robosim.geometry.index.regions.EntryQueue;
+import robosim.geometry.index.quadtree.EntryQueue;
 
 /** Visits the objects of two hierarchies around a point in the order of the distances of their bounds. */
 public final class NearestCursor {

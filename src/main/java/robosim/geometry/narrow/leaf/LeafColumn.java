@@ -3,8 +3,8 @@ package robosim.geometry.narrow.leaf;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Outward;
-import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.index.cells.PlacedCells;
+import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.model.TriangleMesh;
 

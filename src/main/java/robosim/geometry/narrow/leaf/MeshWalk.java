@@ -2,7 +2,7 @@ package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
 import robosim.geometry.exact.Work;
-import robosim.geometry.index.boxes.BoxTree;
+import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
 /**

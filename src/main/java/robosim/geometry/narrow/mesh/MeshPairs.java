@@ -3,7 +3,7 @@ package robosim.geometry.narrow.mesh;
 import java.util.Arrays;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.index.boxes.BoxTree;
+import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;

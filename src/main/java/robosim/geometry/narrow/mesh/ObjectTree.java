@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.mesh;
 
-import robosim.geometry.index.boxes.BoxTree;
+import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.BoxGap;

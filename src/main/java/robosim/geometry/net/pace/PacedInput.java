@@ -7,8 +7,8 @@ import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /** The input from a peer, with a long timeout between messages and short ones within a message. */
 public final class PacedInput extends InputStream implements MessagePace {

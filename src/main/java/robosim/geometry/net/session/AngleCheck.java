@@ -1,12 +1,12 @@
 package robosim.geometry.net.session;
 
+import robosim.geometry.check.Text;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.DriveCommand;

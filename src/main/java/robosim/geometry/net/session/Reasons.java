@@ -3,8 +3,9 @@ package robosim.geometry.net.session;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** Describes in words why a request was refused, or what a user should know of one that was carried out. */
 public final class Reasons {
@@ -35,7 +36,7 @@ public final class Reasons {
             return "the border of the world";
         }
         String name = obstacle.name();
-        return name != null ? Text.quoted(name) : Text.name(obstacle);
+        return name != null ? Text.quoted(name) : ObjectNames.of(obstacle);
     }
 
     private static String way(MoveResult result) {

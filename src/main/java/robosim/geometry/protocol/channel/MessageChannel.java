@@ -12,18 +12,18 @@ import java.util.Objects;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.json.JsonCodec;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /**
  * Both directions of one connection, in the encoding that the peer chooses by its first byte: {@code AC} of Java

@@ -13,15 +13,15 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /**
  * A connection in JSON lines: a hello first, then requests and pings. A line that is JSON but no request that can be carried

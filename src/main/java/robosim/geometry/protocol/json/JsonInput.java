@@ -21,10 +21,10 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Text;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
-import robosim.geometry.protocol.Text;
 
 /**
  * One line of JSON, read strictly: an object must have its required fields and may have its optional ones, each once; a

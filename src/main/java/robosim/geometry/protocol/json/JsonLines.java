@@ -10,12 +10,12 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
-import robosim.geometry.protocol.Text;
 
 /**
  * Messages as lines of JSON, in both directions: for environments in any language, and for scenario files. {@code

@@ -5,9 +5,9 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.ProtocolException;
-import robosim.geometry.protocol.Text;
 
 /** What is wrong with a line of JSON, in words: where, what must be there, and what is there unless it may be secret. */
 final class JsonProblems {

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.protocol.ProtocolException;
-import robosim.geometry.protocol.Text;
 
 /**
  * A line of JSON that is not a protocol message: an object whose fields are read by name, as strictly as a message.

@@ -14,8 +14,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /**
  * Reads lines of UTF-8, each of limited length. A line that fits into the buffer is read completely; of a longer one

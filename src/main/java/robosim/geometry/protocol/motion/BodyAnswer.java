@@ -36,4 +36,9 @@ public record BodyAnswer(String objectName, Point center, double heading, Number
         }
         Checks.present("velocity", velocity);
     }
+
+    /** The nine numbers of {@link #rotation}, or none if the body stands upright; a copy. */
+    public double[] axes() {
+        return rotation.values();
+    }
 }

@@ -4,6 +4,7 @@ import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 
 /**
  * Why a body was stopped in a step.
@@ -31,5 +32,11 @@ public record StopAnswer(
     public StopAnswer {
         Checks.present("objectName", objectName);
         Checks.present("reason", reason);
+    }
+
+    /** The body and why it was stopped, for a message: {@code "crate" (BLOCKED by "wall")}. */
+    public String text() {
+        String by = other == null ? "" : " by " + Text.quoted(other);
+        return Text.quoted(objectName) + " (" + reason + by + ")";
     }
 }

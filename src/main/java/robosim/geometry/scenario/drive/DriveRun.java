@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
@@ -18,7 +19,6 @@ import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
@@ -27,6 +27,7 @@ import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** Robots that are driven through a world for a time, as a conversation that can be recorded. */
 public final class DriveRun {
@@ -153,7 +154,7 @@ public final class DriveRun {
             return GROUND;
         }
         GeometryObject object = Nameless.at(world, contact.point());
-        return object == null ? "the border of the world" : Text.name(object);
+        return object == null ? "the border of the world" : ObjectNames.of(object);
     }
 
     private StepBundle.Answer carryOut(StepBundle step) throws IOException {

@@ -8,8 +8,9 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * The description of one object.
@@ -37,7 +38,7 @@ public record Card(String heading, List<String> lines) {
                         : "tipped; heading " + number(object.heading()) + " degrees");
         lines.add(size(object) + suffix);
         String name = object.name();
-        return new Card(name == null ? "(no name)" : Text.name(object), lines);
+        return new Card(name == null ? "(no name)" : ObjectNames.of(object), lines);
     }
 
     private static String size(GeometryObject object) {

@@ -13,7 +13,7 @@ import robosim.geometry.image.PngWriter;
 import robosim.geometry.viewer.scene.Layers;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
-import robosim.geometry.world.AtomicFileWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /** Draws a {@link Scene}. The same scene gives the same picture, to the byte in SVG. */
 public final class Painter {

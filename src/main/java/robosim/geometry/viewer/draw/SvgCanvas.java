@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.Text;
+import robosim.geometry.check.Text;
 
 /** Writes SVG whose colours are in a style sheet, for light and dark themes. */
 final class SvgCanvas implements Canvas {

@@ -9,9 +9,9 @@ import java.util.Set;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** Paints what happened: trails, measured distances, refused moves. */
 final class TracePainter {
@@ -109,7 +109,7 @@ final class TracePainter {
         canvas.open("blocked", "");
         for (Scene.Blocked each : scene.blocked()) {
             GeometryObject obstacle = each.obstacle();
-            canvas.open("block", Text.name(each.mover()));
+            canvas.open("block", ObjectNames.of(each.mover()));
             Style style = Style.filled(Palette.REFUSED, 0.35 * each.strength())
                     .outlined(Palette.REFUSED, 2.5, each.strength());
             if (obstacle == null) {
@@ -139,7 +139,7 @@ final class TracePainter {
     private void way(Scene.Blocked blocked) {
         GeometryObject aim = blocked.aim();
         if (aim != null) {
-            canvas.open("attempt", Text.name(aim));
+            canvas.open("attempt", ObjectNames.of(aim));
             Style ghost = Style.filled(Palette.REFUSED, 0.06 * blocked.strength())
                     .outlined(Palette.REFUSED, 1.2, 0.8 * blocked.strength())
                     .dashed(4);
@@ -163,7 +163,7 @@ final class TracePainter {
     void marks() {
         canvas.open("marks-on-objects", "");
         for (Scene.Mark mark : scene.marks()) {
-            canvas.open(role(mark), Text.name(mark.object()));
+            canvas.open(role(mark), ObjectNames.of(mark.object()));
             Style style = switch (mark.why()) {
                 case PICKED -> Style.line(Palette.PICKED, 2.5, 1);
                 case REFUSED -> dashed(Palette.REFUSED);

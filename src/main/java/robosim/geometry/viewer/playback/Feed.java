@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 
 /** Reads a conversation on a thread of its own. */
 public final class Feed implements AutoCloseable {

@@ -16,10 +16,10 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Timing;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * What one step of a conversation changed.
@@ -112,7 +112,7 @@ public record Frame(
                 return "something";
             }
             GeometryObject obstacle = result.obstacle();
-            return obstacle == null ? "the border of the world" : Text.name(obstacle);
+            return obstacle == null ? "the border of the world" : ObjectNames.of(obstacle);
         }
     }
 

@@ -13,7 +13,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.draw.Painter;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.scene.Scene;

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -27,7 +28,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
@@ -38,6 +38,7 @@ import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.recording.QuietLog;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * Replays a recorded conversation to find what the record does not contain: the places of the robots, and what blocked
@@ -285,7 +286,7 @@ public final class Replayer {
             return words;
         }
         Frame.Bump first = bumps.get(0);
-        return words + ", " + bumps.size() + " refused: " + Text.name(first.mover()) + " by " + first.obstacle()
+        return words + ", " + bumps.size() + " refused: " + ObjectNames.of(first.mover()) + " by " + first.obstacle()
                 + (bumps.size() > 1 ? ", ..." : "");
     }
 

@@ -10,8 +10,8 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.shared.ObjectNames;
 
 /**
  * The viewer's own world, in which the user can push robots: that of a world file, or a copy of a moment of a
@@ -42,7 +42,7 @@ public final class Sandbox {
             if (obstacles.isEmpty()) {
                 return "the border of the world";
             }
-            String first = Text.name(obstacles.get(0));
+            String first = ObjectNames.of(obstacles.get(0));
             return obstacles.size() == 1 ? first : first + " and " + (obstacles.size() - 1) + " more";
         }
     }

@@ -14,10 +14,10 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.scene.Scene;
-import robosim.geometry.world.AtomicFileWriter;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldWriter;
+import robosim.geometry.world.shared.AtomicFileWriter;
 
 /** Saves what a window shows, in a folder, under a name that no file has yet. */
 final class Saving {

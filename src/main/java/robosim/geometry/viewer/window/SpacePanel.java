@@ -27,13 +27,13 @@ import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.viewer.space.BackgroundRenderer;
 import robosim.geometry.viewer.space.Gallery;
 import robosim.geometry.viewer.space.Moment;
 import robosim.geometry.viewer.space.Picture;
 import robosim.geometry.viewer.space.SpaceCamera;
-import robosim.geometry.viewer.space.Studio;
 
-/** The world in three dimensions: shows the newest pictures of a {@link Studio}, and passes mouse events on. */
+/** The world in three dimensions: shows the newest pictures of a {@link BackgroundRenderer}, and passes mouse events on. */
 public final class SpacePanel extends JComponent {
     @Serial
     private static final long serialVersionUID = 1;
@@ -48,7 +48,7 @@ public final class SpacePanel extends JComponent {
     final transient Gallery gallery = new Gallery();
     private final transient ViewerModel viewing;
     private final transient Runnable changed;
-    private final transient Studio studio;
+    private final transient BackgroundRenderer studio;
     private Theme theme;
 
     /** The pictures that were drawn last, with their images. */
@@ -60,7 +60,8 @@ public final class SpacePanel extends JComponent {
         this.viewing = viewing;
         this.theme = theme;
         this.changed = changed;
-        this.studio = new Studio(worker, this::repaint, Runtime.getRuntime().availableProcessors());
+        this.studio = new BackgroundRenderer(
+                worker, this::repaint, Runtime.getRuntime().availableProcessors());
         setName("space");
         setOpaque(true);
         setPreferredSize(new Dimension(1100, 800));
@@ -103,7 +104,10 @@ public final class SpacePanel extends JComponent {
         }
         GeometryObject picked = viewing.picked();
         String robot = picked != null && picked.isMoveable() ? picked.name() : null;
-        studio.order(moment, gallery.shots(moment, robot), theme == Theme.LIGHT ? Studio.LIGHT : Studio.DARK);
+        studio.order(
+                moment,
+                gallery.shots(moment, robot),
+                theme == Theme.LIGHT ? BackgroundRenderer.LIGHT : BackgroundRenderer.DARK);
     }
 
     private final class Mouse extends MouseAdapter {

@@ -5,12 +5,12 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.NumberText;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Timing;
 import robosim.geometry.viewer.playback.Feed;
 import robosim.geometry.viewer.playback.Player;
 import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.world.shared.ObjectNames;
 
 /** What the line below the views says. */
 final class StatusText {
@@ -21,7 +21,7 @@ final class StatusText {
         Sandbox.Refused refused = world.refused();
         String words = refused == null
                 ? "drag what moves" + outside(world.outside())
-                : Text.name(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
+                : ObjectNames.of(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
         return step < 0 ? words : "a local copy of step " + (step + 1) + ", Esc goes back: " + words;
     }
 
@@ -43,7 +43,7 @@ final class StatusText {
         if (robots.isEmpty()) {
             return "; H lists the keys";
         }
-        String first = Text.name(robots.get(0));
+        String first = ObjectNames.of(robots.get(0));
         return robots.size() == 1
                 ? "; " + first + " is not in the world, it stands beyond its border: drag it in"
                 : "; " + first + " and " + (robots.size() - 1)

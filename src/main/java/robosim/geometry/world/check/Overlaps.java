@@ -273,7 +273,7 @@ final class Overlaps {
     private boolean touches(GeometryObject a, GeometryObject b) {
         Verdict verdict = null;
         for (long steps = STEPS; verdict == null || verdict.answer() == Verdict.Answer.UNDECIDED; steps *= 4) {
-            verdict = ContactQuery.touches(a, b, dimension, Budget.steps(steps));
+            verdict = ContactQuery.decide(a, b, dimension, Budget.steps(steps));
             meter.take(verdict.steps());
         }
         return verdict.answer() == Verdict.Answer.YES;

@@ -71,6 +71,25 @@ public final class MeshFiles {
         };
     }
 
+    /** Refuses a name with another ending than those of supported formats. */
+    public static void checkNamed(String file) throws FileProblem {
+        if (!isNamed(file)) {
+            throw new FileProblem(file, 0, 0, "the name of a mesh must end in " + ENDINGS);
+        }
+    }
+
+    /** Reads the surface of a stream in the format given by the ending of its name; without the files it refers to. */
+    public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
+        checkNamed(source);
+        return switch (ending(source)) {
+            case "dae" -> ColladaSurface.read(in, source, scale);
+            case "stl" -> StlSurface.read(in, source, scale);
+            case "ply" -> PlySurface.read(in, source, scale);
+            case "obj" -> ObjSurface.read(in, source, scale);
+            default -> throw new FileProblem(source, 0, 0, "glTF must be read from a file, as it refers to others");
+        };
+    }
+
     /**
      * Reads a part of a file along the axes of its coordinates: of COLLADA a node or a geometry, of glTF a node or a mesh, of
      * OBJ an object or a group, of STL a solid.
@@ -107,7 +126,7 @@ public final class MeshFiles {
     }
 
     /** Reads an OBJ file and its materials. */
-    public static MeshObject readObj(Path file, double scale, TextureFiles textures) throws FileProblem {
+    private static MeshObject readObj(Path file, double scale, TextureFiles textures) throws FileProblem {
         Path folder = file.toAbsolutePath().resolveSibling("");
         return read(file, scale, (in, source, scaled) -> ObjSurface.read(in, source, scaled, folder, textures, null));
     }

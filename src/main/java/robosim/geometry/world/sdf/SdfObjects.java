@@ -31,7 +31,7 @@ public final class SdfObjects {
     private final Map<String, Integer> namesakes = new HashMap<>();
     private final Map<String, Integer> counts = new TreeMap<>();
     private final List<String> remarks = new ArrayList<>();
-    private final List<SdfSensor> sensors = new ArrayList<>();
+    private final List<SensorElement> sensors = new ArrayList<>();
     private final Set<String> floors = new HashSet<>();
     private int collisions;
 
@@ -65,7 +65,7 @@ public final class SdfObjects {
     }
 
     /** The sensors of all links that are read. */
-    public List<SdfSensor> sensors() {
+    public List<SensorElement> sensors() {
         return sensors;
     }
 
@@ -99,7 +99,7 @@ public final class SdfObjects {
                         + " has visuals and no collisions, so it is not in the world");
             }
             for (Carried each : body.sensors) {
-                sensors.add(SdfSensor.of(each.path, each.element, null, each.inWorld.pose()));
+                sensors.add(SensorElement.of(each.path, each.element, null, each.inWorld.pose()));
             }
             return;
         }
@@ -115,7 +115,7 @@ public final class SdfObjects {
             objects.add(whole.moveable(name));
             for (Carried each : body.sensors) {
                 Placement mount = isAlone ? first.inverse().then(each.inBody) : each.inBody;
-                sensors.add(SdfSensor.of(each.path, each.element, name, mount.pose()));
+                sensors.add(SensorElement.of(each.path, each.element, name, mount.pose()));
             }
         });
     }
@@ -217,7 +217,7 @@ public final class SdfObjects {
             for (SdfElement sensor : sensors(link)) {
                 leaveOutMistakes(sensor, () -> {
                     Pose pose = inWorld.then(local(scope, link, sensor)).pose();
-                    sensors.add(SdfSensor.of(path(scope, link, sensor), sensor, null, pose));
+                    sensors.add(SensorElement.of(path(scope, link, sensor), sensor, null, pose));
                 });
             }
         }

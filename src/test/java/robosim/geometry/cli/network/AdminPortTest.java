@@ -90,7 +90,7 @@ public class AdminPortTest {
         CountDownLatch slow = new CountDownLatch(1);
         SessionListener waiting = new SessionListener() {
             @Override
-            public void asked(Bundle request) {
+            public void requested(Bundle request) {
                 try {
                     slow.await();
                 } catch (InterruptedException e) {

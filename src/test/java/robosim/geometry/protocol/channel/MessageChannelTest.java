@@ -25,7 +25,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTest;
 import robosim.geometry.protocol.MessageTranslator;
@@ -38,6 +37,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.pace.MessagePace;
 
 class MessageChannelTest {
     private static final String HELLO = "{\"type\":\"hello\",\"version\":1}\n";

@@ -24,7 +24,6 @@ import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
@@ -36,6 +35,7 @@ import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
+import robosim.geometry.protocol.pace.MessagePace;
 
 @Timeout(60)
 class JsonBatchesTest {

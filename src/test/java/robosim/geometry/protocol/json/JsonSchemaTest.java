@@ -27,7 +27,6 @@ import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
@@ -37,6 +36,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
 import robosim.geometry.protocol.StepSamples;
 import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /** The published schema and the codec accept the same messages, but for what a schema cannot say. */
 class JsonSchemaTest {

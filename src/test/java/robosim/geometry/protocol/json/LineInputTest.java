@@ -8,8 +8,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.pace.MessagePace;
 
 /** Lines as they come from a stream: where each stands in the buffer, and which of its bytes is told to be wrong. */
 class LineInputTest {

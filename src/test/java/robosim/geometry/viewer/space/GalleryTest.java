@@ -14,7 +14,7 @@ import robosim.geometry.viewer.space.Gallery.Cell;
 class GalleryTest {
     private static final GeometryObject DRUM = new CylinderObject(new Point(-5, 0, 0), 0.5, 1).moveable("drum");
     private static final GeometryObject CART = new CylinderObject(new Point(-7, 0, 3), 0.5, 1).moveable("cart");
-    private static final Moment MOMENT = StudioTest.moment(DRUM, CART);
+    private static final Moment MOMENT = BackgroundRendererTest.moment(DRUM, CART);
 
     private static Gallery gallery(Arrangement arrangement) {
         Gallery gallery = new Gallery();
@@ -67,7 +67,7 @@ class GalleryTest {
         Point with = gallery.shots(MOMENT, "cart").get(0).view().pose().center();
         assertThat(with).isNotEqualTo(still);
         GeometryObject there = CART.movedTo(new Point(-6, 0, 3.5));
-        Point later = gallery.shots(StudioTest.moment(DRUM, there), null)
+        Point later = gallery.shots(BackgroundRendererTest.moment(DRUM, there), null)
                 .get(0)
                 .view()
                 .pose()
@@ -87,9 +87,11 @@ class GalleryTest {
         assertThat(gallery.cells().get(0).label()).isEqualTo("what cart sees");
         // It stays when something else is selected, as long as it is there.
         assertThat(gallery.shots(MOMENT, null).get(0).carrier()).isEqualTo("cart");
-        assertThat(gallery.shots(StudioTest.moment(DRUM), "nobody").get(0).carrier())
+        assertThat(gallery.shots(BackgroundRendererTest.moment(DRUM), "nobody")
+                        .get(0)
+                        .carrier())
                 .isEqualTo("drum");
-        assertThat(gallery.shots(StudioTest.moment(), null).get(0).at(StudioTest.moment()))
+        assertThat(gallery.shots(BackgroundRendererTest.moment(), null).get(0).at(BackgroundRendererTest.moment()))
                 .isNull();
         assertThat(gallery.cells().get(0).label()).isEqualTo("no robot");
     }
@@ -98,7 +100,7 @@ class GalleryTest {
     void aRobotLooksForwardUntilItIsToldToLookElsewhere() {
         Gallery gallery = gallery(Arrangement.OWN);
         GeometryObject turned = DRUM.turned(0, 90); // towards -Z
-        Moment moment = StudioTest.moment(turned);
+        Moment moment = BackgroundRendererTest.moment(turned);
         SpaceView view = gallery.shots(moment, null).get(0).at(moment);
         Point way = view.direction(803 / 2.0, 601 / 2.0);
         assertThat(way.x()).isCloseTo(0, within(1e-12));

@@ -26,6 +26,7 @@ import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.ScenarioWriter;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.drive.DriveRun;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Feed;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.WorldReader;
@@ -48,7 +49,7 @@ class DrivenPlaybackTest {
         }
         List<Step> steps = Scenario.read(file).steps();
         ViewerModel viewing;
-        try (Feed feed = new Feed(ScenarioReader.of(Files.newInputStream(file), "drive"))) {
+        try (Feed feed = new Feed(StepReader.of(ScenarioReader.of(Files.newInputStream(file), "drive")))) {
             viewing = ViewerModel.ofRecording(feed, "drive", "m");
             viewing.camera.resize(1000, 600);
             viewing.player.pause();

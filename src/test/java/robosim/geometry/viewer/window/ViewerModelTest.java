@@ -28,7 +28,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.draw.Card;
 import robosim.geometry.viewer.playback.Colours;
@@ -58,7 +58,7 @@ class ViewerModelTest {
     static ViewerModel recording(Talk talk) throws Exception {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         talk.scenario().write(file);
-        Feed feed = new Feed(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"));
+        Feed feed = new Feed(StepReader.of(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk")));
         ViewerModel viewing = ViewerModel.ofRecording(feed, "talk", "");
         viewing.camera.resize(1000, 600);
         viewing.player.pause();
@@ -238,7 +238,7 @@ class ViewerModelTest {
     void aSessionIsFollowedUntilItIsPaused() throws Exception {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         Talk.begun().drives(1, true).drives(1, true).scenario().write(file);
-        Feed feed = new Feed(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"));
+        Feed feed = new Feed(StepReader.of(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk")));
         ViewerModel viewing = ViewerModel.ofLive(feed, "talk", "m");
         while (!feed.isEnded()) {
             viewing.tick(1);
@@ -259,7 +259,9 @@ class ViewerModelTest {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         Talk.begun().scenario().write(file);
         Feed feed = new Feed(
-                ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"), Colours.of(world), () -> "");
+                StepReader.of(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk")),
+                Colours.of(world),
+                () -> "");
         ViewerModel viewing = ViewerModel.ofRecording(feed, "talk", "");
         while (!feed.isEnded()) {
             viewing.tick(1);
@@ -271,7 +273,7 @@ class ViewerModelTest {
     @Test
     void whatCannotBeReadIsTold() throws Exception {
         String file = "{\"type\":\"scenario\",\"version\":1,\"title\":\"t\"}\n{\"type\":\"nonsense\"}\n";
-        Feed feed = new Feed(ScenarioReader.of(new ByteArrayInputStream(file.getBytes("UTF-8")), "bad"));
+        Feed feed = new Feed(StepReader.of(ScenarioReader.of(new ByteArrayInputStream(file.getBytes("UTF-8")), "bad")));
         ViewerModel viewing = ViewerModel.ofRecording(feed, "bad", "");
         while (!feed.isEnded()) {
             Thread.onSpinWait();

@@ -1,0 +1,152 @@
+package robosim.geometry.cli.worlds;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.Snapshot;
+import robosim.geometry.check.Text;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.render.ColorCamera;
+import robosim.geometry.render.Viewpoints;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.shared.Placement;
+
+/** A world as a camera sees it: with heights, whatever its dimension is, and on a floor. */
+final class CameraWorld {
+    /** A light and warm grey, on which shadows show. */
+    private static final Material FLOOR = Material.of(Color.parse("#c9c5bd")).withSpecular(0);
+
+    /** The floor reaches beyond what stands on it by this share. */
+    private static final double RIM = 0.04;
+
+    private final World world;
+    private final Geometry geometry;
+    private final Bounds content;
+    private final Map<GeometryObject, Integer> numbers = new HashMap<>();
+
+    /** @param hasFloor whether a floor is laid under the lowest object */
+    CameraWorld(World world, boolean hasFloor) {
+        this.world = world;
+        List<Bounds> boxes = world.objects().stream()
+                .map(WorldObject::object)
+                .map(GeometryObject::bounds)
+                .toList();
+        content = boxes.isEmpty() ? empty(world) : Viewpoints.enclosing(boxes);
+        double most = 2 * Math.max(largest(content), Math.max(world.width(), Math.max(world.height(), world.length())));
+        geometry = new Geometry(4 * most, 4 * most, 4 * most, Dimension.SPATIAL, world.accuracy());
+        for (WorldObject object : world.objects()) {
+            geometry.addObjectUnchecked(object.object());
+            numbers.put(object.object(), numbers.size() + 1);
+        }
+        if (hasFloor) {
+            double width = content.maxX() - content.minX();
+            double length = content.maxZ() - content.minZ();
+            double rim = RIM * Math.max(width, length);
+            double thick = Math.max(rim, (content.maxY() - content.minY()) / 20) / 2;
+            geometry.addObjectUnchecked(new BoxObject(
+                            new Point(
+                                    middle(content).x(),
+                                    content.minY() - thick / 2,
+                                    middle(content).z()),
+                            width + 2 * rim,
+                            thick,
+                            length + 2 * rim)
+                    .withMaterial(FLOOR));
+        }
+    }
+
+    private static Bounds empty(World world) {
+        double x = world.width() / 2;
+        double z = world.length() / 2;
+        double y = -world.height() / 2;
+        return new Bounds(-x, y, -z, x, y, z);
+    }
+
+    private static double largest(Bounds box) {
+        double low = Math.max(Math.abs(box.minX()), Math.max(Math.abs(box.minY()), Math.abs(box.minZ())));
+        return Math.max(low, Math.max(Math.abs(box.maxX()), Math.max(Math.abs(box.maxY()), Math.abs(box.maxZ()))));
+    }
+
+    static Point middle(Bounds box) {
+        return new Point(
+                box.minX() / 2 + box.maxX() / 2, box.minY() / 2 + box.maxY() / 2, box.minZ() / 2 + box.maxZ() / 2);
+    }
+
+    /** The box that holds all objects. */
+    Bounds content() {
+        return content;
+    }
+
+    /** The scale of what hides the sky: a part of the world, so that rooms are not dark. */
+    double skyReach() {
+        double x = content.maxX() - content.minX();
+        double z = content.maxZ() - content.minZ();
+        double most = Math.max(x, z) / 8;
+        return most > 0 ? most : 1;
+    }
+
+    /** The object of a name; null if there is none. */
+    @Nullable
+    GeometryObject find(String name) {
+        return geometry.hasObject(name) ? geometry.getObject(name) : null;
+    }
+
+    /** The names of all that can carry a camera. */
+    List<String> carriers() {
+        return world.objects().stream()
+                .map(WorldObject::object)
+                .filter(GeometryObject::isMoveable)
+                .map(object -> String.valueOf(object.name()))
+                .toList();
+    }
+
+    /** What a name may be, in words. */
+    String choice(String given) {
+        List<String> all = carriers();
+        return all.isEmpty() ? "which has none: add one with the command add" : Text.choice(given, all);
+    }
+
+    /** The number of an object in the world, from 1; 0 for the floor, which is none. */
+    int number(GeometryObject object) {
+        return numbers.getOrDefault(object, 0);
+    }
+
+    /** How high above its own origin an object of a name reaches. */
+    double top(String name) {
+        GeometryObject object = geometry.getObject(name);
+        return object.bounds().maxY() - object.center().y();
+    }
+
+    Pose pose(ColorCamera camera) {
+        String carrier = camera.carrier();
+        if (carrier == null) {
+            return camera.pose();
+        }
+        Pose robot = geometry.getObject(carrier).pose();
+        Placement on = Placement.turned(robot.center(), robot.rotation());
+        Pose mount = camera.pose();
+        return on.then(Placement.turned(mount.center(), mount.rotation())).pose();
+    }
+
+    /** How far the middle of the world is from a camera. */
+    double depth(ColorCamera camera) {
+        Point eye = pose(camera).center();
+        Point middle = middle(content);
+        return VectorMath.length(eye.x() - middle.x(), eye.y() - middle.y(), eye.z() - middle.z());
+    }
+
+    Snapshot snapshot() {
+        return geometry.snapshot();
+    }
+}

@@ -1,5 +1,0 @@
-/** Regions of the plane as a tree, queried nearest first. */
-@NullMarked
-package robosim.geometry.index.regions;
-
-import org.jspecify.annotations.NullMarked;
