@@ -236,6 +236,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("cd41249f837cb40c");
+        assertThat(Long.toHexString(digest)).isEqualTo("8d88f2327930f1cf");
     }
 }

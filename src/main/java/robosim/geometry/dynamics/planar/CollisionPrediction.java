@@ -254,7 +254,8 @@ final class CollisionPrediction {
     /**
      * Puts two free bodies apart such that their angular momentum stays as it is: by turns, on which it does not depend, and
      * by shifts in opposite directions along the velocity of the one as seen from the other. Where that hardly parts them, as
-     * where the one slides along the other, they are shifted along the normal, and turn together by what that changes.
+     * where the one slides along the other, they are shifted along the normal, and slide more slowly by as much as their
+     * centres are farther apart, or else turn together by what that changes; so energy does not grow.
      */
     private void putApart(int pair, double distance, double missing) {
         int pa = pairs.a[pair];
@@ -285,6 +286,15 @@ final class CollisionPrediction {
         double before = (bodies.z[a] - bodies.z[b]) * vx - (bodies.x[a] - bodies.x[b]) * vz;
         shift(a, b, missing / light * nx, missing / light * nz);
         double after = (bodies.z[a] - bodies.z[b]) * vx - (bodies.x[a] - bodies.x[b]) * vz;
+        double kept = before / after;
+        if (kept < 1 && kept > 0.5) {
+            double share = (1 - kept) / light;
+            bodies.vx[a] -= share * bodies.lightness[a] * vx;
+            bodies.vz[a] -= share * bodies.lightness[a] * vz;
+            bodies.vx[b] += share * bodies.lightness[b] * vx;
+            bodies.vz[b] += share * bodies.lightness[b] * vz;
+            return;
+        }
         both[0] = a;
         both[1] = b;
         bodies.turnTogether(both, 2, (before - after) / light);

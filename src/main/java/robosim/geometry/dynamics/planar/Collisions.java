@@ -137,8 +137,8 @@ final class Collisions {
     }
 
     /**
-     * Gives free bodies that touched nothing but each other the angular momentum back that they have lost or gained because some of them are not
-     * where they were to be, with the velocities that they were to have there.
+     * Restores the angular momentum of free bodies that touched nothing but each other, where some of them are not where they
+     * were to be, but have the velocities that they were to have there.
      */
     void keepAngularMomentum(MotionOrder carrying) {
         begin();
