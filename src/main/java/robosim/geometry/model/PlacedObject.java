@@ -92,7 +92,7 @@ public abstract class PlacedObject<S extends GeometryObject> {
     }
 
     @Override
-    public boolean equals(@Nullable Object other) {
+    public boolean equals(Object other) {
         return other instanceof PlacedObject<?> that
                 && kind() == that.kind()
                 && Objects.equals(box, that.box)

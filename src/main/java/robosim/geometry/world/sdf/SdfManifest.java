@@ -23,7 +23,6 @@ public final class SdfManifest extends XmlHandler {
     /** The model's default file. */
     static final String DEFAULT = "model.sdf";
 
-    private final Path file;
     private final StringBuilder text = new StringBuilder();
     private int depth;
     private boolean named;
@@ -36,7 +35,6 @@ public final class SdfManifest extends XmlHandler {
 
     private SdfManifest(Path file) {
         super(file.toString());
-        this.file = file;
     }
 
     /**

@@ -12,9 +12,9 @@ public final class ChildNames {
 
     /** A table: on each line the names of elements, a colon and the names of children, which all of these elements have. */
     public ChildNames(String table) {
-        for (String line : table.strip().split("\n")) {
-            String[] sides = line.split(":");
-            Set<String> names = sides.length > 1 ? words(sides[1]) : Set.of();
+        for (String line : table.strip().split("\n", -1)) {
+            String[] sides = line.split(":", -1);
+            Set<String> names = sides[1].isBlank() ? Set.of() : words(sides[1]);
             words(sides[0])
                     .forEach(each ->
                             children.computeIfAbsent(each, k -> new HashSet<>()).addAll(names));
@@ -23,7 +23,7 @@ public final class ChildNames {
 
     /** Words between spaces, each once. */
     public static Set<String> words(String text) {
-        return Set.copyOf(Arrays.asList(text.strip().split("\\s+")));
+        return Set.copyOf(Arrays.asList(text.strip().split("\\s+", -1)));
     }
 
     /** Whether the table has the element. */
