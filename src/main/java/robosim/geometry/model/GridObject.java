@@ -228,7 +228,7 @@ public final class GridObject extends PlacedObject<GridObject> implements Geomet
     }
 
     @Override
-    public boolean equals(Object other) {
+    public boolean equals(@Nullable Object other) {
         return other instanceof GridObject that
                 && cell == that.cell
                 && height == that.height

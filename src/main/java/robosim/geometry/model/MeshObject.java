@@ -168,7 +168,7 @@ public final class MeshObject extends PlacedObject<MeshObject> implements Geomet
     }
 
     @Override
-    public boolean equals(Object other) {
+    public boolean equals(@Nullable Object other) {
         return other instanceof MeshObject that
                 && solid == that.solid
                 && tag.equals(that.tag)

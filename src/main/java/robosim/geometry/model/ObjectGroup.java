@@ -141,7 +141,7 @@ public final class ObjectGroup extends PlacedObject<ObjectGroup> implements Geom
     }
 
     @Override
-    public boolean equals(Object other) {
+    public boolean equals(@Nullable Object other) {
         return other instanceof ObjectGroup that
                 && tag.equals(that.tag)
                 && pose.equals(that.pose)
