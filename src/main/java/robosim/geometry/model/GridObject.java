@@ -3,6 +3,7 @@ package robosim.geometry.model;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.index.cells.ClearanceMap;
 import robosim.geometry.index.cells.PlacedCells;

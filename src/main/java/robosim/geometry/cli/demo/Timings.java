@@ -9,8 +9,6 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
-import robosim.geometry.protocol.SonarRequestBundle;
-import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.world.shared.ObjectNames;
 
 /** How long the module's side of a conversation took, and what blocked moves. */

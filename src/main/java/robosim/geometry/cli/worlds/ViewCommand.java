@@ -19,7 +19,6 @@ import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.scenario.source.WatchReader;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.Pictures;

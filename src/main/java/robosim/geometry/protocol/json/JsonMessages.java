@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.check.Text;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
@@ -24,7 +25,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.check.Text;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.json.JsonAnswers.Failed;
 

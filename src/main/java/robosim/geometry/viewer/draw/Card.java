@@ -8,7 +8,6 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.world.shared.ObjectNames;
 
