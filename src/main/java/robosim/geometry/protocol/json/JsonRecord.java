@@ -140,13 +140,13 @@ public final class JsonRecord {
 
     /** Writes a line of fields, given as their names and values in turns. */
     public static String line(@Nullable Object... fields) {
-        return write(fields(fields));
+        return write(fields(Checks.present("fields", fields)));
     }
 
     /** Fields in their order, given as their names and values in turns. */
     public static Map<String, @Nullable Object> fields(@Nullable Object... pairs) {
         Map<String, @Nullable Object> fields = new LinkedHashMap<>();
-        for (int k = 0; k < pairs.length; k += 2) {
+        for (int k = 0; k < Checks.present("pairs", pairs).length; k += 2) {
             fields.put(String.valueOf(pairs[k]), pairs[k + 1]);
         }
         return fields;
