@@ -85,21 +85,18 @@ final class JsonKinds<T> implements JsonForm<T> {
         Kind<T> kind = kinds.get(at);
         int[] from = places[at];
         @Nullable Object[] own = new Object[from.length];
-        long has = 0;
+        long may = 0;
+        long must = 0;
         for (int k = 0; k < from.length; k++) {
             own[k] = values[from[k]];
-            has |= 1L << from[k];
+            may |= 1L << from[k];
+            must |= kind.form.isRequired(k) ? 1L << from[k] : 0;
         }
         for (int k = isTagged ? 1 : 0; k < values.length; k++) {
-            if (values[k] != null && (has & 1L << k) == 0) {
-                throw new IllegalArgumentException(
-                        subject(kind) + " must not have the field \"" + union.name(k) + "\"");
-            }
-        }
-        for (int k = 0; k < own.length; k++) {
-            if (own[k] == null && kind.form.isRequired(k)) {
-                throw new IllegalArgumentException(
-                        subject(kind) + " must have the field \"" + kind.form.name(k) + "\"");
+            boolean isWrong = values[k] == null ? (must & 1L << k) != 0 : (may & 1L << k) == 0;
+            if (isWrong) {
+                throw new IllegalArgumentException(subject(kind) + " must" + (values[k] == null ? "" : " not")
+                        + " have the field \"" + union.name(k) + "\"");
             }
         }
         return kind.form.complete(own);

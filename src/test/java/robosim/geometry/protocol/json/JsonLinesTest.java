@@ -291,7 +291,7 @@ class JsonLinesTest {
                         "/textureCorners/2: must be a whole number from -1 to"),
                 Arguments.of(mesh.formatted("\"faces\":[]"), "face"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1]]"), "3 or 4 corners (got: 2)"),
-                Arguments.of(mesh.formatted("\"faces\":[[0,1,3]]"), "at /objects/0: "),
+                Arguments.of(mesh.formatted("\"faces\":[[0,1,3]]"), "at /objects/0/faces: "),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,-1]]"), "/faces/0/2: must be a whole number"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,0.5]]"), "/faces/0/2: must be a whole number"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,1.00000000000000000001]]"), "must be a whole number"),
