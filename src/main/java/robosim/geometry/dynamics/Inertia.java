@@ -1,7 +1,7 @@
 package robosim.geometry.dynamics;
 
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.RoundedBox;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /** Volumes and moments of inertia of solids about their own axes, and how far they reach. */
 final class Inertia {

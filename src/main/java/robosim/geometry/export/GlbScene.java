@@ -10,11 +10,11 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.world.shared.JsonText;
 

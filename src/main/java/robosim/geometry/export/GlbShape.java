@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
-import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
 
 /**

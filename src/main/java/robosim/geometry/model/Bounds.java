@@ -6,6 +6,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.index.cells.PlacedCells;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /**
  * A box along the world's axes that holds an object, by its least and greatest coordinates in world units. Rounded

@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import robosim.geometry.check.Checks;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /** A solid box, placed by its centre; width along its own X, height along Y, length along Z. */
 public final class BoxObject extends PlacedObject<BoxObject> implements GeometryObject {

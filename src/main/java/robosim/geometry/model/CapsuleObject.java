@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import robosim.geometry.check.Checks;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /**
  * A solid capsule: all points within a radius of a segment along its own Y, placed by its centre. A leg, an arm, a person.

@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import robosim.geometry.check.Checks;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /** A solid cylinder, placed by its centre; its axis is its own Y. */
 public final class CylinderObject extends PlacedObject<CylinderObject> implements GeometryObject {

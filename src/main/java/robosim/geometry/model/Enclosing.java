@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /**
  * Checks that a bounding volume encloses its object. It compares how far each part extends along the volume's own axes,

@@ -6,6 +6,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /**
  * The name, place and material of an object, which all shapes share; {@link GeometryObject} describes its methods. It is public only

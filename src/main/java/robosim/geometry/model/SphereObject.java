@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import robosim.geometry.check.Checks;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /** A solid sphere, placed by its centre. It has an attitude too, which defines its forward direction. */
 public final class SphereObject extends PlacedObject<SphereObject> implements GeometryObject {

@@ -40,7 +40,7 @@
  *
  * <p>Boxes, cylinders, spheres and capsules are given by their {@linkplain
  * robosim.geometry.model.GeometryObject#sizes() sizes} alone and have one form in common, the {@link
- * robosim.geometry.model.RoundedBox}. Code that draws, measures or writes objects can use these, the triangles of a mesh, the
+ * robosim.geometry.model.GeometryObject.RoundedBox}. Code that draws, measures or writes objects can use these, the triangles of a mesh, the
  * members of a group and the cells of a grid, and need not distinguish the kinds of shapes.
  *
  * <h2>Values</h2>

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 
 class ObjectsTest {
     private static final int[][] TETRAHEDRON = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};

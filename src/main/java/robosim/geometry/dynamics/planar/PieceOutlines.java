@@ -6,12 +6,12 @@ import robosim.geometry.exact.Orientation;
 import robosim.geometry.exact.Radians;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.RoundedBox;
 
 /**
  * Takes objects apart into convex pieces as seen from above. Only a tipped cylinder has a shape that is not kept: a polygon

@@ -2,11 +2,11 @@ package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.RoundedBox;
 
 /**
  * The leaves of an object in its own frame, made once. A placement computes the leaves in the world from them, always

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.TriangleMesh;
 
 /** A convex piece of an object's projection on the XZ plane, or all cells of a grid; for pictures, in plain doubles. */

@@ -7,8 +7,8 @@ import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.RoundedBox;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.World;
 
