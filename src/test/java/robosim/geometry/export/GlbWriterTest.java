@@ -97,7 +97,7 @@ class GlbWriterTest {
                 .contains(
                         "{\"name\":\"a\\\"b\",\"translation\":[10.0, 20.0, -30.0],\"rotation\":[0.0, 0.707106781186547")
                 .contains("\"scale\":[1.0, 2.0, 3.0],\"mesh\":0}")
-                .contains("{\"name\":\"a \\\"world\\\" of \\u00e9\",\"scale\":[0.01, 0.01, 0.01],\"children\":[0]}")
+                .contains("{\"name\":\"a \\\"world\\\" of \u00e9\",\"scale\":[0.01, 0.01, 0.01],\"children\":[0]}")
                 .contains("\"baseColorFactor\":[1.0, 0.0, 0.2158605");
     }
 

@@ -208,7 +208,7 @@ class ModulePathTest {
         assertThat(said)
                 .contains("drives: SUCCESSFUL")
                 .contains("fails: FAILED", "blocked after 3 of 4 by box \"wall\"")
-                .contains("image:  none, for ");
+                .contains("png:    none, for the module java.desktop is not there");
         assertThat(evidence.resolve("my.robots.tests.Tests.fails"))
                 .isDirectoryContaining(file -> file.endsWith("replay.scenario.jsonl"))
                 .isDirectoryContaining(file -> file.endsWith("failure.txt"));

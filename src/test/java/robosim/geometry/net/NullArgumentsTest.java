@@ -216,7 +216,7 @@ class NullArgumentsTest {
                 if (name.endsWith(".class") && !name.equals("package-info.class")) {
                     Class<?> type =
                             Class.forName(ROOT + room.replace('/', '.') + "." + name.substring(0, name.length() - 6));
-                    if (Modifier.isPublic(type.getModifiers()) && !NOT_ASKED.contains(type.getSimpleName())) {
+                    if (isSeen(type) && !NOT_ASKED.contains(type.getSimpleName())) {
                         types.add(type);
                     }
                 }
@@ -285,5 +285,11 @@ class NullArgumentsTest {
         } catch (IllegalArgumentException e) {
             throw new IOException(call, e);
         }
+    }
+
+    /** Whether other packages can name a class. */
+    private static boolean isSeen(Class<?> type) {
+        Class<?> outer = type.getEnclosingClass();
+        return Modifier.isPublic(type.getModifiers()) && (outer == null || isSeen(outer));
     }
 }

@@ -431,7 +431,7 @@ class MessageChannelTest {
         String home = "robosim.geometry.protocol.";
         Class<?> channel = loader.loadClass(home + "channel.MessageChannel");
         Class<?> translator = loader.loadClass(home + "MessageTranslator");
-        Class<?> pace = loader.loadClass(home + "MessagePace");
+        Class<?> pace = loader.loadClass(home + "pace.MessagePace");
         Class<?> gate = loader.loadClass(home + "json.PeerAdmission");
         Object made = channel.getConstructor(InputStream.class, OutputStream.class, translator, pace, gate)
                 .newInstance(
