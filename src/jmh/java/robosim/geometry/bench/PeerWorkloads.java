@@ -1,6 +1,7 @@
 package robosim.geometry.bench;
 
 import java.io.IOException;
+import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -243,10 +244,16 @@ final class PeerWorkloads {
                         k -> geometry.getRayDistance(rays[k], 0, 1e30, 0)));
     }
 
+    /** By name, since the tree's class has another package in the builds before this one. */
     private static double buildMillis(MeshObject mesh) {
-        long start = System.nanoTime();
-        mesh.triangles().tree();
-        return (System.nanoTime() - start) * 1e-6;
+        try {
+            Method tree = mesh.triangles().getClass().getMethod("tree");
+            long start = System.nanoTime();
+            tree.invoke(mesh.triangles());
+            return (System.nanoTime() - start) * 1e-6;
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     private static Answer castAll(Ray[] rays, ToDoubleFunction<Ray> cast) {
