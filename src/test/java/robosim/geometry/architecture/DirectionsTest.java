@@ -173,9 +173,8 @@ class DirectionsTest {
                 for (String line : Files.readAllLines(file)) {
                     Matcher match = statement.matcher(line);
                     String folder = SOURCES.relativize(file.getParent()).toString();
-                    String own = room(folder.replace(File.separatorChar, '.'));
-                    if (match.matches() && !own.equals(room(match.group(1)))) { // else a class within another
-                        used.add(own + " -> " + room(match.group(1)));
+                    if (match.matches()) {
+                        used.add(room(folder.replace(File.separatorChar, '.')) + " -> " + room(match.group(1)));
                     }
                 }
             }
@@ -199,6 +198,7 @@ class DirectionsTest {
         }
         assertThat(wrong).as("imports that the table does not know").isEmpty();
         addImports(used);
+        used.removeIf(each -> each.split(" -> ", -1)[0].equals(each.split(" -> ", -1)[1])); // a class within another
         Set<String> told = new TreeSet<>();
         MAY_IMPORT.forEach((from, all) -> all.forEach(to -> told.add(from + " -> " + to)));
         assertThat(used).as("imports that the table tells").isEqualTo(told);
