@@ -21,7 +21,7 @@ import robosim.geometry.exact.Work;
  * versions of this module may count differently. A unit is about one pair that is looked at, of boxes, of pieces, or of a ray and
  * a piece, or one step of an iteration, as in {@link robosim.geometry.collision.Budget}: mostly 0.1 to 10 microseconds. Adding an
  * object takes one for each of its triangles, members or 64 cells, for the trees that are built of them at their first use.
- * {@link Geometry#workDone} tells how many a call has taken. Each call has all units afresh; one that is made of others, such as a step of
+ * {@link Geometry#workDone} returns the number of units that a call took. Each call starts with all units; one that is made of others, such as a step of
  * {@link robosim.geometry.dynamics.Dynamics} or a picture, has them once.
  *
  * <p>{@link #cancel} ends calls from another thread, at the same points at which units are counted. One limit may be given to any

@@ -58,8 +58,8 @@ import robosim.geometry.world.shared.AtomicFileWriter;
  * NAME/base_link}, at the bottom of its bounding box as it stands upright, below its centre, facing its forward direction. A
  * sensor's frame is {@code NAME/sensor_1} and so on, by its mount; from the seventeenth on, {@code NAME/sensor_turning}. What nothing carries is in the frame {@code world}.
  *
- * <p>Time is simulated: it begins at {@link #EPOCH_SECONDS}, and advances by the duration of each step; in a recording without
- * steps by a fixed time for each bundle that moves something. Equal recordings give equal files.
+ * <p>Time is simulated: it begins at {@link #EPOCH_SECONDS} and advances by the duration of each step. Until the first step, a
+ * bundle of moves takes a fixed time; moves within a batch take none. Equal recordings give equal files.
  */
 public final class RosRecording {
     /** When each recording begins, seconds since 1970: the start of the year 2000. */
@@ -157,7 +157,7 @@ public final class RosRecording {
         }
     }
 
-    /** What robots are told to do is sent at the beginning of the step. */
+    /** Commands of drives are sent with the time at which their step begins. */
     private void commands(Step step) throws IOException {
         if (step.request() instanceof StepBundle stepped) {
             for (DriveCommand command : stepped.commands()) {

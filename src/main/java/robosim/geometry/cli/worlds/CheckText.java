@@ -127,9 +127,9 @@ public final class CheckText {
 
     private void skipped() {
         skipped.stream().limit(SKIPPED).forEach(each -> add("skipped", "%s", each));
-        more(skipped.size() - SKIPPED, "tells all");
+        more(skipped.size() - SKIPPED, "lists all");
         notes.stream().limit(SKIPPED).forEach(each -> add("note", "%s", each));
-        more(notes.size() - SKIPPED, "tells all");
+        more(notes.size() - SKIPPED, "lists all");
     }
 
     private void outside() {
@@ -193,7 +193,7 @@ public final class CheckText {
     private void falls() {
         List<WorldCheck.Fall> falls = WorldCheck.falls(world);
         falls.stream().limit(FALLS).forEach(fall -> add("falls", "%s", fall(fall, world)));
-        more(falls.size() - FALLS, "tells all");
+        more(falls.size() - FALLS, "lists all");
     }
 
     /** What comes of a robot without a floor. */

@@ -117,7 +117,7 @@ public final class BeamQuery extends BeamSearch {
     /**
      * How far a ray goes until it meets anything within a range, +Infinity where it meets nothing.
      *
-     * @param normal three numbers, of the face that is met
+     * @param normal three numbers, of the face that is hit
      */
     public double cast(AccuracyView view, Ray ray, double max, double[] normal) {
         Checks.present("ray", ray);
