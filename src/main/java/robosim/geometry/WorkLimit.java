@@ -2,7 +2,7 @@ package robosim.geometry;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 
 /**
  * A limit of the work of each call: {@link Geometry#limitWork} gives it to a world. A call that would exceed it throws a {@link
@@ -30,13 +30,13 @@ import robosim.geometry.exact.Work;
 public final class WorkLimit {
     private final long units;
     private final Runnable between;
-    private final Work.Limit counted = new Counted();
+    private final WorkCounter.Limit counted = new Counted();
     private volatile boolean isCancelled;
 
     /** What counts the calls of all worlds together; null for a limit of each call. */
-    private final @Nullable Work together;
+    private final @Nullable WorkCounter together;
 
-    private WorkLimit(long units, Runnable between, @Nullable Work together) {
+    private WorkLimit(long units, Runnable between, @Nullable WorkCounter together) {
         this.units = units;
         this.between = between;
         this.together = together;
@@ -96,7 +96,7 @@ public final class WorkLimit {
     }
 
     /** What the queries of a world count against. */
-    Work.Limit counted() {
+    WorkCounter.Limit counted() {
         return counted;
     }
 
@@ -107,7 +107,7 @@ public final class WorkLimit {
 
     /** Counts work for one call; used by one thread at a time. */
     public static final class Meter {
-        private final Work work = new Work();
+        private final WorkCounter work = new WorkCounter();
 
         private Meter(WorkLimit limit, String call) {
             work.begin(limit.counted, call);
@@ -135,7 +135,7 @@ public final class WorkLimit {
         }
     }
 
-    private final class Counted implements Work.Limit {
+    private final class Counted implements WorkCounter.Limit {
         @Override
         public long units() {
             return units;

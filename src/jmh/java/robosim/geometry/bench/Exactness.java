@@ -9,7 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 
 /**
  * The price of exactness in ordinary scenes: the time of a question with filters and exact paths, over that with the
@@ -99,7 +99,7 @@ public final class Exactness {
 
     private static List<String[]> run(String mode, Path trips) throws IOException {
         String said = Answers.run(
-                List.of("-D" + Filter.PROPERTY + "=" + mode, "-XX:+UseSerialGC"),
+                List.of("-D" + FilterBound.PROPERTY + "=" + mode, "-XX:+UseSerialGC"),
                 OrdinaryScenes.class,
                 List.of("" + WARM_UP, "" + MEASURED, trips.toString()));
         List<String[]> rows = said.lines()

@@ -17,7 +17,7 @@ import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.ray.PlanarRay;
@@ -237,12 +237,12 @@ public final class Questions {
         return family.planar()
                 ? PlanarSweep.turn(
                         new Leaf(kindA, a, 0),
-                        new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
+                        new PivotTurn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
                         new Leaf(kindB, b, 0),
                         scratch.sweep)
                 : SpatialSweep.turn(
                         new Leaf(kindA, a, 0),
-                        new Turn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
+                        new PivotTurn().about(a[0], a[1], a[2]).by(0, 1, 0, degrees),
                         new Leaf(kindB, b, 0),
                         scratch.sweep);
     }

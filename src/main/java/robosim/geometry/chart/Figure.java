@@ -36,7 +36,7 @@ public record Figure(String name, String title, String caption, List<Panel> pane
     public String svg() {
         StringBuilder body = new StringBuilder();
         double y = 36;
-        for (String line : Words.wrap(title, BOLD * TITLE_SIZE, WIDTH - 2.0 * MARGIN)) {
+        for (String line : TextWidths.wrap(title, BOLD * TITLE_SIZE, WIDTH - 2.0 * MARGIN)) {
             body.append(
                     text(MARGIN, y, TITLE_SIZE, "ink", "start", line).replace("<text", "<text font-weight=\"600\""));
             y += 25;
@@ -51,7 +51,7 @@ public record Figure(String name, String title, String caption, List<Panel> pane
             PanelPainter.paint(panels.get(k), left, top, cell, height, body);
         }
         y += rows * rowHeight() + 14;
-        for (String line : Words.wrap(caption.replace("`", ""), CAPTION_SIZE, WIDTH - 2.0 * MARGIN)) {
+        for (String line : TextWidths.wrap(caption.replace("`", ""), CAPTION_SIZE, WIDTH - 2.0 * MARGIN)) {
             body.append(text(MARGIN, y, CAPTION_SIZE, "faint", "start", line));
             y += CAPTION_LINE;
         }
@@ -80,7 +80,7 @@ public record Figure(String name, String title, String caption, List<Panel> pane
         double x = MARGIN;
         double y = top;
         for (Series series : new ArrayList<>(looks.values())) {
-            double width = 34 + Words.width(series.name(), LEGEND_SIZE) + 20;
+            double width = 34 + TextWidths.width(series.name(), LEGEND_SIZE) + 20;
             if (x + width > WIDTH - MARGIN && x > MARGIN) {
                 x = MARGIN;
                 y += 22;

@@ -18,7 +18,7 @@ final class PanelPainter {
 
     static void paint(Panel panel, double left, double top, double width, double height, StringBuilder out) {
         double names = panel.y().ticks().stream()
-                .mapToDouble(tick -> Words.width(tick.label(), SMALL))
+                .mapToDouble(tick -> TextWidths.width(tick.label(), SMALL))
                 .max()
                 .orElse(0);
         boolean isTitled = !panel.y().title().isEmpty();
@@ -90,7 +90,7 @@ final class PanelPainter {
                 line("grid", x, plot.top(), x, plot.bottom(), out);
             }
             line("frame", x, plot.bottom(), x, plot.bottom() + (tick.label().isEmpty() ? 3 : 6), out);
-            double half = Words.width(tick.label(), SMALL) / 2 + 3;
+            double half = TextWidths.width(tick.label(), SMALL) / 2 + 3;
             // A mark keeps its line where its words have no room.
             if (!tick.label().isEmpty() && x - half >= free) {
                 out.append(Figure.text(x, plot.bottom() + 20, SMALL, "faint", "middle", tick.label()));

@@ -101,7 +101,7 @@ final class SeriesPainter {
                     y(dot) - thick / 2,
                     x(dot) - plot.left(),
                     thick));
-            double width = Words.width(dot.label(), SIZE);
+            double width = TextWidths.width(dot.label(), SIZE);
             boolean fits = x(dot) + 6 + width < plot.right();
             out.append(Figure.text(
                     fits ? x(dot) + 6 : plot.left() + 6,
@@ -114,7 +114,7 @@ final class SeriesPainter {
     }
 
     private void write(Series series, Series.Dot dot) {
-        double width = Words.width(dot.label(), SIZE);
+        double width = TextWidths.width(dot.label(), SIZE);
         Labels.Place place = labels.find(x(dot), y(dot), width, SIZE + 1);
         if (place != null) {
             out.append(

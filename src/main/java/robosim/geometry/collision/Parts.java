@@ -2,7 +2,7 @@ package robosim.geometry.collision;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
@@ -43,7 +43,7 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
         // Heights are left to the contact itself, as in the plane they do not count.
         box[1] = Double.NEGATIVE_INFINITY;
         box[4] = Double.POSITIVE_INFINITY;
-        GridWalk walk = new GridWalk(new Work());
+        GridWalk walk = new GridWalk(new WorkCounter());
         LeafColumn leaves = new LeafColumn(1);
         int[] cells = new int[16];
         walk.startBox(grid, 0, box);

@@ -33,16 +33,16 @@ public record AckermannDrive(
         implements Drive {
     /** Refuses values that are out of range or not a number. */
     public AckermannDrive {
-        wheelbase = Quantity.positive("wheelbase", wheelbase);
+        wheelbase = QuantityChecks.positive("wheelbase", wheelbase);
         if (!(maxSteering >= 0 && maxSteering < 90)) {
             throw new IllegalArgumentException(
                     "maxSteering must be from 0 up to, not including, 90 degrees (got: " + maxSteering + ")");
         }
         maxSteering += 0.0;
-        maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
-        maxAcceleration = Quantity.limit("maxAcceleration", maxAcceleration);
-        centreAhead = Quantity.finite("centreAhead", centreAhead);
-        speed = Quantity.finite("speed", speed);
+        maxSpeed = QuantityChecks.limit("maxSpeed", maxSpeed);
+        maxAcceleration = QuantityChecks.limit("maxAcceleration", maxAcceleration);
+        centreAhead = QuantityChecks.finite("centreAhead", centreAhead);
+        speed = QuantityChecks.finite("speed", speed);
         steering = Checks.angle("steering", steering);
         if (!(Math.abs(steering) < 90)) {
             throw new IllegalArgumentException(
@@ -79,24 +79,24 @@ public record AckermannDrive(
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        double[] v = Quantity.numbers(now, body, seconds);
+        double[] v = QuantityChecks.numbers(now, body, seconds);
         next(v, body, seconds);
-        return Quantity.twist(v);
+        return QuantityChecks.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {
-        double forward =
-                Quantity.toward(v[0], Quantity.clamp(speed, maxSpeed), Quantity.step(maxAcceleration, seconds));
+        double forward = QuantityChecks.toward(
+                v[0], QuantityChecks.clamp(speed, maxSpeed), QuantityChecks.step(maxAcceleration, seconds));
         // Before the curve is applied, since a limit of the speed would change it.
-        forward = Quantity.clamp(forward, body.maxSpeed());
-        double wheels = Quantity.clamp(steering, maxSteering);
+        forward = QuantityChecks.clamp(forward, body.maxSpeed());
+        double wheels = QuantityChecks.clamp(steering, maxSteering);
         double tangent = Degrees.sin(wheels) / Degrees.cos(wheels);
         double turn = Degrees.toDegrees(forward * tangent / wheelbase);
         // A car that may not turn so fast goes more slowly, on the same curve.
         double share = Math.abs(turn) > body.maxTurn() ? body.maxTurn() / Math.abs(turn) : 1;
         v[0] = forward * share;
         v[1] = 0;
-        v[3] = Quantity.clamp(turn, body.maxTurn());
+        v[3] = QuantityChecks.clamp(turn, body.maxTurn());
         v[2] = 0.0 - Degrees.toRadians(v[3]) * centreAhead; // a turn to the left takes what is ahead to the left
     }
 }

@@ -47,18 +47,18 @@ public record Body(
 
     /** Refuses values that are out of range or not a number. */
     public Body {
-        mass = Quantity.positive("mass", mass);
-        inertia = Quantity.positive("inertia", inertia);
+        mass = QuantityChecks.positive("mass", mass);
+        inertia = QuantityChecks.positive("inertia", inertia);
         Checks.present("surface", surface);
-        damping = Quantity.atLeastZero("damping", damping);
-        turnDamping = Quantity.atLeastZero("turnDamping", turnDamping);
-        maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
-        maxTurn = Quantity.limit("maxTurn", maxTurn);
-        floorFriction = Quantity.atLeastZero("floorFriction", floorFriction);
-        inertiaX = Quantity.atLeastZero("inertiaX", inertiaX);
-        inertiaZ = Quantity.atLeastZero("inertiaZ", inertiaZ);
+        damping = QuantityChecks.atLeastZero("damping", damping);
+        turnDamping = QuantityChecks.atLeastZero("turnDamping", turnDamping);
+        maxSpeed = QuantityChecks.limit("maxSpeed", maxSpeed);
+        maxTurn = QuantityChecks.limit("maxTurn", maxTurn);
+        floorFriction = QuantityChecks.atLeastZero("floorFriction", floorFriction);
+        inertiaX = QuantityChecks.atLeastZero("inertiaX", inertiaX);
+        inertiaZ = QuantityChecks.atLeastZero("inertiaZ", inertiaZ);
         if (inertiaX > 0 && inertiaZ > 0) {
-            Quantity.moments(inertiaX, inertia, inertiaZ);
+            QuantityChecks.moments(inertiaX, inertia, inertiaZ);
         }
     }
 
@@ -102,7 +102,7 @@ public record Body(
      *     along its own Y
      */
     public static Body ofMass(GeometryObject shape, double mass) {
-        Quantity.positive("mass", mass);
+        QuantityChecks.positive("mass", mass);
         checkSized(shape);
         double square = Inertia.gyrationSquare(shape);
         if (square == 0) {
@@ -125,7 +125,7 @@ public record Body(
      * @param density kg/m<sup>3</sup>
      */
     public static Body ofDensity(GeometryObject shape, double density) {
-        Quantity.positive("density", density);
+        QuantityChecks.positive("density", density);
         checkSized(shape);
         double volume = Inertia.volume(shape);
         if (volume == 0) {
@@ -182,8 +182,8 @@ public record Body(
                 maxSpeed,
                 maxTurn,
                 floorFriction,
-                Quantity.positive("aboutX", aboutX),
-                Quantity.positive("aboutZ", aboutZ));
+                QuantityChecks.positive("aboutX", aboutX),
+                QuantityChecks.positive("aboutZ", aboutZ));
     }
 
     /** The moments of a solid of a shape that has this body, about its own axes. */
@@ -240,6 +240,6 @@ public record Body(
         v[0] *= share;
         v[1] *= share;
         v[2] *= share;
-        v[3] = Quantity.clamp(v[3], maxTurn);
+        v[3] = QuantityChecks.clamp(v[3], maxTurn);
     }
 }

@@ -150,7 +150,7 @@ final class BodyState implements Cloneable {
         double speed = Math.sqrt(vx * vx + vz * vz);
         double share = speed > acting.maxSpeed() ? acting.maxSpeed() / speed : 1;
         double most = acting.maxTurn();
-        double turn = most < Double.POSITIVE_INFINITY ? Quantity.clamp(w, Degrees.toRadians(most)) : w;
+        double turn = most < Double.POSITIVE_INFINITY ? QuantityChecks.clamp(w, Degrees.toRadians(most)) : w;
         double kept = Decay.kept(acting.damping() * seconds);
         double turnKept = Decay.kept(acting.turnDamping() * seconds);
         keptX = vx * share * kept;

@@ -27,11 +27,11 @@ public record DifferentialDrive(double track, double maxSpeed, double maxAcceler
         implements Drive {
     /** Refuses values that are out of range or not a number. */
     public DifferentialDrive {
-        track = Quantity.positive("track", track);
-        maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
-        maxAcceleration = Quantity.limit("maxAcceleration", maxAcceleration);
-        left = Quantity.finite("left", left);
-        right = Quantity.finite("right", right);
+        track = QuantityChecks.positive("track", track);
+        maxSpeed = QuantityChecks.limit("maxSpeed", maxSpeed);
+        maxAcceleration = QuantityChecks.limit("maxAcceleration", maxAcceleration);
+        left = QuantityChecks.finite("left", left);
+        right = QuantityChecks.finite("right", right);
     }
 
     /** A drive that is told to stand. */
@@ -47,7 +47,7 @@ public record DifferentialDrive(double track, double maxSpeed, double maxAcceler
     /** This drive with a speed, m/s, and a speed of turning, degrees a second, as the command. */
     public DifferentialDrive driving(double forward, double turn) {
         double aside = aside(Checks.angle("turn", turn));
-        return wheels(Quantity.finite("forward", forward) - aside, forward + aside);
+        return wheels(QuantityChecks.finite("forward", forward) - aside, forward + aside);
     }
 
     /** By how much a rim is faster or slower than the middle while the body turns. */
@@ -57,18 +57,18 @@ public record DifferentialDrive(double track, double maxSpeed, double maxAcceler
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        double[] v = Quantity.numbers(now, body, seconds);
+        double[] v = QuantityChecks.numbers(now, body, seconds);
         next(v, body, seconds);
-        return Quantity.twist(v);
+        return QuantityChecks.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {
-        double step = Quantity.step(maxAcceleration, seconds);
+        double step = QuantityChecks.step(maxAcceleration, seconds);
         double fastest = Math.max(Math.abs(left), Math.abs(right));
         double share = fastest > maxSpeed ? maxSpeed / fastest : 1;
         double aside = aside(v[3]);
-        double l = Quantity.toward(v[0] - aside, left * share, step);
-        double r = Quantity.toward(v[0] + aside, right * share, step);
+        double l = QuantityChecks.toward(v[0] - aside, left * share, step);
+        double r = QuantityChecks.toward(v[0] + aside, right * share, step);
         v[0] = (l + r) / 2;
         v[1] = 0;
         v[2] = 0;

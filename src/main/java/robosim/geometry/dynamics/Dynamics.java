@@ -190,7 +190,7 @@ public final class Dynamics {
         BodyState state = state(name);
         Checks.present("drive", drive);
         if (drive instanceof VelocityDrive of) {
-            Quantity.level("drive", of.velocity(), "where it acts along the ground");
+            QuantityChecks.level("drive", of.velocity(), "where it acts along the ground");
         }
         state.drive = drive;
     }
@@ -206,7 +206,7 @@ public final class Dynamics {
         if (falling != null) {
             SpatialBodies.setTwist(state, world.getObject(name).pose(), velocity);
         } else {
-            Quantity.level("velocity", velocity, "in a PLANAR world");
+            QuantityChecks.level("velocity", velocity, "in a PLANAR world");
             state.setVelocity(objects.places(), heading(name), velocity);
         }
     }
@@ -423,7 +423,7 @@ public final class Dynamics {
     }
 
     private void go(double seconds) {
-        Quantity.positive("seconds", seconds);
+        QuantityChecks.positive("seconds", seconds);
         hasBegun = false;
         if (bodies.isEmpty() && !isStale) {
             pass();

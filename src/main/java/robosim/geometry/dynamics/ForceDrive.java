@@ -18,16 +18,16 @@ import robosim.geometry.model.Twist;
 public record ForceDrive(double x, double z, double torque) implements Drive {
     /** Refuses values that are not finite. */
     public ForceDrive {
-        x = Quantity.finite("x", x);
-        z = Quantity.finite("z", z);
-        torque = Quantity.finite("torque", torque);
+        x = QuantityChecks.finite("x", x);
+        z = QuantityChecks.finite("z", z);
+        torque = QuantityChecks.finite("torque", torque);
     }
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        double[] v = Quantity.numbers(now, body, seconds);
+        double[] v = QuantityChecks.numbers(now, body, seconds);
         next(v, body, seconds);
-        return Quantity.twist(v);
+        return QuantityChecks.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {
@@ -45,7 +45,7 @@ public record ForceDrive(double x, double z, double torque) implements Drive {
 
     /** The mean of {@link #next} over a time, with the direction at its beginning. */
     Twist mean(Twist now, Body body, double seconds) {
-        double[] v = Quantity.numbers(now, body, seconds);
+        double[] v = QuantityChecks.numbers(now, body, seconds);
         double slowed = body.damping() * seconds;
         double turnSlowed = body.turnDamping() * seconds;
         change(
@@ -56,12 +56,12 @@ public record ForceDrive(double x, double z, double torque) implements Drive {
                 Decay.meanGain(slowed),
                 Decay.mean(turnSlowed),
                 Decay.meanGain(turnSlowed));
-        return Quantity.twist(v);
+        return QuantityChecks.twist(v);
     }
 
     /** What {@link #next} makes of what {@link #mean} has answered, or of what collisions have left of that. */
     Twist rest(Twist mean, Body body, double seconds) {
-        double[] v = Quantity.numbers(mean, body, seconds);
+        double[] v = QuantityChecks.numbers(mean, body, seconds);
         double slowed = body.damping() * seconds;
         double turnSlowed = body.turnDamping() * seconds;
         change(
@@ -72,7 +72,7 @@ public record ForceDrive(double x, double z, double torque) implements Drive {
                 Decay.restGain(slowed),
                 Decay.rest(turnSlowed),
                 Decay.restGain(turnSlowed));
-        return Quantity.twist(v);
+        return QuantityChecks.twist(v);
     }
 
     /** Leaves a share of the velocity, and adds a share of what the force would give without damping. */

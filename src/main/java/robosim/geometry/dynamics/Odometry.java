@@ -27,10 +27,10 @@ import robosim.geometry.model.Twist;
 public record Odometry(double wayPerWay, double wayPerTurn, double turnPerWay, double turnPerTurn, long seed) {
     /** Refuses values that are out of range or not a number. */
     public Odometry {
-        wayPerWay = Quantity.atLeastZero("wayPerWay", wayPerWay);
-        wayPerTurn = Quantity.atLeastZero("wayPerTurn", wayPerTurn);
-        turnPerWay = Quantity.atLeastZero("turnPerWay", turnPerWay);
-        turnPerTurn = Quantity.atLeastZero("turnPerTurn", turnPerTurn);
+        wayPerWay = QuantityChecks.atLeastZero("wayPerWay", wayPerWay);
+        wayPerTurn = QuantityChecks.atLeastZero("wayPerTurn", wayPerTurn);
+        turnPerWay = QuantityChecks.atLeastZero("turnPerWay", turnPerWay);
+        turnPerTurn = QuantityChecks.atLeastZero("turnPerTurn", turnPerTurn);
     }
 
     /**
@@ -44,7 +44,7 @@ public record Odometry(double wayPerWay, double wayPerTurn, double turnPerWay, d
      */
     public Twist measured(Twist had, double seconds, String robot, long step) {
         Checks.present("had", had);
-        Quantity.positive("seconds", seconds);
+        QuantityChecks.positive("seconds", seconds);
         long state = OdometryNoise.start(seed, Checks.present("robot", robot), step);
         double way = Math.sqrt(had.x() * had.x() + had.z() * had.z()) * seconds;
         double turn = Math.abs(had.ry()) * seconds;

@@ -18,10 +18,10 @@ public record OmnidirectionalDrive(
         implements Drive {
     /** Refuses values that are out of range or not a number. */
     public OmnidirectionalDrive {
-        maxSpeed = Quantity.limit("maxSpeed", maxSpeed);
-        maxAcceleration = Quantity.limit("maxAcceleration", maxAcceleration);
-        maxTurn = Quantity.limit("maxTurn", maxTurn);
-        maxTurnAcceleration = Quantity.limit("maxTurnAcceleration", maxTurnAcceleration);
+        maxSpeed = QuantityChecks.limit("maxSpeed", maxSpeed);
+        maxAcceleration = QuantityChecks.limit("maxAcceleration", maxAcceleration);
+        maxTurn = QuantityChecks.limit("maxTurn", maxTurn);
+        maxTurnAcceleration = QuantityChecks.limit("maxTurnAcceleration", maxTurnAcceleration);
         Checks.present("command", command);
     }
 
@@ -38,9 +38,9 @@ public record OmnidirectionalDrive(
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        double[] v = Quantity.numbers(now, body, seconds);
+        double[] v = QuantityChecks.numbers(now, body, seconds);
         next(v, body, seconds);
-        return Quantity.twist(v);
+        return QuantityChecks.twist(v);
     }
 
     void next(double[] v, Body body, double seconds) {
@@ -49,9 +49,9 @@ public record OmnidirectionalDrive(
         double dx = command.x() * share - v[0];
         double dz = command.z() * share - v[2];
         double change = Math.sqrt(dx * dx + dz * dz);
-        double most = Quantity.step(maxAcceleration, seconds);
-        v[3] = Quantity.toward(
-                v[3], Quantity.clamp(command.ry(), maxTurn), Quantity.step(maxTurnAcceleration, seconds));
+        double most = QuantityChecks.step(maxAcceleration, seconds);
+        v[3] = QuantityChecks.toward(
+                v[3], QuantityChecks.clamp(command.ry(), maxTurn), QuantityChecks.step(maxTurnAcceleration, seconds));
         if (change <= most) {
             v[0] = command.x() * share;
             v[2] = command.z() * share;

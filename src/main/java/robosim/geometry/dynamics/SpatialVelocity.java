@@ -26,9 +26,9 @@ public record SpatialVelocity(double x, double y, double z, double rx, double ry
         x = Checks.coordinate("x", x);
         y = Checks.coordinate("y", y);
         z = Checks.coordinate("z", z);
-        rx = Quantity.finite("rx", rx);
-        ry = Quantity.finite("ry", ry);
-        rz = Quantity.finite("rz", rz);
+        rx = QuantityChecks.finite("rx", rx);
+        ry = QuantityChecks.finite("ry", ry);
+        rz = QuantityChecks.finite("rz", rz);
     }
 
     /** How fast the centre moves, m/s. */

@@ -50,8 +50,8 @@ public record Surface(double restitution, double staticFriction, double slidingF
             throw new IllegalArgumentException("restitution must be from 0 to 1 (got: " + restitution + ")");
         }
         restitution += 0.0;
-        staticFriction = Quantity.atLeastZero("staticFriction", staticFriction);
-        slidingFriction = Quantity.atLeastZero("slidingFriction", slidingFriction);
+        staticFriction = QuantityChecks.atLeastZero("staticFriction", staticFriction);
+        slidingFriction = QuantityChecks.atLeastZero("slidingFriction", slidingFriction);
         if (slidingFriction > staticFriction) {
             throw new IllegalArgumentException("slidingFriction must be at most staticFriction (got: " + slidingFriction
                     + " above " + staticFriction + ")");

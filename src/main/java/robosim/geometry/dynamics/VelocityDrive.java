@@ -17,9 +17,9 @@ public record VelocityDrive(Twist velocity) implements Drive {
 
     @Override
     public Twist next(Twist now, Body body, double seconds) {
-        double[] v = Quantity.numbers(now, body, seconds);
+        double[] v = QuantityChecks.numbers(now, body, seconds);
         next(v, body);
-        return Quantity.twist(v);
+        return QuantityChecks.twist(v);
     }
 
     void next(double[] v, Body body) {

@@ -6,9 +6,9 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.TouchQuery;
 import robosim.geometry.engine.motion.FreePlaces;
+import robosim.geometry.engine.motion.FreeingSearch;
 import robosim.geometry.engine.motion.Motion;
 import robosim.geometry.engine.motion.Placer;
-import robosim.geometry.engine.motion.Separation;
 import robosim.geometry.engine.motion.Slide;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.sensing.BeamQuery;
@@ -142,9 +142,9 @@ public final class World {
         return made;
     }
 
-    /** Moves an object out of what it overlaps; see {@link Separation#find}. */
+    /** Moves an object out of what it overlaps; see {@link FreeingSearch#find}. */
     public boolean separate(int id, double max, double[] out) {
-        return new Separation(registry, motion, slide()).find(view, id, max, out);
+        return new FreeingSearch(registry, motion, slide()).find(view, id, max, out);
     }
 
     /** Puts objects at places of any attitude. */

@@ -11,8 +11,8 @@ import java.util.Arrays;
 public final class Orientation {
     // u = 2^-53; Shewchuk 1997, 4.2 and 4.3: the double determinant is off by at most this much of its permanent.
     private static final double U = 0x1p-53;
-    private static final double SIDE_FILTER = Filter.bound((3 + 16 * U) * U);
-    private static final double VOLUME_FILTER = Filter.bound((7 + 56 * U) * U);
+    private static final double SIDE_FILTER = FilterBound.bound((3 + 16 * U) * U);
+    private static final double VOLUME_FILTER = FilterBound.bound((7 + 56 * U) * U);
 
     // A product that underflows is off by 2^-1075 more; there are at most six, and the bound itself is rounded.
     private static final double UNDERFLOW = 0x1p-1070;
@@ -50,10 +50,10 @@ public final class Orientation {
     public static int compareProducts(double a, double b, double c, double d) {
         double left = a * b;
         double right = c * d;
-        if (!Filter.isDoubting() && (left < right || left > right)) {
+        if (!FilterBound.isDoubting() && (left < right || left > right)) {
             return left > right ? 1 : -1; // rounding never reverses the order of two products
         }
-        boolean fits = !Filter.isOff()
+        boolean fits = !FilterBound.isOff()
                 && Expansion.fits(a, 2)
                 && Expansion.fits(b, 2)
                 && Expansion.fits(c, 2)
@@ -76,7 +76,7 @@ public final class Orientation {
     }
 
     static int exactSide(double ax, double az, double bx, double bz, double px, double pz) {
-        boolean fits = !Filter.isOff()
+        boolean fits = !FilterBound.isOff()
                 && Expansion.fits(ax, 2)
                 && Expansion.fits(az, 2)
                 && Expansion.fits(bx, 2)
@@ -130,7 +130,7 @@ public final class Orientation {
     }
 
     static int exactVolume(double[] t, double dx, double dy, double dz) {
-        boolean fits = !Filter.isOff()
+        boolean fits = !FilterBound.isOff()
                 && fit(t[0], t[1], t[2])
                 && fit(t[3], t[4], t[5])
                 && fit(t[6], t[7], t[8])

@@ -24,7 +24,7 @@ final class GlbMaterials {
     private static final int LINEAR = 9729;
     private static final int MIPMAPS = 9987;
 
-    private final Packed numbers;
+    private final PackedStream numbers;
     private final List<String> views;
     private final Map<String, Integer> materials = new LinkedHashMap<>();
     private final Map<Object, Integer> known = new HashMap<>();
@@ -42,7 +42,7 @@ final class GlbMaterials {
      * @param numbers its binary part
      * @param views   the parts of that
      */
-    GlbMaterials(Packed numbers, List<String> views) {
+    GlbMaterials(PackedStream numbers, List<String> views) {
         this.numbers = numbers;
         this.views = views;
     }

@@ -37,7 +37,7 @@ final class GlbScene {
     private record Placed(Object shape, GlbMaterials.@Nullable Mapping mapping) {}
 
     /** The binary part. */
-    final Packed numbers = new Packed();
+    final PackedStream numbers = new PackedStream();
 
     private final List<String> views = new ArrayList<>();
     private final List<String> accessors = new ArrayList<>();

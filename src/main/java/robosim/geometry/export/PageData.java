@@ -30,7 +30,7 @@ final class PageData {
     private final StateHistory film;
     private final int from;
     private final int to;
-    private final Quanta quanta;
+    private final PageQuantization quanta;
     private final PageStreams out = new PageStreams();
     private final PageObjects objects;
     private final Scans scans;
@@ -42,7 +42,7 @@ final class PageData {
         this.from = from;
         this.to = to;
         Scene.View view = view(goals);
-        quanta = new Quanta(space(view, goals));
+        quanta = new PageQuantization(space(view, goals));
         objects = new PageObjects(quanta, out);
         scans = new Scans(quanta, out);
         write(labels, view, goals);
@@ -60,7 +60,7 @@ final class PageData {
         return out.toBytes();
     }
 
-    Quanta quanta() {
+    PageQuantization quanta() {
         return quanta;
     }
 
@@ -157,7 +157,7 @@ final class PageData {
 
     /** What people wrote, and what neither a place nor a distance tells, by frame. */
     private void writeRemarks() {
-        Packed remarks = new Packed();
+        PackedStream remarks = new PackedStream();
         int count = 0;
         int before = from;
         for (int n = from; n < to; n++) {
@@ -246,7 +246,7 @@ final class PageData {
                 places.put(name, movers.size() + k);
             }
         }
-        Packed bumps = new Packed();
+        PackedStream bumps = new PackedStream();
         int count = 0;
         int before = begin;
         for (int n = begin; n < end; n++) {
@@ -269,7 +269,7 @@ final class PageData {
                 if (mover != null && mover < movers.size()) {
                     bumps.count(n - before);
                     bumps.count(mover);
-                    bumps.count(Quanta.turn(bump.heading()));
+                    bumps.count(PageQuantization.turn(bump.heading()));
                     writeObstacle(bump, places, nameless, bumps);
                     before = n;
                     count++;
@@ -287,7 +287,7 @@ final class PageData {
     }
 
     private static void writeObstacle(
-            Frame.Bump bump, Map<String, Integer> places, Map<GeometryObject, Integer> nameless, Packed to) {
+            Frame.Bump bump, Map<String, Integer> places, Map<GeometryObject, Integer> nameless, PackedStream to) {
         if (bump.result() == null) {
             to.count(UNKNOWN);
             return;

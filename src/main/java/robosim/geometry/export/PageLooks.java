@@ -16,11 +16,11 @@ final class PageLooks {
     /** Most pixels of a picture whose mean is taken; of a larger one as many, evenly spread. */
     private static final int LOOKED_AT = 1 << 16;
 
-    private final Quanta quanta;
-    private final Packed out;
+    private final PageQuantization quanta;
+    private final PackedStream out;
     private final Map<Material, Integer> known = new HashMap<>();
 
-    PageLooks(Quanta quanta, Packed out) {
+    PageLooks(PageQuantization quanta, PackedStream out) {
         this.quanta = quanta;
         this.out = out;
     }

@@ -24,7 +24,7 @@ final class PageObjects {
     /** An object as it is painted. */
     private record Painted(GeometryObject object, int colour) {}
 
-    private final Quanta quanta;
+    private final PageQuantization quanta;
     private final PageStreams out;
     private final Map<Painted, Integer> known = new HashMap<>();
     private final Map<TriangleMesh, Integer> meshes = new HashMap<>();
@@ -33,7 +33,7 @@ final class PageObjects {
     /** Each grid of which cells were taken together, in words. */
     private final List<String> coarse = new ArrayList<>();
 
-    PageObjects(Quanta quanta, PageStreams out) {
+    PageObjects(PageQuantization quanta, PageStreams out) {
         this.quanta = quanta;
         this.out = out;
         looks = new PageLooks(quanta, out.looks);

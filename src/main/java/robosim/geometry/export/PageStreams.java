@@ -5,52 +5,52 @@ import java.util.List;
 /** The parts of a page's data, each of numbers that resemble one another, so that they compress well side by side. */
 final class PageStreams {
     /** What the page is about: texts, units, sizes. */
-    final Packed about = new Packed();
+    final PackedStream about = new PackedStream();
 
     /** Objects: names, colours, parts. */
-    final Packed objects = new Packed();
+    final PackedStream objects = new PackedStream();
 
     /** What surfaces look like. */
-    final Packed looks = new Packed();
+    final PackedStream looks = new PackedStream();
 
     /** The vertices and triangles of meshes. */
-    final Packed meshes = new Packed();
+    final PackedStream meshes = new PackedStream();
 
     /** Worlds, and what happened in them. */
-    final Packed chapters = new Packed();
+    final PackedStream chapters = new PackedStream();
 
     /** The lengths of tracks and the bytes of their moves. */
-    final Packed tracks = new Packed();
+    final PackedStream tracks = new PackedStream();
 
     /** The frames of places. */
-    final Packed times = new Packed();
+    final PackedStream times = new PackedStream();
 
     /** Moves ahead and aside. */
-    final Packed moves = new Packed();
+    final PackedStream moves = new PackedStream();
 
-    final Packed turns = new Packed();
+    final PackedStream turns = new PackedStream();
 
     /** Heights, and places of objects that tip over. */
-    final Packed free = new Packed();
+    final PackedStream free = new PackedStream();
 
     /** How sensors are arranged on an object. */
-    final Packed sensors = new Packed();
+    final PackedStream sensors = new PackedStream();
 
     /** When distances were measured, and by which sensors. */
-    final Packed scans = new Packed();
+    final PackedStream scans = new PackedStream();
 
-    final Packed distances = new Packed();
+    final PackedStream distances = new PackedStream();
 
     /** All of them, in the order in which the page reads them. */
     byte[] toBytes() {
-        List<Packed> all = List.of(
+        List<PackedStream> all = List.of(
                 about, looks, objects, meshes, chapters, tracks, times, moves, turns, free, sensors, scans, distances);
-        Packed whole = new Packed();
+        PackedStream whole = new PackedStream();
         whole.count(all.size());
-        for (Packed each : all) {
+        for (PackedStream each : all) {
             whole.count(each.size());
         }
-        for (Packed each : all) {
+        for (PackedStream each : all) {
             whole.append(each.toBytes());
         }
         return whole.toBytes();

@@ -95,7 +95,7 @@ public final class PageWriter {
      */
     public static void write(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
             throws IOException {
-        new PageWriter(Films.of(scenario, world == null ? Colours.NONE : Colours.of(world)))
+        new PageWriter(PageFilms.of(scenario, world == null ? Colours.NONE : Colours.of(world)))
                 .titled(scenario.header().title())
                 .described("", world == null ? "" : Pictures.unit(world))
                 .withGoals(goals)

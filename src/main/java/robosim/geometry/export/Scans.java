@@ -34,11 +34,11 @@ final class Scans {
         }
     }
 
-    private final Quanta quanta;
+    private final PageQuantization quanta;
     private final PageStreams out;
     private final Map<List<Sensor>, Integer> arrangements = new LinkedHashMap<>();
 
-    Scans(Quanta quanta, PageStreams out) {
+    Scans(PageQuantization quanta, PageStreams out) {
         this.quanta = quanta;
         this.out = out;
     }
@@ -79,9 +79,9 @@ final class Scans {
     private int arrangement(Scan scan) {
         List<Sensor> sensors = new ArrayList<>();
         for (Scene.Ping ping : scan.pings) {
-            int width = (int) Quanta.round(ping.width() * (Quanta.TURN / 360.0));
+            int width = (int) PageQuantization.round(ping.width() * (PageQuantization.TURN / 360.0));
             sensors.add(new Sensor(
-                    Quanta.turn(ping.heading() - scan.pose.heading()),
+                    PageQuantization.turn(ping.heading() - scan.pose.heading()),
                     width,
                     ping.range(),
                     Sensor.place(ping.start(), scan.pose)));

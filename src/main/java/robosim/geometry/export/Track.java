@@ -38,7 +38,7 @@ final class Track {
     }
 
     /** Writes all places, the first with its frame; {@code frame} is where the chapter begins. */
-    void write(int begin, Quanta quanta, PageStreams out) {
+    void write(int begin, PageQuantization quanta, PageStreams out) {
         out.tracks.count(2L * poses.size() + (upright ? 1 : 0));
         int before = begin;
         for (int frame : frames) {
@@ -52,7 +52,7 @@ final class Track {
         }
     }
 
-    private void writeUpright(Quanta quanta, PageStreams out) {
+    private void writeUpright(PageQuantization quanta, PageStreams out) {
         long x = 0;
         long y = 0;
         long z = 0;
@@ -60,19 +60,19 @@ final class Track {
         long ahead = 0;
         long aside = 0;
         for (Pose pose : poses) {
-            long toX = Quanta.steps(quanta.x(pose.center()));
-            long toY = Quanta.steps(quanta.y(pose.center()));
-            long toZ = Quanta.steps(quanta.z(pose.center()));
-            int toTurn = Quanta.turn(pose.heading());
+            long toX = PageQuantization.steps(quanta.x(pose.center()));
+            long toY = PageQuantization.steps(quanta.y(pose.center()));
+            long toZ = PageQuantization.steps(quanta.z(pose.center()));
+            int toTurn = PageQuantization.turn(pose.heading());
             int move = STAYS;
             if (toX != x || toZ != z) {
-                double cos = Quanta.cos(turn);
-                double sin = Quanta.sin(turn);
+                double cos = PageQuantization.cos(turn);
+                double sin = PageQuantization.sin(turn);
                 int off = off(toX - x - led(cos, ahead, sin, aside), toZ - z - led(cos, aside, -sin, ahead));
                 move = AGAIN + off;
                 if (off < 0) {
-                    ahead = Quanta.round(cos * (toX - x) - sin * (toZ - z));
-                    aside = Quanta.round(sin * (toX - x) + cos * (toZ - z));
+                    ahead = PageQuantization.round(cos * (toX - x) - sin * (toZ - z));
+                    aside = PageQuantization.round(sin * (toX - x) + cos * (toZ - z));
                     out.moves.signed(ahead);
                     out.moves.signed(aside);
                     off = off(toX - x - led(cos, ahead, sin, aside), toZ - z - led(cos, aside, -sin, ahead));
@@ -85,8 +85,8 @@ final class Track {
             }
             out.tracks.octet(move | (toTurn != turn ? TURNS : 0) | (toY != y ? RISES : 0));
             if (toTurn != turn) {
-                int by = Math.floorMod(toTurn - turn, Quanta.TURN);
-                out.turns.signed(by < Quanta.TURN / 2 ? by : by - Quanta.TURN);
+                int by = Math.floorMod(toTurn - turn, PageQuantization.TURN);
+                out.turns.signed(by < PageQuantization.TURN / 2 ? by : by - PageQuantization.TURN);
             }
             if (toY != y) {
                 out.free.signed(toY - y);
@@ -100,7 +100,7 @@ final class Track {
 
     /** How far a move leads along one axis. */
     private static long led(double along, long far, double across, long wide) {
-        return Quanta.round(along * far + across * wide);
+        return PageQuantization.round(along * far + across * wide);
     }
 
     /** A difference of at most one step along X and Z each, as a number from 0 to 8; negative for a larger one. */
@@ -108,19 +108,19 @@ final class Track {
         return Math.abs(x) > 1 || Math.abs(z) > 1 ? -1 : (int) (3 * (x + 1) + z + 1);
     }
 
-    private void writeFree(Quanta quanta, PageStreams out) {
+    private void writeFree(PageQuantization quanta, PageStreams out) {
         long[] before = new long[7];
         Quaternion turned = Quaternion.NONE;
         for (Pose pose : poses) {
             turned = Quaternion.of(pose).towards(turned);
             long[] now = {
-                Quanta.steps(quanta.x(pose.center())),
-                Quanta.steps(quanta.y(pose.center())),
-                Quanta.steps(quanta.z(pose.center())),
-                Quanta.round(turned.x() * Quanta.SPIN),
-                Quanta.round(turned.y() * Quanta.SPIN),
-                Quanta.round(turned.z() * Quanta.SPIN),
-                Quanta.round(turned.w() * Quanta.SPIN)
+                PageQuantization.steps(quanta.x(pose.center())),
+                PageQuantization.steps(quanta.y(pose.center())),
+                PageQuantization.steps(quanta.z(pose.center())),
+                PageQuantization.round(turned.x() * PageQuantization.SPIN),
+                PageQuantization.round(turned.y() * PageQuantization.SPIN),
+                PageQuantization.round(turned.z() * PageQuantization.SPIN),
+                PageQuantization.round(turned.w() * PageQuantization.SPIN)
             };
             for (int k = 0; k < now.length; k++) {
                 out.free.signed(now[k] - before[k]);

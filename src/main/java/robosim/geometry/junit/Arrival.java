@@ -44,10 +44,11 @@ public final class Arrival {
             }
         }
         if (!nearest.isNone()) {
-            throw robot.failure(" was to reach " + goal + " in " + Words.steps(steps) + ", but came no nearer than "
-                    + nearest + ", after " + Words.steps(bestStep) + " at "
-                    + Words.center(best)
-                    + "; it stands " + Words.place(robot.object()) + world.lastHindrance(robot.name()));
+            throw robot.failure(
+                    " was to reach " + goal + " in " + FailureFormat.steps(steps) + ", but came no nearer than "
+                            + nearest + ", after " + FailureFormat.steps(bestStep) + " at "
+                            + FailureFormat.center(best)
+                            + "; it stands " + FailureFormat.place(robot.object()) + world.lastHindrance(robot.name()));
         }
         world.seek(null);
         return robot;

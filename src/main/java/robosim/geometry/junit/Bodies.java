@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.session.BodyStepper;
-import robosim.geometry.net.session.Falls;
+import robosim.geometry.net.session.FallDetector;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
@@ -41,7 +41,7 @@ final class Bodies {
      * @param step of the clock
      * @param fall the fall of the body that ended in that step; null if none did
      */
-    record Meeting(long step, ContactAnswer contact, Falls.@Nullable Fall fall) {
+    record Meeting(long step, ContactAnswer contact, FallDetector.@Nullable Fall fall) {
         boolean isOf(String name) {
             return contact.objectName().equals(name) || name.equals(contact.other());
         }
@@ -113,7 +113,7 @@ final class Bodies {
     Reply run(StepBundle step, long clock) {
         Map<Integer, String> reasons = new TreeMap<>();
         last = motion.step(step, reasons::put);
-        Map<String, Falls.Fall> falls = motion.falls();
+        Map<String, FallDetector.Fall> falls = motion.falls();
         for (ContactAnswer contact : last.contacts()) {
             meetings.add(new Meeting(clock, contact, falls.get(contact.objectName())));
         }

@@ -40,7 +40,7 @@ public final class Goal {
     public static Goal at(double x, double z, double radius) {
         Robot.check("radius", radius);
         Point goal = new Point(x, 0, z);
-        String words = place(goal) + " to within " + Words.number(radius);
+        String words = place(goal) + " to within " + FailureFormat.number(radius);
         return new Goal(
                 words,
                 () -> robot -> distance(apart(robot.center(), goal) - radius),
@@ -56,7 +56,7 @@ public final class Goal {
         Checks.present("object", object);
         Robot.check("distance", distance);
         return new Goal(
-                Text.quoted(object) + " to within " + Words.number(distance),
+                Text.quoted(object) + " to within " + FailureFormat.number(distance),
                 () -> robot -> distance(robot.rangeTo(object).value() - distance),
                 world -> world.hasObject(object) ? List.of(world.getObject(object)) : List.of());
     }
@@ -101,7 +101,7 @@ public final class Goal {
             throw new IllegalArgumentException("places must hold at least one place (got: none)");
         }
         String words = path.stream().map(Goal::place).collect(Collectors.joining(", then ")) + ", each to within "
-                + Words.number(radius);
+                + FailureFormat.number(radius);
         return new Goal(words, () -> new Path(radius, path), world -> {
             List<GeometryObject> discs = new ArrayList<>();
             for (int k = 0; k < path.size(); k++) {
@@ -191,11 +191,11 @@ public final class Goal {
     }
 
     private static String place(Point place) {
-        return "(" + Words.number(place.x()) + ", " + Words.number(place.z()) + ")";
+        return "(" + FailureFormat.number(place.x()) + ", " + FailureFormat.number(place.z()) + ")";
     }
 
     private static String headed(double heading, double tolerance) {
-        return "heading " + Words.number(heading) + " to within " + Words.number(tolerance);
+        return "heading " + FailureFormat.number(heading) + " to within " + FailureFormat.number(tolerance);
     }
 
     @Override
@@ -227,7 +227,7 @@ public final class Goal {
 
         @Override
         public String toString() {
-            return words.formatted(Words.found(amount));
+            return words.formatted(FailureFormat.found(amount));
         }
     }
 }

@@ -41,7 +41,8 @@ public final class Range extends Robot {
     }
 
     private AssertionError apart(String relation, double distance, double found) {
-        return failure(" was to be " + relation + " " + Words.number(distance) + " from " + Text.quoted(other)
-                + ", but is " + Words.apart(found, distance) + " from it; it stands " + Words.place(object()));
+        return failure(" was to be " + relation + " " + FailureFormat.number(distance) + " from " + Text.quoted(other)
+                + ", but is " + FailureFormat.apart(found, distance) + " from it; it stands "
+                + FailureFormat.place(object()));
     }
 }

@@ -108,7 +108,7 @@ public sealed class Robot permits Range, Sonar {
         world.known(other);
         if (world.meetings().stream().noneMatch(meeting -> meeting.isBetween(name, other))) {
             throw failure(" was to hit " + Text.quoted(other) + world.moment() + ", but " + met() + "; it stands "
-                    + Words.place(object()));
+                    + FailureFormat.place(object()));
         }
         return this;
     }
@@ -129,7 +129,7 @@ public sealed class Robot permits Range, Sonar {
      */
     public Robot hitsNothing() {
         if (!world.met(name).isEmpty()) {
-            throw failure(" was to hit nothing, but " + met() + "; it stands " + Words.place(object()));
+            throw failure(" was to hit nothing, but " + met() + "; it stands " + FailureFormat.place(object()));
         }
         return this;
     }
@@ -147,7 +147,7 @@ public sealed class Robot permits Range, Sonar {
                 .distinct()
                 .count();
         return "has met " + other + " in step " + first.step() + " at "
-                + Words.point(first.contact().point(), 0)
+                + FailureFormat.point(first.contact().point(), 0)
                 + (others == 0 ? "" : " and " + others + " more");
     }
 
@@ -167,8 +167,8 @@ public sealed class Robot permits Range, Sonar {
         Checks.present("move", move);
         MoveResult result = world.move(name, move);
         if (!result.allowed()) {
-            throw failure(" was to " + Words.move(move) + world.moment() + ", but is " + Words.blocked(move, result)
-                    + "; it stands " + Words.place(object()));
+            throw failure(" was to " + FailureFormat.move(move) + world.moment() + ", but is "
+                    + FailureFormat.blocked(move, result) + "; it stands " + FailureFormat.place(object()));
         }
         return this;
     }
@@ -200,12 +200,13 @@ public sealed class Robot permits Range, Sonar {
         MoveResult result = world.move(name, move);
         GeometryObject met = result.obstacle();
         if (result.allowed()) {
-            throw failure(" was to be blocked by " + Text.quoted(obstacle) + " when it drives " + Words.number(distance)
-                    + world.moment() + ", but nothing is in its way; it stands " + Words.place(object()));
+            throw failure(" was to be blocked by " + Text.quoted(obstacle) + " when it drives "
+                    + FailureFormat.number(distance) + world.moment() + ", but nothing is in its way; it stands "
+                    + FailureFormat.place(object()));
         }
         if (met == null || !obstacle.equals(met.name())) {
             throw failure(" was to be blocked by " + Text.quoted(obstacle) + world.moment() + ", but is "
-                    + Words.blocked(move, result) + "; it stands " + Words.place(object()));
+                    + FailureFormat.blocked(move, result) + "; it stands " + FailureFormat.place(object()));
         }
         return this;
     }
@@ -277,17 +278,18 @@ public sealed class Robot permits Range, Sonar {
     }
 
     private String sight(double direction, double width) {
-        return " in a cone of " + Words.number(width) + " degrees" + sight(direction);
+        return " in a cone of " + FailureFormat.number(width) + " degrees" + sight(direction);
     }
 
     private Robot senses(boolean something, double range, double distance, String sight, String place) {
         if (distance > range == something) {
-            throw failure(" was to sense " + (something ? "something" : "nothing") + " within " + Words.number(range)
-                    + sight + ", but "
-                    + (Double.isInfinite(distance)
-                            ? "nothing echoes there at any distance"
-                            : "the first echo is " + Words.apart(distance, range) + " away" + place)
-                    + "; it stands " + Words.place(object()));
+            throw failure(
+                    " was to sense " + (something ? "something" : "nothing") + " within " + FailureFormat.number(range)
+                            + sight + ", but "
+                            + (Double.isInfinite(distance)
+                                    ? "nothing echoes there at any distance"
+                                    : "the first echo is " + FailureFormat.apart(distance, range) + " away" + place)
+                            + "; it stands " + FailureFormat.place(object()));
         }
         return this;
     }
@@ -311,7 +313,7 @@ public sealed class Robot permits Range, Sonar {
     }
 
     private String sight(double direction) {
-        return " at " + Words.number(direction) + " degrees" + world.moment();
+        return " at " + FailureFormat.number(direction) + " degrees" + world.moment();
     }
 
     /** Where an echo comes from, for a message; empty if there is none. */
@@ -323,7 +325,7 @@ public sealed class Robot permits Range, Sonar {
         double heading = heading() + direction;
         Point at = new Point(
                 from.x() + distance * Degrees.cos(heading), from.y(), from.z() - distance * Degrees.sin(heading));
-        return ", at about " + Words.point(at, distance);
+        return ", at about " + FailureFormat.point(at, distance);
     }
 
     /**

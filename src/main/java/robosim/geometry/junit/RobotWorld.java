@@ -193,9 +193,11 @@ public final class RobotWorld {
         double dz = at.z() - z;
         double off = Math.sqrt(dx * dx + dz * dz);
         if (!(off <= within)) {
-            throw new AssertionFailedError(kind + " " + Text.quoted(name) + " was to be within " + Words.number(within)
-                    + " of (" + Words.number(x) + ", " + Words.number(z) + ")" + moment() + ", but is "
-                    + Words.apart(off, within) + " away; it stands " + Words.place(known(name)) + lastHindrance(name));
+            throw new AssertionFailedError(kind + " " + Text.quoted(name) + " was to be within "
+                    + FailureFormat.number(within)
+                    + " of (" + FailureFormat.number(x) + ", " + FailureFormat.number(z) + ")" + moment() + ", but is "
+                    + FailureFormat.apart(off, within) + " away; it stands " + FailureFormat.place(known(name))
+                    + lastHindrance(name));
         }
     }
 
@@ -297,15 +299,15 @@ public final class RobotWorld {
         Move asked = new Move(
                 move.x(), move.y(), move.z(), Degrees.toDegrees(request.rx()), Degrees.toDegrees(request.ry()));
         MoveResult result = geometry.move(name, asked);
-        String refusal = result.allowed() ? null : Words.blocked(move, result);
+        String refusal = result.allowed() ? null : FailureFormat.blocked(move, result);
         transcript.moved(request, refusal, clock.steps());
         if (refusal != null) {
             GeometryObject obstacle = result.obstacle();
             watches.refused(
                     name,
                     obstacle == null ? null : obstacle.name(),
-                    "robot " + Text.quoted(name) + " was to " + Words.move(move),
-                    refusal + "; it stands " + Words.place(known(name)));
+                    "robot " + Text.quoted(name) + " was to " + FailureFormat.move(move),
+                    refusal + "; it stands " + FailureFormat.place(known(name)));
         }
         watches.check(meetings());
         return result;

@@ -48,7 +48,7 @@ public final class Sonar extends Robot {
     public Sonar isAtLeast(double distance) {
         check("distance", distance);
         if (reading < distance) {
-            throw misread("at least " + Words.number(distance), Words.apart(reading, distance));
+            throw misread("at least " + FailureFormat.number(distance), FailureFormat.apart(reading, distance));
         }
         return this;
     }
@@ -57,7 +57,7 @@ public final class Sonar extends Robot {
     public Sonar isAtMost(double distance) {
         check("distance", distance);
         if (reading > distance) {
-            throw misread("at most " + Words.number(distance), echo(distance));
+            throw misread("at most " + FailureFormat.number(distance), echo(distance));
         }
         return this;
     }
@@ -65,19 +65,20 @@ public final class Sonar extends Robot {
     /** Fails if anything echoes within its range. */
     public Sonar readsNothing() {
         if (!Double.isInfinite(reading)) {
-            throw misread("nothing", Words.found(reading));
+            throw misread("nothing", FailureFormat.found(reading));
         }
         return this;
     }
 
     private String echo(double asked) {
         return Double.isInfinite(reading)
-                ? "nothing within its range of " + Words.number(ring.max())
-                : Words.apart(reading, asked);
+                ? "nothing within its range of " + FailureFormat.number(ring.max())
+                : FailureFormat.apart(reading, asked);
     }
 
     private AssertionError misread(String expected, String found) {
-        return failure(" was to read " + expected + " by its sonar " + number + ", at " + Words.number(direction)
-                + " degrees, but it reads " + found + "; it stands " + Words.place(object()));
+        return failure(
+                " was to read " + expected + " by its sonar " + number + ", at " + FailureFormat.number(direction)
+                        + " degrees, but it reads " + found + "; it stands " + FailureFormat.place(object()));
     }
 }

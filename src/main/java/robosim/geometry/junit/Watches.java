@@ -16,7 +16,7 @@ import robosim.geometry.collision.Verdict;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.net.session.Falls;
+import robosim.geometry.net.session.FallDetector;
 import robosim.geometry.scenario.drive.Nameless;
 import robosim.geometry.world.shared.ObjectNames;
 
@@ -106,7 +106,7 @@ final class Watches {
                     throw failure((only == null
                                     ? "it met " + other(meeting, robot) + time(meeting.step())
                                     : "they met in step " + meeting.step())
-                            + " at " + Words.point(meeting.contact().point(), 0));
+                            + " at " + FailureFormat.point(meeting.contact().point(), 0));
                 }
             }
             if (!geometry.hasObject(robot)) {
@@ -121,8 +121,8 @@ final class Watches {
 
         private void checkOne(GeometryObject present, GeometryObject other) {
             if (touch(present, other)) {
-                throw failure("they touch" + step(clock.steps()) + ": " + Words.object(present) + " and "
-                        + Words.object(other));
+                throw failure("they touch" + step(clock.steps()) + ": " + FailureFormat.object(present) + " and "
+                        + FailureFormat.object(other));
             }
         }
 
@@ -135,14 +135,14 @@ final class Watches {
                     if (carries(present, other, contact)) {
                         continue;
                     }
-                    throw failure("it touches " + Words.object(other) + time(clock.steps())
+                    throw failure("it touches " + FailureFormat.object(other) + time(clock.steps())
                             + (contact == null
                                     ? ""
                                     : ", at "
-                                            + Words.point(
+                                            + FailureFormat.point(
                                                     contact.point(),
                                                     present.bounds().size()))
-                            + "; it stands " + Words.place(present));
+                            + "; it stands " + FailureFormat.place(present));
                 }
             }
         }
@@ -162,11 +162,12 @@ final class Watches {
     String other(Bodies.Meeting meeting, String name) {
         String other = meeting.other(name);
         if (other == null) {
-            Falls.Fall fall = meeting.fall();
+            FallDetector.Fall fall = meeting.fall();
             return fall != null && fall.isBorder() && Nameless.isGround(geometry, meeting.contact())
                     ? "the lower border of the world after a fall of " + NumberText.digits(fall.drop(), DIGITS)
                             + " (if it should stand on a floor, add one to the world)"
-                    : Words.object(Nameless.at(geometry, meeting.contact().point()));
+                    : FailureFormat.object(
+                            Nameless.at(geometry, meeting.contact().point()));
         }
         return geometry.hasObject(other) ? ObjectNames.kindAndName(geometry.getObject(other)) : Text.quoted(other);
     }

@@ -3,8 +3,8 @@ package robosim.geometry.model;
 import java.util.Arrays;
 import java.util.Collection;
 import robosim.geometry.check.Checks;
-import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.model.GeometryObject.RoundedBox;
 
@@ -73,8 +73,8 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         RoundedBox box = object.roundedBox();
         for (int axis = 0; axis < 3; axis++) {
             double half = half(box, place, axis);
-            all[axis] = Math.min(all[axis], 0 - Outward.sum(-place[axis], half));
-            all[3 + axis] = Math.max(all[3 + axis], Outward.sum(place[axis], half));
+            all[axis] = Math.min(all[axis], 0 - UpwardRounding.sum(-place[axis], half));
+            all[3 + axis] = Math.max(all[3 + axis], UpwardRounding.sum(place[axis], half));
         }
     }
 
@@ -83,7 +83,7 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
             return cylinder(box, place, axis);
         }
         double[] halves = {box.halfWidth(), box.halfHeight(), box.halfLength()};
-        return Outward.sum(Outward.ofBox(halves, 0, place, ROTATION + 3 * axis), box.ball());
+        return UpwardRounding.sum(UpwardRounding.ofBox(halves, 0, place, ROTATION + 3 * axis), box.ball());
     }
 
     /** Adds the occupied cells of a grid, which is a member of no group. */
@@ -93,10 +93,10 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         double half = grid.height() / 2;
         double[] box = {
             cells.bound(0),
-            0 - Outward.sum(-y, half),
+            0 - UpwardRounding.sum(-y, half),
             cells.bound(1),
             cells.bound(2),
-            Outward.sum(y, half),
+            UpwardRounding.sum(y, half),
             cells.bound(3)
         };
         for (int axis = 0; axis < 3; axis++) {
@@ -118,7 +118,7 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
             return half;
         }
         double length = Math.sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
-        return Outward.ofCylinder(box.disc(), half, along, p, q, length);
+        return UpwardRounding.ofCylinder(box.disc(), half, along, p, q, length);
     }
 
     private static void add(TriangleMesh mesh, double[] place, double[] all) {

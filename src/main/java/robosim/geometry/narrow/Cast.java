@@ -11,7 +11,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.leaf.UprightRows;
-import robosim.geometry.narrow.mesh.KnownInside;
+import robosim.geometry.narrow.mesh.InsideCache;
 import robosim.geometry.narrow.mesh.MeshRay;
 import robosim.geometry.narrow.mesh.PointInMesh;
 import robosim.geometry.narrow.normal.Normals;
@@ -51,7 +51,7 @@ public final class Cast {
 
     private double nearest;
     private final MeshRay.Judge judge = this::judge;
-    private final KnownInside inside = new KnownInside();
+    private final InsideCache inside = new InsideCache();
 
     /** A distance that is as good as the nearest, as only whether there is one is asked; below 0 if it is not. */
     private double enough = Double.NEGATIVE_INFINITY;

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.narrow.cone.ConeScratch;
 import robosim.geometry.narrow.distance.DistanceScratch;
 import robosim.geometry.narrow.gjk.GjkScratch;
@@ -29,5 +29,5 @@ public final class Scratch {
     public final ConeScratch cone = new ConeScratch(ray, planar, leaf);
 
     /** Counts what the kernels do. */
-    public final Work work = leaf.work;
+    public final WorkCounter work = leaf.work;
 }

@@ -12,7 +12,7 @@ import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.planar.PlainCells;
 import robosim.geometry.narrow.sat.ExactExtent;
@@ -41,10 +41,10 @@ public final class Sweep {
     private double dx;
     private double dy;
     private double dz;
-    private final Turn turn = new Turn();
+    private final PivotTurn turn = new PivotTurn();
 
     /** The same for kernels, at height 0 where heights do not count. */
-    private final Turn kernelTurn = new Turn();
+    private final PivotTurn kernelTurn = new PivotTurn();
 
     /**
      * The mover's contacts at the start, if they are to be considered; the moving leaf and triangle, and what is hit
@@ -124,7 +124,7 @@ public final class Sweep {
     }
 
     /** Sets a turn, which the caller fills in. */
-    public Turn turn(Dimension inDimension) {
+    public PivotTurn turn(Dimension inDimension) {
         dimension = inDimension;
         turns = true;
         return turn;
@@ -497,7 +497,7 @@ public final class Sweep {
         Leaf two = isTakenUp ? m.second : b;
         if (turns) {
             kernelTurn.about(turn.px, y, turn.pz).by(turn.wx, turn.wy, turn.wz, turn.degrees);
-            Turn by = isTakenUp ? m.up(kernelTurn) : kernelTurn;
+            PivotTurn by = isTakenUp ? m.up(kernelTurn) : kernelTurn;
             return isFlat ? PlanarSweep.turn(one, by, two, s.sweep) : SpatialSweep.turn(one, by, two, s.sweep);
         }
         double x = isTakenUp ? m.up(dx) : dx;

@@ -18,16 +18,16 @@ import robosim.geometry.check.Text;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.net.pace.Admissions;
 import robosim.geometry.net.pace.CpuTurn;
-import robosim.geometry.net.pace.Effort;
 import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.net.pace.PacedOutput;
 import robosim.geometry.net.pace.ReadAhead;
+import robosim.geometry.net.pace.RequestBudget;
 import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
-import robosim.geometry.net.session.Opening;
 import robosim.geometry.net.session.Refused;
+import robosim.geometry.net.session.SessionStart;
 import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Bundle;
@@ -67,7 +67,7 @@ final class Connection implements Runnable {
     private Admissions.Newcomer newcomer;
     private final Watchdog.Guard guard;
     private final CpuTurn turn;
-    private final Effort effort;
+    private final RequestBudget effort;
     private final MessageMemory.Share messageMemory;
     private final WorldMemory.Share worldMemory;
 
@@ -109,7 +109,7 @@ final class Connection implements Runnable {
         this.newcomer = Admissions.Newcomer.chosen();
         this.guard = around.watchdog().guard(this::abort);
         this.turn = around.turns().turn();
-        this.effort = new Effort(turn, options.quotas().time().toNanos(), this::isPeerGone);
+        this.effort = new RequestBudget(turn, options.quotas().time().toNanos(), this::isPeerGone);
         this.messageMemory = around.messageMemory().share();
         this.worldMemory = around.worldMemory().share();
     }
@@ -286,7 +286,7 @@ final class Connection implements Runnable {
             Reply reply;
             try {
                 reply = reply(channel, session, request, channel.messageBytes());
-            } catch (WorkLimitException | Effort.Overtime e) {
+            } catch (WorkLimitException | RequestBudget.Overtime e) {
                 String reason = Text.line(String.valueOf(e.getMessage()));
                 warn("message " + message() + " was not carried out: " + reason);
                 around.figures().failed();
@@ -327,7 +327,7 @@ final class Connection implements Runnable {
 
     /** Makes the world with which connections begin; only now, when the peer has been admitted and needs one. */
     private void open(MessageChannel channel, Session session) throws IOException {
-        Opening opening = around.opening();
+        SessionStart opening = around.opening();
         if (!opening.requests().isEmpty()) {
             refuse(channel, worldMemory.claim(opening.bytes()));
             for (Bundle request : opening.requests()) {
@@ -386,7 +386,7 @@ final class Connection implements Runnable {
                 }
             });
             return Objects.requireNonNull(loaded, "what a loader returns");
-        } catch (WorkLimitException | Effort.Overtime e) {
+        } catch (WorkLimitException | RequestBudget.Overtime e) {
             around.figures().failed();
             throw new IOException(Text.line(String.valueOf(e.getMessage())), e);
         } finally {
@@ -409,7 +409,7 @@ final class Connection implements Runnable {
             String reason = ending ? "the module is shutting down" : String.valueOf(e.getMessage());
             channel.refuse(reason + ": message " + message() + " was cut off, and has no answer");
             throw e;
-        } catch (WorkLimitException | Effort.Overtime e) {
+        } catch (WorkLimitException | RequestBudget.Overtime e) {
             throw e; // the conversation goes on
         } catch (OutOfMemoryError e) {
             channel.refuse(NO_MEMORY);

@@ -6,7 +6,7 @@ import robosim.geometry.net.pace.MessageMemory;
 import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.WorldMemory;
 import robosim.geometry.net.session.LogBudget;
-import robosim.geometry.net.session.Opening;
+import robosim.geometry.net.session.SessionStart;
 
 /** What all connections of one server or client share. */
 record ConnectionContext(
@@ -17,7 +17,7 @@ record ConnectionContext(
         MessageMemory messageMemory,
         WorldMemory worldMemory,
         LogBudget log,
-        Opening opening) {
+        SessionStart opening) {
     // The deadlines for closing a server or client, counted from the call.
 
     /** Requests already read are answered until then, and cut off afterwards. */
@@ -38,7 +38,7 @@ record ConnectionContext(
                 MessageMemory.ofThisProcess(),
                 WorldMemory.ofThisProcess(),
                 new LogBudget(System::nanoTime),
-                Opening.of(options.opening()));
+                SessionStart.of(options.opening()));
     }
 
     /** The same for connections from now on, which need other keys or another secret. */

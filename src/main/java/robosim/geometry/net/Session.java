@@ -16,13 +16,13 @@ import robosim.geometry.check.Text;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
-import robosim.geometry.net.session.AngleCheck;
 import robosim.geometry.net.session.Batches;
 import robosim.geometry.net.session.BodyStepper;
-import robosim.geometry.net.session.Extent;
+import robosim.geometry.net.session.LargeTurnWarning;
 import robosim.geometry.net.session.LogBudget;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
+import robosim.geometry.net.session.WorldExtent;
 import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
@@ -75,7 +75,7 @@ public final class Session {
     private final SessionOptions options;
     private final SessionListener listener;
     private final WarningLog complaints;
-    private final AngleCheck angles;
+    private final LargeTurnWarning angles;
 
     /** Runs between two parts of the work. */
     private Runnable breath = () -> {};
@@ -121,7 +121,7 @@ public final class Session {
         this.options = Checks.present("options", options);
         this.listener = Checks.present("listener", listener);
         this.complaints = new WarningLog(Checks.present("log", log), Checks.present("name", name));
-        this.angles = new AngleCheck(complaints);
+        this.angles = new LargeTurnWarning(complaints);
         listener.opened(this);
     }
 
@@ -253,7 +253,7 @@ public final class Session {
     private void replaceWorld(InitBundle init) {
         complaints.forget();
         angles.forget();
-        WorldSettings settings = Extent.settings(init, options.dimension(), options.accuracy());
+        WorldSettings settings = WorldExtent.settings(init, options.dimension(), options.accuracy());
         Geometry made = new Geometry(
                 settings.width(),
                 settings.height(),

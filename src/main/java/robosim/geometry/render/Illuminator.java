@@ -107,7 +107,7 @@ final class Illuminator {
             double along = -((facing * nx - beam.wayX) * hits.way[at]
                     + (facing * ny - beam.wayY) * hits.way[at + 1]
                     + (facing * nz - beam.wayZ) * hits.way[at + 2]);
-            highlight = met.specular * Powers.of(Math.min(1, along), met.shininess);
+            highlight = met.specular * PortablePowers.of(Math.min(1, along), met.shininess);
         }
         carried[to] = beam.red * beam.strength * (met.diffuse * hits.color[at] + highlight);
         carried[to + 1] = beam.green * beam.strength * (met.diffuse * hits.color[at + 1] + highlight);

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 import robosim.geometry.check.Checks;
 import robosim.geometry.sensor.effects.Draws;
-import robosim.geometry.sensor.effects.Effect;
-import robosim.geometry.sensor.effects.Measured;
+import robosim.geometry.sensor.effects.NoiseEffect;
+import robosim.geometry.sensor.effects.NoisyFrame;
 
 /**
  * What a sensor does to a true distance: a list of effects, each of which takes what the one before it left. Immutable;
@@ -32,14 +32,14 @@ public final class Noise {
 
     private static final int MOST = 64;
 
-    private final List<Effect> effects;
+    private final List<NoiseEffect> effects;
     private final boolean needsIncidence;
     private final double coneWidth;
 
-    private Noise(List<Effect> effects) {
+    private Noise(List<NoiseEffect> effects) {
         this.effects = effects;
-        needsIncidence = effects.stream().anyMatch(Effect::needsIncidence);
-        coneWidth = effects.stream().mapToDouble(Effect::coneWidth).sum(); // at most one needs cones
+        needsIncidence = effects.stream().anyMatch(NoiseEffect::needsIncidence);
+        coneWidth = effects.stream().mapToDouble(NoiseEffect::coneWidth).sum(); // at most one needs cones
     }
 
     /**
@@ -58,7 +58,7 @@ public final class Noise {
      * @param deviation standard deviation in world units; at least 0
      */
     public static Noise gaussian(double mean, double deviation) {
-        return of(new Effect.Gaussian(Checks.coordinate("mean", mean), Checks.size("deviation", deviation)));
+        return of(new NoiseEffect.Gaussian(Checks.coordinate("mean", mean), Checks.size("deviation", deviation)));
     }
 
     /**
@@ -67,7 +67,7 @@ public final class Noise {
      * @param share standard deviation over the distance; from 0 to 1
      */
     public static Noise proportional(double share) {
-        return of(new Effect.Proportional(share("share", share)));
+        return of(new NoiseEffect.Proportional(share("share", share)));
     }
 
     /**
@@ -77,7 +77,7 @@ public final class Noise {
      * @param deviation standard deviation in world units; at least 0
      */
     public static Noise bias(double mean, double deviation) {
-        return of(new Effect.Bias(Checks.coordinate("mean", mean), Checks.size("deviation", deviation)));
+        return of(new NoiseEffect.Bias(Checks.coordinate("mean", mean), Checks.size("deviation", deviation)));
     }
 
     /**
@@ -89,7 +89,7 @@ public final class Noise {
         if (!(step >= 0x1p-100 && step <= Checks.LIMIT)) {
             throw new IllegalArgumentException("step must be from 2^-100 to 2^100 (got: " + step + ")");
         }
-        return of(new Effect.Quantized(step));
+        return of(new NoiseEffect.Quantized(step));
     }
 
     /**
@@ -98,7 +98,7 @@ public final class Noise {
      * @param probability from 0 to 1, of each
      */
     public static Noise dropout(double probability) {
-        return of(new Effect.Dropout(share("probability", probability)));
+        return of(new NoiseEffect.Dropout(share("probability", probability)));
     }
 
     /**
@@ -114,7 +114,7 @@ public final class Noise {
             throw new IllegalArgumentException(
                     "limitDegrees must be above 0 and at most 90 (got: " + limitDegrees + ")");
         }
-        return of(new Effect.Grazing(Checks.size("deviation", deviation), limitDegrees));
+        return of(new NoiseEffect.Grazing(Checks.size("deviation", deviation), limitDegrees));
     }
 
     /**
@@ -131,7 +131,7 @@ public final class Noise {
         if (!(widthDegrees > 0 && widthDegrees < 90)) {
             throw new IllegalArgumentException("widthDegrees must be above 0 and below 90 (got: " + widthDegrees + ")");
         }
-        return of(new Effect.MixedPixels(widthDegrees, Checks.size("gap", gap)));
+        return of(new NoiseEffect.MixedPixels(widthDegrees, Checks.size("gap", gap)));
     }
 
     /**
@@ -142,10 +142,10 @@ public final class Noise {
      * @param probability from 0 to 1, of each ray
      */
     public static Noise falseEchoes(double probability) {
-        return of(new Effect.FalseEchoes(share("probability", probability)));
+        return of(new NoiseEffect.FalseEchoes(share("probability", probability)));
     }
 
-    private static Noise of(Effect effect) {
+    private static Noise of(NoiseEffect effect) {
         return new Noise(List.of(effect));
     }
 
@@ -162,7 +162,7 @@ public final class Noise {
             throw new IllegalArgumentException(
                     "a noise must have mixed pixels at most once (got: " + this + ", and " + next + ")");
         }
-        List<Effect> all = new ArrayList<>(effects);
+        List<NoiseEffect> all = new ArrayList<>(effects);
         all.addAll(next.effects);
         if (all.size() > MOST) {
             throw new IllegalArgumentException("a noise has at most " + MOST + " effects (got: " + all.size() + ")");
@@ -185,11 +185,11 @@ public final class Noise {
     }
 
     /** Changes distances. */
-    void apply(long seed, long sensor, long frame, Measured measured) {
+    void apply(long seed, long sensor, long frame, NoisyFrame measured) {
         long ofSensor = Draws.key(Draws.key(0, seed), sensor);
         long ofFrame = Draws.key(ofSensor, frame);
         for (int k = 0; k < effects.size(); k++) {
-            Effect effect = effects.get(k);
+            NoiseEffect effect = effects.get(k);
             long key = Draws.key(effect.isConstant() ? ofSensor : ofFrame, k);
             effect.apply(key, Draws.step(key), measured);
         }
@@ -209,6 +209,6 @@ public final class Noise {
     public String toString() {
         return effects.isEmpty()
                 ? "no noise"
-                : effects.stream().map(Effect::toString).collect(Collectors.joining(", then "));
+                : effects.stream().map(NoiseEffect::toString).collect(Collectors.joining(", then "));
     }
 }

@@ -3,7 +3,7 @@ package robosim.geometry.sensor;
 import robosim.geometry.Geometry;
 import robosim.geometry.check.Checks;
 import robosim.geometry.sensor.effects.Draws;
-import robosim.geometry.sensor.effects.Measured;
+import robosim.geometry.sensor.effects.NoisyFrame;
 
 /**
  * Tells how near the nearest other object is, on whichever side: RoboSim's proximity sensor. Immutable.
@@ -86,7 +86,7 @@ public final class ProximitySensor {
         if (noise.isNone()) {
             return distance;
         }
-        Measured measured = new Measured();
+        NoisyFrame measured = new NoisyFrame();
         measured.distances = new double[] {distance};
         measured.count = 1;
         measured.max = max;

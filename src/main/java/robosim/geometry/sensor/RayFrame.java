@@ -10,7 +10,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.Twist;
-import robosim.geometry.sensor.effects.Measured;
+import robosim.geometry.sensor.effects.NoisyFrame;
 
 /**
  * A reading of a sensor with rays: a distance for each ray and what the sensor makes of it. Its arrays are used again by
@@ -27,7 +27,7 @@ public abstract class RayFrame {
     private boolean hasNormals;
     private boolean hasParts;
     private final SenseBuffer cones = new SenseBuffer();
-    private final Measured measured = new Measured();
+    private final NoisyFrame measured = new NoisyFrame();
 
     private @Nullable RayPattern pattern;
     private int size;

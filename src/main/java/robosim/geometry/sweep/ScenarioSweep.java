@@ -89,7 +89,7 @@ public final class ScenarioSweep implements SweepScenario {
     /** The first robots that are moved or driven, in the order of the requests. */
     private final ArrayList<String> movers = new ArrayList<>();
 
-    private final ArrayList<Journey.Goal> goals = new ArrayList<>();
+    private final ArrayList<RobotArrivals.Goal> goals = new ArrayList<>();
 
     /** The recorded answers; null if unknown. */
     private final ArrayList<@Nullable Bundle> answers = new ArrayList<>();
@@ -135,7 +135,7 @@ public final class ScenarioSweep implements SweepScenario {
         sweep.requests.stream()
                 .flatMap(ScenarioSweep::moved)
                 .distinct()
-                .limit(Journey.MOST_ROBOTS)
+                .limit(RobotArrivals.MOST_ROBOTS)
                 .forEach(sweep.movers::add);
         return sweep;
     }
@@ -175,7 +175,7 @@ public final class ScenarioSweep implements SweepScenario {
         sweep.answers.addAll(answers);
         sweep.movers.addAll(movers);
         sweep.goals.addAll(goals);
-        sweep.goals.add(new Journey.Goal(robot, x, z, radius));
+        sweep.goals.add(new RobotArrivals.Goal(robot, x, z, radius));
         sweep.print =
                 new Fingerprint().add(print).add(sweep.goals.toString()).hex().substring(0, print.length());
         return sweep;
@@ -278,7 +278,7 @@ public final class ScenarioSweep implements SweepScenario {
                 new Noise(noise, amount(replicate, SLIP), amount(replicate, AIM), amount(replicate, RANGE), beam);
         Replay replay = new Replay(replicate.world(), options(), SessionListener.NONE);
         ScenarioTally tally = new ScenarioTally();
-        Journey journey = new Journey(
+        RobotArrivals journey = new RobotArrivals(
                 replicate.world(), movers, goals, requests.stream().anyMatch(each -> each instanceof StepBundle));
         for (int k = 0; k < requests.size(); k++) {
             Bundle asked = requests.get(k);

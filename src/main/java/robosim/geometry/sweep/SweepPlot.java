@@ -99,7 +99,7 @@ final class SweepPlot {
     private Figure figure() {
         List<String> numbers = summary.cells().values().stream()
                 .flatMap(spreads -> spreads.keySet().stream())
-                .filter(number -> !Journey.isEnd(number))
+                .filter(number -> !RobotArrivals.isEnd(number))
                 .distinct()
                 .toList();
         StringBuilder caption = new StringBuilder("Means and their 95 % intervals.");

@@ -151,7 +151,7 @@ public final class SweepSummary implements Consumer<Outcome> {
         List<List<String>> rows = new ArrayList<>(List.of(heads));
         cells.forEach((cell, spreads) -> {
             spreads.forEach((name, spread) -> {
-                if (!Journey.isEnd(name)) {
+                if (!RobotArrivals.isEnd(name)) {
                     rows.add(row(cell, parameters, name, spread));
                 }
             });

@@ -11,7 +11,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 
@@ -392,12 +392,12 @@ final class NearStart implements Kernel {
         double share = flat
                 ? PlanarSweep.turn(
                         new Leaf(kindA, a, 0),
-                        new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
+                        new PivotTurn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
                         new Leaf(kindB, b, 0),
                         scratch.sweep)
                 : SpatialSweep.turn(
                         new Leaf(kindA, a, 0),
-                        new Turn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
+                        new PivotTurn().about(pivot[0], pivot[1], pivot[2]).by(w[0], w[1], w[2], degrees),
                         new Leaf(kindB, b, 0),
                         scratch.sweep);
         return share > 1

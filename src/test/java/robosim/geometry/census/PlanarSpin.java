@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth;
@@ -74,7 +74,7 @@ final class PlanarSpin implements Kernel {
         draw(random, adversarial);
         share = PlanarSweep.turn(
                 new Leaf(PlanarCases.kind(places.formA), places.a, 0),
-                new Turn().about(px, 17, pz).by(0, 1, 0, degrees),
+                new PivotTurn().about(px, 17, pz).by(0, 1, 0, degrees),
                 new Leaf(PlanarCases.kind(places.formB), places.b, 0),
                 scratch.sweep);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));

@@ -3,7 +3,7 @@ package robosim.geometry.census;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 
 /** Turns about any axis through the origin. */
@@ -56,7 +56,7 @@ final class SpatialTurn extends SpatialMotion {
     double free() {
         return SpatialSweep.turn(
                 new Leaf(kindA, a, 0),
-                new Turn().about(origin[0], origin[1], origin[2]).by(axis[0], axis[1], axis[2], degrees),
+                new PivotTurn().about(origin[0], origin[1], origin[2]).by(axis[0], axis[1], axis[2], degrees),
                 new Leaf(kindB, b, 0),
                 scratch.sweep);
     }

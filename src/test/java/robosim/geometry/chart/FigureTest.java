@@ -102,8 +102,8 @@ class FigureTest {
 
     @Test
     void captionsAreWrapped() {
-        List<String> lines = Words.wrap("one two three four five six seven", 12, 90);
-        assertThat(lines).hasSizeGreaterThan(2).allMatch(line -> Words.width(line, 12) <= 90);
+        List<String> lines = TextWidths.wrap("one two three four five six seven", 12, 90);
+        assertThat(lines).hasSizeGreaterThan(2).allMatch(line -> TextWidths.width(line, 12) <= 90);
         assertThat(String.join(" ", lines)).isEqualTo("one two three four five six seven");
     }
 }

@@ -172,7 +172,7 @@ class PageDataTest {
     @ParameterizedTest
     @MethodSource("scenarios")
     void everyStoredScenarioIsToldAsItWas(Path file) throws IOException {
-        StateHistory film = Films.of(Scenario.read(file));
+        StateHistory film = PageFilms.of(Scenario.read(file));
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(page.frames).isEqualTo(film.size());
         assertThat(compared(film, 0, page)).isLessThanOrEqualTo(0.5 + 1e-6);
@@ -313,7 +313,7 @@ class PageDataTest {
     /** Of its own file, with its colours; and the sonars of its robots. */
     @Test
     void aWorldShowsWhatItsSonarsMeasure() throws IOException {
-        StateHistory film = Films.of(WorldReader.read(Path.of("worlds", "rooms.xml")));
+        StateHistory film = PageFilms.of(WorldReader.read(Path.of("worlds", "rooms.xml")));
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(page.chapters.get(0).scans)
                 .hasSize(8)
@@ -327,7 +327,7 @@ class PageDataTest {
     void thePagesProgramAgrees(@TempDir Path folder) throws Exception {
         Assumptions.assumeTrue(Program.find("node").isPresent(), "no node on the path, which runs the page's program");
         List<StateHistory> films = List.of(
-                Films.of(Scenario.read(Path.of("worlds", "scenarios", "wandering.scenario.jsonl"))),
+                PageFilms.of(Scenario.read(Path.of("worlds", "scenarios", "wandering.scenario.jsonl"))),
                 Pages.film(Pages.wander(60, 12, 1000, true, new SplittableRandom(4))),
                 Pages.film(Pages.tumble(300, new SplittableRandom(5))));
         Path script = Path.of("src/test/resources/robosim/geometry/export/decode.js");

@@ -178,8 +178,8 @@ class RobotTest {
             double asked = random.nextInt(4) == 0 ? random.nextInt(100) / 10.0 : random.nextDouble() * 10;
             double off = Math.pow(10, -17 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
             double found = random.nextInt(9) == 0 ? Math.nextUp(asked) : Math.max(0, asked + off);
-            String told = Words.apart(found, asked);
-            String beside = Words.number(asked);
+            String told = FailureFormat.apart(found, asked);
+            String beside = FailureFormat.number(asked);
             if (found == asked) {
                 continue;
             }

@@ -10,7 +10,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 
@@ -25,7 +25,7 @@ class HardMovesTest {
     private final Scratch scratch = new Scratch();
     private final Leaf mover = new Leaf();
     private final Leaf rest = new Leaf();
-    private final Turn turn = new Turn();
+    private final PivotTurn turn = new PivotTurn();
     private final SplittableRandom random = new SplittableRandom(20055);
 
     private double planar(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
@@ -176,7 +176,7 @@ class HardMovesTest {
                     .isEqualTo(0);
             assertThat(SpatialSweep.turn(
                             new Leaf(LeafKind.UPRIGHT_BOX, cart, 0),
-                            new Turn().about(3, 0.5, 4).by(0, 1, 0, degrees),
+                            new PivotTurn().about(3, 0.5, 4).by(0, 1, 0, degrees),
                             new Leaf(LeafKind.UPRIGHT_BOX, floor, 0),
                             scratch.sweep))
                     .isEqualTo(FREE);

@@ -12,15 +12,15 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
-import robosim.geometry.sensor.effects.Measured;
+import robosim.geometry.sensor.effects.NoisyFrame;
 
 /** Each effect does what its page says, by its moments over many rays. */
 class NoiseTest {
     private static final int COUNT = Effort.cases(1_000_000);
     private static final double NOTHING = Double.POSITIVE_INFINITY;
 
-    private static Measured measured(double distance, double cosine, double front) {
-        Measured measured = new Measured();
+    private static NoisyFrame measured(double distance, double cosine, double front) {
+        NoisyFrame measured = new NoisyFrame();
         measured.distances = filled(distance);
         measured.incidence = filled(cosine);
         measured.cones = filled(front);
@@ -35,7 +35,7 @@ class NoiseTest {
         return filled;
     }
 
-    private static double[] of(Noise noise, Measured measured) {
+    private static double[] of(Noise noise, NoisyFrame measured) {
         noise.apply(42, 3, 17, measured);
         return measured.distances;
     }
@@ -85,14 +85,14 @@ class NoiseTest {
         Noise bias = Noise.bias(0.5, 0.1);
         double first = of(bias, 5)[0];
         assertThat(of(bias, 5)).containsOnly(first);
-        Measured later = measured(5, 1, 5);
+        NoisyFrame later = measured(5, 1, 5);
         bias.apply(42, 3, 18, later);
         assertThat(later.distances[9]).isEqualTo(first);
         double sum = 0;
         double squares = 0;
         int sensors = 100_000;
         for (int sensor = 0; sensor < sensors; sensor++) {
-            Measured one = new Measured();
+            NoisyFrame one = new NoisyFrame();
             one.distances = new double[1];
             one.count = 1;
             bias.apply(1, sensor, 0, one);
@@ -127,7 +127,7 @@ class NoiseTest {
         double[] sky = of(Noise.falseEchoes(0.1), NOTHING);
         assertThat(lost(sky)).isCloseTo(0.9, five(0.3));
         assertThat(mean(sky)).isCloseTo(50, five(30 * Math.sqrt(10)));
-        Measured endless = measured(NOTHING, -1, NOTHING);
+        NoisyFrame endless = measured(NOTHING, -1, NOTHING);
         endless.max = NOTHING;
         assertThat(of(Noise.falseEchoes(1), endless)).containsOnly(NOTHING);
     }
@@ -168,13 +168,13 @@ class NoiseTest {
     void aNumberDependsOnSeedSensorFrameRayAndPlaceAlone() {
         Noise noise = Noise.gaussian(1);
         double[] whole = of(noise, 0);
-        Measured few = new Measured();
+        NoisyFrame few = new NoisyFrame();
         few.distances = new double[10];
         few.count = 10;
         noise.apply(42, 3, 17, few);
         assertThat(few.distances).isEqualTo(Arrays.copyOf(whole, 10));
         for (long[] other : new long[][] {{43, 3, 17}, {42, 4, 17}, {42, 3, 18}, {3, 42, 17}, {42, 17, 3}}) {
-            Measured different = new Measured();
+            NoisyFrame different = new NoisyFrame();
             different.distances = new double[10];
             different.count = 10;
             noise.apply(other[0], other[1], other[2], different);

@@ -11,7 +11,7 @@ import org.dyn4j.world.World;
 import org.locationtech.jts.index.strtree.STRtree;
 import robosim.geometry.Geometry;
 import robosim.geometry.bench.ClassPath;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 
 /** Runs a study in a JVM of its own. */
 public final class Fork {
@@ -32,7 +32,7 @@ public final class Fork {
         List<String> command = new ArrayList<>(
                 List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath()));
         command.addAll(OPTIONS);
-        command.add("-D" + Filter.PROPERTY + "=" + filter);
+        command.add("-D" + FilterBound.PROPERTY + "=" + filter);
         command.add("-Dpeers=" + System.getProperty("peers", ""));
         command.addAll(List.of(Fork.class.getName(), study, form));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();

@@ -7,8 +7,8 @@ import java.util.SplittableRandom;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.sensor.effects.Draws;
-import robosim.geometry.sensor.effects.Effect;
-import robosim.geometry.sensor.effects.Measured;
+import robosim.geometry.sensor.effects.NoiseEffect;
+import robosim.geometry.sensor.effects.NoisyFrame;
 
 /** Each effect of noise, and some that are mostly used together: nanoseconds a ray, the copy of its distance included. */
 final class SensorNoise {
@@ -32,21 +32,21 @@ final class SensorNoise {
     }
 
     /** What is measured, by its name. */
-    static Map<String, List<Effect>> kinds() {
-        Effect gaussian = new Effect.Gaussian(0, 0.01);
-        Effect proportional = new Effect.Proportional(0.002);
-        Effect quantized = new Effect.Quantized(0.001);
-        Effect dropout = new Effect.Dropout(0.02);
-        Effect grazing = new Effect.Grazing(0.005, 80);
-        Map<String, List<Effect>> kinds = new LinkedHashMap<>();
+    static Map<String, List<NoiseEffect>> kinds() {
+        NoiseEffect gaussian = new NoiseEffect.Gaussian(0, 0.01);
+        NoiseEffect proportional = new NoiseEffect.Proportional(0.002);
+        NoiseEffect quantized = new NoiseEffect.Quantized(0.001);
+        NoiseEffect dropout = new NoiseEffect.Dropout(0.02);
+        NoiseEffect grazing = new NoiseEffect.Grazing(0.005, 80);
+        Map<String, List<NoiseEffect>> kinds = new LinkedHashMap<>();
         kinds.put("Gaussian", List.of(gaussian));
         kinds.put("proportional", List.of(proportional));
-        kinds.put("bias", List.of(new Effect.Bias(0, 0.01)));
+        kinds.put("bias", List.of(new NoiseEffect.Bias(0, 0.01)));
         kinds.put("quantized", List.of(quantized));
         kinds.put("dropout", List.of(dropout));
         kinds.put("grazing", List.of(grazing));
-        kinds.put("mixed pixels", List.of(new Effect.MixedPixels(0.3, 0.1)));
-        kinds.put("false echoes", List.of(new Effect.FalseEchoes(0.001)));
+        kinds.put("mixed pixels", List.of(new NoiseEffect.MixedPixels(0.3, 0.1)));
+        kinds.put("false echoes", List.of(new NoiseEffect.FalseEchoes(0.001)));
         kinds.put(TYPICAL, List.of(gaussian, proportional, quantized));
         kinds.put(ALL, List.of(gaussian, proportional, quantized, dropout, grazing));
         return kinds;
@@ -62,8 +62,8 @@ final class SensorNoise {
     }
 
     /** As a frame does it: a copy of the distances, one effect after the other, and the sensor's range. */
-    private double disturb(List<Effect> effects, int count) {
-        Measured measured = new Measured();
+    private double disturb(List<NoiseEffect> effects, int count) {
+        NoisyFrame measured = new NoisyFrame();
         measured.distances = disturbed;
         System.arraycopy(truth, 0, disturbed, 0, count);
         measured.count = count;

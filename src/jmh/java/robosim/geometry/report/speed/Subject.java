@@ -26,7 +26,7 @@ record Subject(String engine, String level, String dimension, String filter) {
     }
 
     private static String mode() {
-        return System.getProperty(robosim.geometry.exact.Filter.PROPERTY, "on");
+        return System.getProperty(robosim.geometry.exact.FilterBound.PROPERTY, "on");
     }
 
     boolean isModule() {

@@ -14,12 +14,12 @@ import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
-import robosim.geometry.world.check.Needs;
 import robosim.geometry.world.check.Overlap;
 import robosim.geometry.world.check.Pile;
+import robosim.geometry.world.check.RecommendedSetting;
 import robosim.geometry.world.check.Room;
-import robosim.geometry.world.check.Setting;
-import robosim.geometry.world.check.StandIn;
+import robosim.geometry.world.check.SettingComparison;
+import robosim.geometry.world.check.SubstituteRobot;
 import robosim.geometry.world.check.WorldCheck;
 import robosim.geometry.world.shared.JsonText;
 
@@ -133,7 +133,7 @@ public final class CheckJson {
                 "told", room.isTold());
     }
 
-    private static Map<String, @Nullable Object> needs(Needs needs) {
+    private static Map<String, @Nullable Object> needs(RecommendedSetting needs) {
         return JsonText.fields(
                 "dimension", needs.dimension(),
                 "accuracy", needs.accuracy(),
@@ -145,7 +145,7 @@ public final class CheckJson {
                 "settings", needs.settings().stream().map(CheckJson::setting).toList());
     }
 
-    private static @Nullable Map<String, @Nullable Object> standIn(@Nullable StandIn standIn) {
+    private static @Nullable Map<String, @Nullable Object> standIn(@Nullable SubstituteRobot standIn) {
         return standIn == null
                 ? null
                 : JsonText.fields(
@@ -154,7 +154,7 @@ public final class CheckJson {
                         "floor", standIn.floor());
     }
 
-    private static Map<String, @Nullable Object> setting(Setting setting) {
+    private static Map<String, @Nullable Object> setting(SettingComparison setting) {
         return JsonText.fields(
                 "dimension", setting.dimension(),
                 "accuracy", setting.accuracy(),

@@ -16,12 +16,12 @@ import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldImport;
-import robosim.geometry.world.check.Needs;
 import robosim.geometry.world.check.Overlap;
 import robosim.geometry.world.check.Pile;
+import robosim.geometry.world.check.RecommendedSetting;
 import robosim.geometry.world.check.Room;
-import robosim.geometry.world.check.Setting;
-import robosim.geometry.world.check.StandIn;
+import robosim.geometry.world.check.SettingComparison;
+import robosim.geometry.world.check.SubstituteRobot;
 import robosim.geometry.world.check.WorldCheck;
 import robosim.geometry.world.shared.ObjectNames;
 
@@ -283,9 +283,9 @@ public final class CheckText {
                     String.join(", ", missing()));
             return;
         }
-        Needs needs = check.needs();
-        Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
-        StandIn standIn = needs.standIn();
+        RecommendedSetting needs = check.needs();
+        SettingComparison truth = needs.setting(world.dimension(), Accuracy.EXACT);
+        SubstituteRobot standIn = needs.standIn();
         if (check.robots().isEmpty()) {
             add(
                     "robot",
@@ -337,23 +337,23 @@ public final class CheckText {
                 truth.distances(),
                 check.sonars() > 0 ? "sonars" : "rays");
         dimension(needs);
-        for (Setting setting : needs.settings()) {
+        for (SettingComparison setting : needs.settings()) {
             if (setting.dimension() == needs.dimension() && setting.accuracy() != Accuracy.EXACT) {
                 add("", "  %-6s %s", setting.accuracy(), otherwise(setting));
             }
         }
     }
 
-    private void dimension(Needs needs) {
+    private void dimension(RecommendedSetting needs) {
         boolean planar = world.dimension() == Dimension.PLANAR;
-        Setting other = needs.setting(planar ? Dimension.SPATIAL : Dimension.PLANAR, Accuracy.EXACT);
+        SettingComparison other = needs.setting(planar ? Dimension.SPATIAL : Dimension.PLANAR, Accuracy.EXACT);
         String why = needs.isProven()
                 ? "heights cannot matter: everything stands upright and reaches the height of every robot's centre"
                 : other.isSame() ? "heights did not matter in any of them" : "heights matter: ";
         add("", "  %s%s", why, needs.isProven() || other.isSame() ? "" : other.dimension() + " " + otherwise(other));
     }
 
-    private String otherwise(Setting setting) {
+    private String otherwise(SettingComparison setting) {
         if (setting.isSame()) {
             return "answers all the same";
         }
@@ -366,7 +366,7 @@ public final class CheckText {
                 shortfall(setting));
     }
 
-    private String shortfall(Setting setting) {
+    private String shortfall(SettingComparison setting) {
         if (setting.shortest() == 0) {
             return "";
         }

@@ -21,7 +21,7 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.export.Films;
+import robosim.geometry.export.PageFilms;
 import robosim.geometry.export.PageWriter;
 import robosim.geometry.export.RosRecording;
 import robosim.geometry.protocol.StepBundle;
@@ -122,7 +122,7 @@ public final class ExportCommand implements Callable<Integer> {
                 throw new UsageException("--world is for a recording, and FILE is a world (got: " + colours + ")");
             }
             World world = files.world(file);
-            write(new PageWriter(Films.of(world)).described("", Pictures.unit(world)), 0);
+            write(new PageWriter(PageFilms.of(world)).described("", Pictures.unit(world)), 0);
         }
         return ExitCodes.FINE;
     }
@@ -148,7 +148,7 @@ public final class ExportCommand implements Callable<Integer> {
         StateHistory film;
         try (StepReader reader = WireFiles.recording(file);
                 Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
-            film = Films.of(reader, lender == null ? Colours.NONE : Colours.of(lender), progress::at);
+            film = PageFilms.of(reader, lender == null ? Colours.NONE : Colours.of(lender), progress::at);
         }
         if (film.size() == 0) {
             throw new UsageException("FILE must have a step (got: none in " + file + ")");

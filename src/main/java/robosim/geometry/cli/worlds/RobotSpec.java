@@ -22,7 +22,7 @@ import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
-import robosim.geometry.world.check.StandIn;
+import robosim.geometry.world.check.SubstituteRobot;
 import robosim.geometry.world.check.WorldCheck;
 import robosim.geometry.world.shared.ObjectNames;
 
@@ -77,7 +77,7 @@ final class RobotSpec {
         if (!(first > 0 && side > 0 && tall > 0)) {
             throw new IllegalArgumentException("the sizes of a robot must be above 0 (got: " + words + ")");
         }
-        double floor = StandIn.floorOf(world);
+        double floor = SubstituteRobot.floorOf(world);
         Point at = new Point(
                 Double.parseDouble(match.group(6)), floor + tall * (0.5 + GAP), Double.parseDouble(match.group(7)));
         GeometryObject shape =

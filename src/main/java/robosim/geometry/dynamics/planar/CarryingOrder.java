@@ -13,7 +13,7 @@ final class CarryingOrder {
     private int[] nextLink = new int[8];
 
     /** Sorts all bodies; where each has been carried from is told by two arrays. */
-    void sort(Bodies of, Pairs pairs, ConvexPieces pieces, double[] fromX, double[] fromZ) {
+    void sort(MovingBodies of, CollisionQueue pairs, ConvexPieces pieces, double[] fromX, double[] fromZ) {
         if (bodies.length < of.count) {
             bodies = new int[2 * of.count];
             isSeen = new boolean[2 * of.count];
@@ -29,7 +29,8 @@ final class CarryingOrder {
         }
     }
 
-    private void visit(int start, Bodies of, Pairs pairs, ConvexPieces pieces, double[] fromX, double[] fromZ) {
+    private void visit(
+            int start, MovingBodies of, CollisionQueue pairs, ConvexPieces pieces, double[] fromX, double[] fromZ) {
         int depth = 0;
         push(0, start, pairs);
         while (depth >= 0) {
@@ -54,7 +55,7 @@ final class CarryingOrder {
         }
     }
 
-    private void push(int depth, int b, Pairs pairs) {
+    private void push(int depth, int b, CollisionQueue pairs) {
         stack[depth] = b;
         nextLink[depth] = pairs.heads[b];
         isSeen[b] = true;

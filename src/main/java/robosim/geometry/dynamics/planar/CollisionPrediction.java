@@ -37,15 +37,15 @@ final class CollisionPrediction {
     final ContactSolver solver;
 
     private final PlanarScene scene;
-    private final Bodies bodies;
+    private final MovingBodies bodies;
     private final ConvexPieces pieces;
-    private final Pairs pairs;
+    private final CollisionQueue pairs;
     private final Manifold manifold = new Manifold();
     private final int[] both = new int[2];
     private double gap;
     private double end;
 
-    CollisionPrediction(PlanarScene scene, Pairs pairs, FloorFriction floor) {
+    CollisionPrediction(PlanarScene scene, CollisionQueue pairs, FloorFriction floor) {
         this.scene = scene;
         this.pairs = pairs;
         bodies = scene.bodies;
@@ -64,7 +64,7 @@ final class CollisionPrediction {
         return distance <= TOUCH * gap && distance > deepest(pair);
     }
 
-    /** Begins a time. Bodies stop a gap apart; more where coordinates are so large that less would drown in rounding. */
+    /** Begins a time. MovingBodies stop a gap apart; more where coordinates are so large that less would drown in rounding. */
     void begin(double seconds) {
         end = seconds;
         double most = 0;

@@ -20,9 +20,9 @@ final class Collisions {
     /** A number of the collision at hand: pairs and bodies that belong to it are marked with it. */
     int mark;
 
-    private final Bodies bodies;
+    private final MovingBodies bodies;
     private final ConvexPieces pieces;
-    private final Pairs pairs;
+    private final CollisionQueue pairs;
     private final CollisionPrediction meetings;
     private final PlanarTimeOfImpact impact;
     private final Island island;
@@ -30,7 +30,7 @@ final class Collisions {
     private final FloorFriction floor;
     private int[] bodyMark = new int[8];
 
-    Collisions(PlanarScene scene, Pairs pairs, CollisionPrediction meetings, FloorFriction floor) {
+    Collisions(PlanarScene scene, CollisionQueue pairs, CollisionPrediction meetings, FloorFriction floor) {
         this.pairs = pairs;
         this.meetings = meetings;
         this.floor = floor;

@@ -60,7 +60,7 @@ final class ContactSolver {
 
     private double uphill;
 
-    private final Bodies bodies;
+    private final MovingBodies bodies;
     private final FloorFriction floor;
     private final Island island;
 
@@ -70,7 +70,7 @@ final class ContactSolver {
     private double[] sums = new double[3 * FIRST];
     private double[] rests = new double[3 * FIRST];
 
-    ContactSolver(Bodies bodies, FloorFriction floor, Island island) {
+    ContactSolver(MovingBodies bodies, FloorFriction floor, Island island) {
         this.bodies = bodies;
         this.floor = floor;
         this.island = island;
@@ -257,9 +257,9 @@ final class ContactSolver {
             int body = island.bodyList[k];
             if (floor.holds(body)) {
                 change = Math.max(change, floor.answer(body, island.parts[body], momentum));
-                Bodies.add(sums, rests, 3 * body, floor.changeX);
-                Bodies.add(sums, rests, 3 * body + 1, floor.changeZ);
-                Bodies.add(sums, rests, 3 * body + 2, floor.changeTurn);
+                MovingBodies.add(sums, rests, 3 * body, floor.changeX);
+                MovingBodies.add(sums, rests, 3 * body + 1, floor.changeZ);
+                MovingBodies.add(sums, rests, 3 * body + 2, floor.changeTurn);
             }
             bodies.vx[body] += sums[3 * body] + rests[3 * body];
             bodies.vz[body] += sums[3 * body + 1] + rests[3 * body + 1];
@@ -368,9 +368,9 @@ final class ContactSolver {
         double light = bodies.lightness[body];
         double turn = torque * bodies.ease[body];
         if (isSplit) {
-            Bodies.add(sums, rests, 3 * body, jx * light);
-            Bodies.add(sums, rests, 3 * body + 1, jz * light);
-            Bodies.add(sums, rests, 3 * body + 2, turn);
+            MovingBodies.add(sums, rests, 3 * body, jx * light);
+            MovingBodies.add(sums, rests, 3 * body + 1, jz * light);
+            MovingBodies.add(sums, rests, 3 * body + 2, turn);
         } else {
             bodies.vx[body] += jx * light;
             bodies.vz[body] += jz * light;

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * move stands still.
  */
 final class FloorFriction {
-    private final Bodies bodies;
+    private final MovingBodies bodies;
 
     // The deceleration by the floor, m/s^2 and rad/s^2.
     private double[] drag = new double[8];
@@ -34,7 +34,7 @@ final class FloorFriction {
     double changeZ;
     double changeTurn;
 
-    FloorFriction(Bodies bodies) {
+    FloorFriction(MovingBodies bodies) {
         this.bodies = bodies;
     }
 

@@ -2,7 +2,7 @@ package robosim.geometry.dynamics.planar;
 
 import java.util.Arrays;
 
-/** Bodies that touch each other at one time, and the contacts between them and with what stands still. */
+/** MovingBodies that touch each other at one time, and the contacts between them and with what stands still. */
 final class Island {
     private static final int FIRST = 16;
 
@@ -43,10 +43,10 @@ final class Island {
     /** By body: among how many a body is divided, its contacts and the floor if that holds it. */
     int[] parts = new int[FIRST];
 
-    private final Bodies bodies;
+    private final MovingBodies bodies;
     private final FloorFriction floor;
 
-    Island(Bodies bodies, FloorFriction floor) {
+    Island(MovingBodies bodies, FloorFriction floor) {
         this.bodies = bodies;
         this.floor = floor;
     }

@@ -13,11 +13,11 @@ final class Manifold {
      *
      * @param slack corners that are further behind by no more than this count as on the same edge
      */
-    void take(Separation s, double radiusA, double radiusB, double distance, double slack) {
+    void take(PieceSeparation s, double radiusA, double radiusB, double distance, double slack) {
         double nx = s.nx;
         double nz = s.nz;
-        int na = Separation.support(s.ax, s.az, s.an, -nx, -nz, slack, ofA);
-        int nb = Separation.support(s.bx, s.bz, s.bn, nx, nz, slack, ofB);
+        int na = PieceSeparation.support(s.ax, s.az, s.an, -nx, -nz, slack, ofA);
+        int nb = PieceSeparation.support(s.bx, s.bz, s.bn, nx, nz, slack, ofB);
         count = 1;
         if (na == 1 && nb == 1) {
             x[0] = 0.5

@@ -38,7 +38,7 @@ final class MotionOrder {
     private static final int MOST_RETRIES = 4;
 
     private final World world;
-    private final Bodies bodies;
+    private final MovingBodies bodies;
     private final double gap;
 
     private final Trajectories legs = new Trajectories();

@@ -11,21 +11,21 @@ final class PairSearch {
     private static final double FAR = 4;
 
     private final PlanarScene scene;
-    private final Bodies bodies;
-    private final Pairs pairs;
+    private final MovingBodies bodies;
+    private final CollisionQueue pairs;
     private final CollisionPrediction meetings;
     private final CellGrid grid = new CellGrid();
     private final double[] own = new double[4];
     private double end;
 
-    PairSearch(PlanarScene scene, Pairs pairs, CollisionPrediction meetings) {
+    PairSearch(PlanarScene scene, CollisionQueue pairs, CollisionPrediction meetings) {
         this.scene = scene;
         this.pairs = pairs;
         this.meetings = meetings;
         bodies = scene.bodies;
     }
 
-    /** Pairs up all bodies for a time that begins; false where there are so many pairs that a shorter time is better. */
+    /** CollisionQueue up all bodies for a time that begins; false where there are so many pairs that a shorter time is better. */
     boolean spread(double seconds) {
         end = seconds;
         double cell = 0;

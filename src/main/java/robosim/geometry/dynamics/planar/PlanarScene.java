@@ -13,7 +13,7 @@ import robosim.geometry.model.Pose;
 
 /** What there is in a world as a step sees it: bodies, and the pieces of these and of what stands still. */
 final class PlanarScene {
-    final Bodies bodies = new Bodies();
+    final MovingBodies bodies = new MovingBodies();
     final ConvexPieces pieces = new ConvexPieces();
 
     /** How each piece bounces and rubs. */

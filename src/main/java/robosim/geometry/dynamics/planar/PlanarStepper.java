@@ -32,9 +32,9 @@ public final class PlanarStepper {
     }
 
     final PlanarScene scene;
-    final Bodies bodies;
+    final MovingBodies bodies;
     private final ConvexPieces pieces;
-    private final Pairs pairs = new Pairs();
+    private final CollisionQueue pairs = new CollisionQueue();
     private final Island island;
     private final ContactSolver solver;
     private final CarryingOrder order = new CarryingOrder();

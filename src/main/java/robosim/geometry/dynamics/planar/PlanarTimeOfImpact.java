@@ -27,16 +27,16 @@ final class PlanarTimeOfImpact {
     /** So many gaps are more than what counts as touching, and all that is lost in rounding: a gap is at least 2^-42 of what coordinates are. */
     private static final double FAR = 64;
 
-    final Separation separation = new Separation();
+    final PieceSeparation separation = new PieceSeparation();
 
-    private final Bodies bodies;
+    private final MovingBodies bodies;
     private final ConvexPieces pieces;
     private double gap;
 
     /** How far the two were apart when last asked. */
     double apart;
 
-    PlanarTimeOfImpact(Bodies bodies, ConvexPieces pieces) {
+    PlanarTimeOfImpact(MovingBodies bodies, ConvexPieces pieces) {
         this.bodies = bodies;
         this.pieces = pieces;
     }

@@ -35,15 +35,15 @@ final class SeparationProof {
     double[] bulgeZ = new double[8];
 
     private final ConvexPieces pieces;
-    private final Bodies bodies;
-    private final Separation from = new Separation();
-    private final Separation to = new Separation();
+    private final MovingBodies bodies;
+    private final PieceSeparation from = new PieceSeparation();
+    private final PieceSeparation to = new PieceSeparation();
     private final SinCos turned = new SinCos();
-    private final Separation.Places begin = new Separation.Places();
-    private final Separation.Places end = new Separation.Places();
+    private final PieceSeparation.Places begin = new PieceSeparation.Places();
+    private final PieceSeparation.Places end = new PieceSeparation.Places();
 
     /** By depth, the middles of what has been halved. */
-    private final Separation.Places[] middles = new Separation.Places[MOST_HALVES];
+    private final PieceSeparation.Places[] middles = new PieceSeparation.Places[MOST_HALVES];
 
     // The bulges of the two that are asked about.
     private double bulgeAx;
@@ -62,10 +62,10 @@ final class SeparationProof {
     private double missingX;
     private double missingZ;
 
-    SeparationProof(ConvexPieces pieces, Bodies bodies) {
+    SeparationProof(ConvexPieces pieces, MovingBodies bodies) {
         this.pieces = pieces;
         this.bodies = bodies;
-        Arrays.setAll(middles, k -> new Separation.Places());
+        Arrays.setAll(middles, k -> new PieceSeparation.Places());
     }
 
     /** Lets no body bulge. */
@@ -95,9 +95,9 @@ final class SeparationProof {
         bulgeBx = legB < 0 ? 0 : bulgeX[b];
         bulgeBz = legB < 0 ? 0 : bulgeZ[b];
         double radii = bodies.size[a] + bodies.size[b] + Math.abs(bulgeAx - bulgeBx) + Math.abs(bulgeAz - bulgeBz);
-        Separation.Places at = begin.a(legs.fromX[a], legs.fromZ[a], legs.fromAngle[a])
+        PieceSeparation.Places at = begin.a(legs.fromX[a], legs.fromZ[a], legs.fromAngle[a])
                 .b(legs.fromX[b], legs.fromZ[b], legs.fromAngle[b]);
-        Separation.Places next = end;
+        PieceSeparation.Places next = end;
         double time = 0;
         while (legA >= 0 || legB >= 0) {
             double until = legA < 0 ? legs.time[legB] : legs.time[legA];
@@ -121,7 +121,7 @@ final class SeparationProof {
                     }
                 }
             }
-            Separation.Places before = at;
+            PieceSeparation.Places before = at;
             at = next;
             next = before;
             legA = shareA == 1 ? legs.next[legA] : legA;
@@ -137,9 +137,9 @@ final class SeparationProof {
         bulgeAz = bulgeZ[body];
         bulgeBx = 0;
         bulgeBz = 0;
-        Separation.Places at = begin.a(legs.fromX[body], legs.fromZ[body], legs.fromAngle[body])
+        PieceSeparation.Places at = begin.a(legs.fromX[body], legs.fromZ[body], legs.fromAngle[body])
                 .b(0, 0, 0);
-        Separation.Places next = end.b(0, 0, 0);
+        PieceSeparation.Places next = end.b(0, 0, 0);
         for (int leg = legs.first[body]; leg >= 0; leg = legs.next[leg]) {
             for (int p = bodies.firstPiece[body]; p < bodies.firstPiece[body] + bodies.pieces[body]; p++) {
                 if (!isClear(p, still, at, next.a(legs.x[leg], legs.z[leg], legs.angle[leg]), 0)) {
@@ -212,7 +212,7 @@ final class SeparationProof {
     }
 
     /** Whether two pieces stay apart between two places of their bodies, also in halves of the path. */
-    private boolean isClear(int a, int b, Separation.Places start, Separation.Places stop, int halves) {
+    private boolean isClear(int a, int b, PieceSeparation.Places start, PieceSeparation.Places stop, int halves) {
         from.put(pieces, a, b, start);
         to.put(pieces, a, b, stop);
         double share = 1.0 / (1 << (2 * halves));
@@ -270,7 +270,7 @@ final class SeparationProof {
         if (halves == MOST_HALVES) {
             return false;
         }
-        Separation.Places middle = middles[halves]
+        PieceSeparation.Places middle = middles[halves]
                 .a(
                         0.5 * (start.ax + stop.ax) + share * bulgeAx,
                         0.5 * (start.az + stop.az) + share * bulgeAz,

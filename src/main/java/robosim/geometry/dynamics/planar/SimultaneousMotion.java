@@ -19,7 +19,7 @@ final class SimultaneousMotion {
     private static final double MOST_SHIFT = 0x1p-3;
 
     private final PlanarScene scene;
-    private final Bodies bodies;
+    private final MovingBodies bodies;
     private final SeparationProof passing;
     private final CellGrid grid = new CellGrid();
     private final double[] box = new double[4];
@@ -175,7 +175,7 @@ final class SimultaneousMotion {
         }
     }
 
-    /** Pairs a body up with those that wait and with those who go and came before: so each pair is found once. */
+    /** CollisionQueue a body up with those that wait and with those who go and came before: so each pair is found once. */
     private void findOthers(int body, double bulge) {
         hold(body, bulge);
         grid.find(box[0], box[1], box[2], box[3]);

@@ -28,7 +28,7 @@ final class Trajectories {
     double[] fromAngle = new double[FIRST];
 
     /** Begins with all bodies where they are. */
-    void begin(Bodies bodies) {
+    void begin(MovingBodies bodies) {
         makeRoom(bodies.count);
         for (int b = 0; b < bodies.count; b++) {
             begin(b, bodies.x[b], bodies.z[b], bodies.angle[b]);
@@ -57,7 +57,7 @@ final class Trajectories {
     }
 
     /** Adds where a body is at the time it has come to; calls are in the order of times. */
-    void add(Bodies bodies, int b) {
+    void add(MovingBodies bodies, int b) {
         // What stands for now may go later: only the legs of those that never do are left out.
         boolean isStill = first[b] < 0 && bodies.x[b] == fromX[b] && bodies.z[b] == fromZ[b] && bodies.angle[b] == 0;
         if (bodies.time[b] == 0 || (isStill && bodies.isStill(b))) {

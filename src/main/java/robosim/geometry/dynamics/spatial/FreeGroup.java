@@ -41,7 +41,7 @@ final class FreeGroup {
     /** The inertia about the centre: XX, YY, ZZ, YZ, ZX, XY. */
     private final double[] inertia = new double[6];
 
-    private final Turning turning = new Turning();
+    private final RotationVectors turning = new RotationVectors();
     private final double[] turned = new double[ObjectTable.PLACE];
     // By group, its first body; by body, the next one of its group, or -1.
     private int[] first = new int[0];

@@ -48,7 +48,7 @@ final class Integrator {
     private final List<RigidBody> bodies;
     private final double[] gravity;
     private final TurningSweep way;
-    private final Turning turning = new Turning();
+    private final RotationVectors turning = new RotationVectors();
     private final ContactDetection detection;
     private final SequentialImpulses impulses;
     private final Contacts contacts;

@@ -33,7 +33,7 @@ public final class SpatialStepper {
     private final ContactDetection detection;
     private final Integrator carriage;
     private final SpatialTimeOfImpact impact;
-    private final Loosening loosening;
+    private final RestGap loosening;
     private final FreeGroup free;
     private final double[] known = new double[ObjectTable.PLACE];
     private int[] order = new int[0];
@@ -71,7 +71,7 @@ public final class SpatialStepper {
         detection = new ContactDetection(bodies, budget, near, contacts);
         impact = new SpatialTimeOfImpact(bodies, near);
         free = new FreeGroup(bodies, this.gravity, placer, detection);
-        loosening = new Loosening(bodies, placer, way, detection, this.gravity);
+        loosening = new RestGap(bodies, placer, way, detection, this.gravity);
         carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, this::tell);
     }
 

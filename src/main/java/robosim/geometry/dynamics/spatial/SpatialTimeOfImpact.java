@@ -25,7 +25,7 @@ final class SpatialTimeOfImpact {
 
     private final List<RigidBody> bodies;
     private final NearbyPieces near;
-    private final Turning turning = new Turning();
+    private final RotationVectors turning = new RotationVectors();
     private final ContactGeometry meeting = new ContactGeometry();
     private final LeafColumn leafA = new LeafColumn(1);
     private final LeafColumn leafB = new LeafColumn(1);

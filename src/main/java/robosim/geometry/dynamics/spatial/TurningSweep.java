@@ -32,7 +32,7 @@ final class TurningSweep {
     /** Most radians of a turn that are decided at once. */
     private static final double TURN = 0.25;
 
-    /** Turning by less than so many metres at the rim is not made. */
+    /** RotationVectors by less than so many metres at the rim is not made. */
     private static final double NOTHING = 1e-13;
 
     private static final int MOST_TRIES = 96;
@@ -45,7 +45,7 @@ final class TurningSweep {
     private final LeafColumn before = new LeafColumn(1);
     private final LeafColumn after = new LeafColumn(1);
     private final double[] place = new double[Pose.PLACE];
-    private final Turning turner = new Turning();
+    private final RotationVectors turner = new RotationVectors();
     private final double[] up = new double[3];
 
     // A part of the way: the angle, the displacement, and the reach of the body.

@@ -1,7 +1,7 @@
 package robosim.geometry.engine.broadphase;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -52,7 +52,7 @@ public final class AccuracyView {
     }
 
     /** How to place a moveable object. */
-    public Form form(int id) {
+    public ObjectLeaves form(int id) {
         return own.form(id);
     }
 

@@ -2,8 +2,8 @@ package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.LeafRanges;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.index.ArrayGrowth;
@@ -61,7 +61,7 @@ public final class LeafTable {
     private double longest;
 
     /** How to place a moveable object; null until it is first needed. */
-    private @Nullable Form[] forms = new Form[0];
+    private @Nullable ObjectLeaves[] forms = new ObjectLeaves[0];
 
     /** What is known of each object beforehand: a sum of the bits below. */
     private byte[] shapes;
@@ -143,13 +143,13 @@ public final class LeafTable {
             LocalLeaves.placed(object, column);
             return;
         }
-        Form form = new Form(object, accuracy);
+        ObjectLeaves form = new ObjectLeaves(object, accuracy);
         column.clear();
         column.append(form.size());
         placeForm(form, object, column, 0);
     }
 
-    private void placeForm(Form form, GeometryObject object, LeafColumn column, int firstLeaf) {
+    private void placeForm(ObjectLeaves form, GeometryObject object, LeafColumn column, int firstLeaf) {
         object.pose().attitude(attitude, 0);
         Point c = object.center();
         form.place(dimension, c.x(), c.y(), c.z(), attitude, 0, column, firstLeaf);
@@ -376,13 +376,13 @@ public final class LeafTable {
     }
 
     /** How to place a moveable object; made when it is first needed, as most only go straight on. */
-    Form form(int id) {
-        Form form = id < forms.length ? forms[id] : null;
+    ObjectLeaves form(int id) {
+        ObjectLeaves form = id < forms.length ? forms[id] : null;
         if (form == null) {
             if (id >= forms.length) {
                 forms = Arrays.copyOf(forms, shapes.length);
             }
-            form = new Form(objects.value(id), accuracy);
+            form = new ObjectLeaves(objects.value(id), accuracy);
             forms[id] = form;
         }
         return form;

@@ -9,11 +9,11 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.check.NearNames;
-import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.SharedObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.tiles.NearTarget;
 import robosim.geometry.model.Accuracy;
@@ -48,13 +48,13 @@ public final class ObjectRegistry {
     private final Scratch s;
 
     /** Counts what is done. */
-    public final Work work;
+    public final WorkCounter work;
 
     /** So many cells of a grid are looked at in about the time of a unit. */
     private static final int CELLS = 64;
 
     /** What limits a call; null for nothing. */
-    private Work.@Nullable Limit limit;
+    private WorkCounter.@Nullable Limit limit;
 
     /** The views made so far, the world's own first. */
     private AccuracyView[] views;
@@ -80,7 +80,7 @@ public final class ObjectRegistry {
     private @Nullable SharedIndex shared;
 
     /** What was changed since the outermost call that is made of others began; null outside of one. */
-    private @Nullable Journal journal;
+    private @Nullable UndoLog journal;
 
     /**
      * A world without objects of its own.
@@ -112,7 +112,7 @@ public final class ObjectRegistry {
     }
 
     /** Limits each call from now on; null for no limit. */
-    public void limit(Work.@Nullable Limit of) {
+    public void limit(WorkCounter.@Nullable Limit of) {
         limit = of;
     }
 
@@ -142,8 +142,8 @@ public final class ObjectRegistry {
      */
     public <T extends @Nullable Object> T together(String call, Supplier<T> calls) {
         work.open(limit, call);
-        Journal outer = journal;
-        Journal own = new Journal(this);
+        UndoLog outer = journal;
+        UndoLog own = new UndoLog(this);
         journal = own;
         boolean isMade = false;
         try {
@@ -387,7 +387,7 @@ public final class ObjectRegistry {
 
     /** Whether a moveable object would touch or overlap any other one at another place, laid out as in the table of objects. */
     public boolean collidesAt(AccuracyView at, int id, double[] place) {
-        Form form = at.form(id);
+        ObjectLeaves form = at.form(id);
         candidate.clear();
         candidate.append(form.size());
         form.place(dimension, place[0], place[1], place[2], place, 3, candidate, 0);

@@ -2,7 +2,7 @@ package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.hierarchy.FrustumCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.model.Dimension;
@@ -28,7 +28,7 @@ public final class PacketSearch {
 
     private final ObjectTable objects;
     private final Cast cast;
-    private final Work work;
+    private final WorkCounter work;
     private final RayPacket packet = new RayPacket();
     private final FrustumCursor cursor = new FrustumCursor();
 

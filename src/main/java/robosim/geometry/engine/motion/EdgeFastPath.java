@@ -3,7 +3,7 @@ package robosim.geometry.engine.motion;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.BoxQuery;
 import robosim.geometry.engine.broadphase.LeafTable;
-import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.VectorMath;
@@ -55,7 +55,7 @@ final class EdgeFastPath {
         if (view.accuracy != Accuracy.EXACT || !view.keepsShape(id)) {
             return PlainCells.UNSURE;
         }
-        Form form = view.form(id);
+        ObjectLeaves form = view.form(id);
         leaves.clear();
         leaves.append(form.size());
         form.place(view.dimension, place[0], place[1], place[2], place, 3, leaves, 0);

@@ -6,7 +6,7 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
-import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.Point;
@@ -294,7 +294,7 @@ public final class FreePlaces {
     }
 
     private static void put(AccuracyView view, int id, double[] at, LeafColumn out) {
-        Form form = view.form(id);
+        ObjectLeaves form = view.form(id);
         out.clear();
         out.append(form.size());
         form.place(view.dimension, at[0], at[1], at[2], at, 3, out, 0);

@@ -82,7 +82,7 @@ public final class Motion {
     private boolean isStraight;
 
     private final StartContacts standing;
-    private final StopContact stop;
+    private final BlockingContact stop;
     private final Distance distance;
     private final double[] vector = new double[3];
     private final double[] box = new double[6];
@@ -138,7 +138,7 @@ public final class Motion {
         exit = new BoundsExit(worldBounds, segment);
         standing = new StartContacts(scratch);
         distance = new Distance(scratch);
-        stop = new StopContact(objects, candidates, segment, scratch, distance);
+        stop = new BlockingContact(objects, candidates, segment, scratch, distance);
     }
 
     /** What blocks: an id, {@link #NOTHING} or {@link #BORDER}. */

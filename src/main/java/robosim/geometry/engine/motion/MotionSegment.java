@@ -2,13 +2,13 @@ package robosim.geometry.engine.motion;
 
 import java.util.Arrays;
 import robosim.geometry.engine.broadphase.AccuracyView;
-import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
@@ -57,7 +57,7 @@ public final class MotionSegment {
     final Sweep sweep;
 
     /** Counts what is done about the segment. */
-    final Work work;
+    final WorkCounter work;
 
     private final double[] between = new double[PLACE];
 
@@ -74,7 +74,7 @@ public final class MotionSegment {
     private final double[] part = new double[6];
 
     private AccuracyView view;
-    private Form form;
+    private ObjectLeaves form;
     private double givenX;
     private double givenY;
     private double givenZ;

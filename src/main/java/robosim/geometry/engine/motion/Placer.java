@@ -3,7 +3,7 @@ package robosim.geometry.engine.motion;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
-import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -51,7 +51,7 @@ public final class Placer {
 
     /** Writes the leaves of a moveable object at a place, laid out as in the table of objects. */
     public void leaves(int id, double[] place, LeafColumn out) {
-        Form form = registry.view.form(id);
+        ObjectLeaves form = registry.view.form(id);
         out.clear();
         out.append(form.size());
         form.place(Dimension.SPATIAL, place[0], place[1], place[2], place, 3, out, 0);

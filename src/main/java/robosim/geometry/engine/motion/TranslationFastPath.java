@@ -3,7 +3,7 @@ package robosim.geometry.engine.motion;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.BoxQuery;
 import robosim.geometry.engine.broadphase.LeafTable;
-import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.DoubleDouble;
@@ -280,7 +280,7 @@ final class TranslationFastPath {
     private void placeProbe() {
         if (!hasProbe) {
             hasProbe = true;
-            Form form = view.form(id);
+            ObjectLeaves form = view.form(id);
             probe.clear();
             probe.append(form.size());
             form.place(view.dimension, end[0], end[1], end[2], objects.places(), objects.place(id) + 3, probe, 0);

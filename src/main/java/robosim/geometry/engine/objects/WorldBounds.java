@@ -3,7 +3,7 @@ package robosim.geometry.engine.objects;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Expansion;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.model.Dimension;
@@ -24,8 +24,8 @@ public final class WorldBounds {
      */
     private static final double ROUNDING = 9.01 * 0x1p-53;
 
-    private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
-    private static final double CYLINDER_FILTER = Filter.bound(ROUNDING);
+    private static final double FILTER = FilterBound.bound(4.01 * 0x1p-53);
+    private static final double CYLINDER_FILTER = FilterBound.bound(ROUNDING);
     /** Shares of a way, and cosines, that differ by less are the same where a contact is described. */
     private static final double SAME = 0x1p-40;
 
@@ -162,7 +162,7 @@ public final class WorldBounds {
         if (Math.abs(reach - half[axis]) > bound) {
             return reach < half[axis];
         }
-        if (!Filter.isOff() && fits(kind, row, at, axis)) {
+        if (!FilterBound.isOff() && fits(kind, row, at, axis)) {
             SUMS.count();
             return roomAsSum(kind, row, at, axis, sign) >= 0;
         }

@@ -8,7 +8,7 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.ObjectGroup;
@@ -23,7 +23,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  * Keeps the least distance, and whose it is, among the objects that the search visits.
  */
 public final class BeamQuery extends BeamSearch {
-    private final Work work;
+    private final WorkCounter work;
     private final double[] vector = new double[3];
 
     /** Where a beam begins that stands on an object. */
@@ -48,7 +48,7 @@ public final class BeamQuery extends BeamSearch {
         this(objects, new Cast(scratch), scratch.work);
     }
 
-    private BeamQuery(ObjectTable objects, Cast cast, Work work) {
+    private BeamQuery(ObjectTable objects, Cast cast, WorkCounter work) {
         super(objects, cast);
         this.work = work;
     }

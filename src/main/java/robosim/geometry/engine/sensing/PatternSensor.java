@@ -21,7 +21,7 @@ import robosim.geometry.narrow.Scratch;
  * their heights.
  */
 public final class PatternSensor {
-    private static final int TILE = Tiling.MOST;
+    private static final int TILE = BeamTiles.MOST;
 
     /** Fewer rays are answered one by one just as fast. */
     private static final int FEW = 4;
@@ -32,7 +32,7 @@ public final class PatternSensor {
     private final ObjectTable objects;
     private final BeamQuery ranging;
     private final Scratch scratch;
-    private final Tiling tiling = new Tiling();
+    private final BeamTiles tiling = new BeamTiles();
     private final SensorFrame frame;
 
     /** Made for the first tile. */

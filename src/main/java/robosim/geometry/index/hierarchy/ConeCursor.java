@@ -1,7 +1,7 @@
 package robosim.geometry.index.hierarchy;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.index.quadtree.KeyedLinks;
+import robosim.geometry.index.quadtree.LongHeap;
 
 /**
  * Visits the objects of two hierarchies that a cone may meet, in the order of how far their bounds are within the cone, or
@@ -74,7 +74,7 @@ public final class ConeCursor {
     private final BoundsPlane below = new BoundsPlane();
 
     /** By the bits of floats of at least 0, which sort like the floats. */
-    private final KeyedLinks queue = new KeyedLinks();
+    private final LongHeap queue = new LongHeap();
 
     /**
      * Sets a cone.

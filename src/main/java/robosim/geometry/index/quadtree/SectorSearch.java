@@ -28,7 +28,7 @@ public final class SectorSearch {
     private static final long MISSED = Long.MAX_VALUE;
 
     /** Regions and, below 0, objects, by the upper halves of the bits of doubles of at least 0, which sort like the doubles. */
-    private final KeyedLinks queue = new KeyedLinks();
+    private final LongHeap queue = new LongHeap();
 
     private long visited;
     private double farthest;

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.cone;
 import static robosim.geometry.exact.VectorMath.U;
 
 import robosim.geometry.exact.DoubleDoubles;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
@@ -29,10 +29,10 @@ final class ConeFaces {
      * tilts by less than 8u R (|e| + |f|) / |e x f| and 8u. The height is off by as much of the distance of a corner, the slope
      * of the way to the plane by three times as much, each product of two vectors by 4u of their lengths.
      */
-    private static final double TILT = Filter.bound(8 * U);
+    private static final double TILT = FilterBound.bound(8 * U);
 
     /** The error of a height in pairs of doubles, as a share of its terms: some ten steps of 2^-102 to 2^-100. */
-    private static final double PAIRS_ERROR = Filter.bound(0x1p-94);
+    private static final double PAIRS_ERROR = FilterBound.bound(0x1p-94);
 
     /** No corner of a face is farther from another than this many of the two edges that span it: an octagon has eight. */
     private static final double DIAMETER = 8;

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.cone;
 import static robosim.geometry.exact.VectorMath.U;
 
 import robosim.geometry.exact.DoubleDoubles;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -26,13 +26,13 @@ final class ConePolytope {
      * height only if the edge's line passes the apex as near as rounding. No verdict was found that a tenth of the
      * bound spoils.
      */
-    private static final double FILTER = Filter.bound(48 * U);
+    private static final double FILTER = FilterBound.bound(48 * U);
 
     /**
      * The share of {@code b^2} down to which {@code b^2 - a c} is taken from pairs of doubles: its root is then off by
      * 2^-60 of b. It is less if the edge's line passes the apex almost, or the cone.
      */
-    private static final double CANCELLED = Filter.bound(0x1p-80);
+    private static final double CANCELLED = FilterBound.bound(0x1p-80);
 
     /**
      * So many times as far away as the roundoff of its depth, a point's direction is known to 2^-20, and pairs of doubles

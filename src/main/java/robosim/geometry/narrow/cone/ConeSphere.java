@@ -3,7 +3,7 @@ package robosim.geometry.narrow.cone;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.ray.ExactRay;
@@ -22,7 +22,7 @@ final class ConeSphere {
      * comes within 2^-93 of the border only by chance, once in 2^40; where it touches the border exactly, pairs give
      * that exactly.
      */
-    private static final double FILTER = Filter.bound(0x1p-90);
+    private static final double FILTER = FilterBound.bound(0x1p-90);
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("ConeSphere");
 

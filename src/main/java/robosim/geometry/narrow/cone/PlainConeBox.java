@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.cone;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
@@ -32,8 +32,8 @@ final class PlainConeBox {
     static final int BEYOND = 1;
     static final int FOUND = 2;
 
-    private static final double ERROR = Filter.bound(0x1p-40);
-    private static final double FACE_ERROR = Filter.bound(0x1p-44);
+    private static final double ERROR = FilterBound.bound(0x1p-40);
+    private static final double FACE_ERROR = FilterBound.bound(0x1p-44);
 
     /** How far columns may be from orthonormal, in each product of two. */
     private static final double ASKEW = 0x1p-46;
@@ -48,7 +48,7 @@ final class PlainConeBox {
     private static final double LEAST_SLANT = 0x1p-7;
 
     /** How far a box must be from a plane to be beyond it for certain, as a share of the size. */
-    private static final double CLEAR = Filter.bound(0x1p-30);
+    private static final double CLEAR = FilterBound.bound(0x1p-30);
 
     /** The most places that are tried for such a plane. */
     private static final int STEPS = 6;

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.cone;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
@@ -21,14 +21,14 @@ final class PlainSectorBox {
     static final int CROSSED = 3;
 
     /** As in {@link PlainConeBox}, where the depth of a point in the cone is what counts. */
-    private static final double ERROR = Filter.bound(0x1p-40);
+    private static final double ERROR = FilterBound.bound(0x1p-40);
 
     private static final double ASKEW = 0x1p-46;
     private static final double LEAST_SINE = 0x1p-6;
     private static final double LEAST_RATE = 0x1p-12;
 
     /** How far the nearest point must be inside or outside, or beyond the end of a side, for certain: a share of the size. */
-    private static final double CLEAR = Filter.bound(0x1p-24);
+    private static final double CLEAR = FilterBound.bound(0x1p-24);
 
     private static final double STEEPEST = 32;
 

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.cone;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.DiscDisc;
@@ -18,7 +18,7 @@ import robosim.geometry.narrow.ray.PlanarRay;
  * section the sector is. So the plane and space give the same verdicts, exact for the stored cosine.
  */
 public final class PlanarCone {
-    private static final double FILTER = Filter.bound(1.01);
+    private static final double FILTER = FilterBound.bound(1.01);
 
     /** The square of a side that is negligible beside anything that is not tiny itself. */
     private static final double SHORT = 0x1p-900;

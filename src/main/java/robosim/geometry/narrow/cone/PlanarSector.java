@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.cone;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.narrow.planar.PlanarShape;
 
 /** The two edges of a sector of the plane in doubles; decides what is certainly inside or outside. */
@@ -13,7 +13,7 @@ final class PlanarSector {
      */
     private static final double EDGE_ERROR = 8 * 0x1p-53;
 
-    private static final double FILTER = Filter.bound(EDGE_ERROR);
+    private static final double FILTER = FilterBound.bound(EDGE_ERROR);
 
     double leftX;
     double leftZ;

@@ -6,7 +6,7 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
-import robosim.geometry.narrow.leaf.Upright;
+import robosim.geometry.narrow.leaf.UprightLeaves;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /** The least distance between two leaves in space. */
@@ -64,7 +64,7 @@ public final class SpatialDistance {
 
     /** The gap between the heights of two upright leaves, to within a rounding; 0 if they touch. */
     private static double gap(Leaf a, Leaf b) {
-        if (Upright.heightsTouch(a, b)) {
+        if (UprightLeaves.heightsTouch(a, b)) {
             return 0;
         }
         return Math.max(above(a, b), above(b, a));
@@ -72,10 +72,10 @@ public final class SpatialDistance {
 
     /** How far the minimum height of a is above the maximum of b. */
     private static double above(Leaf a, Leaf b) {
-        double base = Upright.middle(a);
-        double down = Upright.halfHeight(a);
-        double top = Upright.top(b);
-        double up = Upright.halfHeight(b);
+        double base = UprightLeaves.middle(a);
+        double down = UprightLeaves.halfHeight(a);
+        double top = UprightLeaves.top(b);
+        double up = UprightLeaves.halfHeight(b);
         double between = base - top;
         double sizes = down + up;
         double lost = DoubleDouble.sumTail(base, -top, between) - DoubleDouble.sumTail(down, up, sizes);

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.gjk;
 import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Upright;
+import robosim.geometry.narrow.leaf.UprightLeaves;
 
 /**
  * The directions along which two leaves are apart the most: normals of sides, directions across two edges, and the direction
@@ -72,11 +72,11 @@ public final class ClosingDirections {
     }
 
     private static double bottom(Leaf leaf) {
-        return leaf.kind == LeafKind.SPHERE ? leaf.get(1) : Upright.middle(leaf) - Upright.halfHeight(leaf);
+        return leaf.kind == LeafKind.SPHERE ? leaf.get(1) : UprightLeaves.middle(leaf) - UprightLeaves.halfHeight(leaf);
     }
 
     private static double top(Leaf leaf) {
-        return leaf.kind == LeafKind.SPHERE ? leaf.get(1) : Upright.top(leaf) + Upright.halfHeight(leaf);
+        return leaf.kind == LeafKind.SPHERE ? leaf.get(1) : UprightLeaves.top(leaf) + UprightLeaves.halfHeight(leaf);
     }
 
     /** Combines the directions in the plane with the vertical one. */

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.leaf;
 import java.util.Arrays;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
@@ -56,7 +56,7 @@ public final class Enclosure {
 
     private static void bounds(LeafColumn column, int leaf, double[] out) {
         if (column.kind(leaf).isMesh()) {
-            new MeshWalk(new Work()).tightBounds(column, leaf, out);
+            new MeshWalk(new WorkCounter()).tightBounds(column, leaf, out);
         } else {
             LeafBounds.of(column.kind(leaf), column.rows(), leaf * Leaf.STRIDE, out);
         }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.cells.CellRings;
 import robosim.geometry.index.cells.CellScan;
 import robosim.geometry.index.cells.CellWalk;
@@ -18,7 +18,7 @@ public final class GridWalk {
     /** How much of a distance, or of a height, is allowed for rounding. */
     private static final double WIDEN = 0x1p-44;
 
-    private final Work work;
+    private final WorkCounter work;
     private final CellWalk line = new CellWalk();
     private final CellScan scan = new CellScan();
     private final CellRings rings = new CellRings();
@@ -47,7 +47,7 @@ public final class GridWalk {
     private int nextBlind;
 
     @SuppressWarnings("NullAway.Init") // a query opens a grid
-    public GridWalk(Work work) {
+    public GridWalk(WorkCounter work) {
         this.work = work;
         box.append(1);
         prism.append(1);

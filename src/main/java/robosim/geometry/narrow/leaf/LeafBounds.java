@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
-import robosim.geometry.exact.Outward;
+import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.model.Dimension;
 
 /** Axis-aligned bounds of leaves, rounded outward: no point of the leaf lies outside. */
@@ -15,7 +15,7 @@ public final class LeafBounds {
             case SPHERE -> around(rows, at, rows[at + 3], rows[at + 3], rows[at + 3], out6);
             case CYLINDER -> cylinder(rows, at, out6);
             case UPRIGHT_CAPSULE ->
-                around(rows, at, rows[at + 3], Outward.sum(rows[at + 4], rows[at + 3]), rows[at + 3], out6);
+                around(rows, at, rows[at + 3], UpwardRounding.sum(rows[at + 4], rows[at + 3]), rows[at + 3], out6);
             case CAPSULE -> capsule(rows, at, out6);
             case TRIANGLE -> triangle(rows, at, out6);
             case PRISM -> {
@@ -48,12 +48,12 @@ public final class LeafBounds {
     }
 
     private static void around(double[] rows, int at, double halfX, double halfY, double halfZ, double[] out6) {
-        out6[0] = 0 - Outward.sum(-rows[at], halfX);
-        out6[1] = 0 - Outward.sum(-rows[at + 1], halfY);
-        out6[2] = 0 - Outward.sum(-rows[at + 2], halfZ);
-        out6[3] = Outward.sum(rows[at], halfX);
-        out6[4] = Outward.sum(rows[at + 1], halfY);
-        out6[5] = Outward.sum(rows[at + 2], halfZ);
+        out6[0] = 0 - UpwardRounding.sum(-rows[at], halfX);
+        out6[1] = 0 - UpwardRounding.sum(-rows[at + 1], halfY);
+        out6[2] = 0 - UpwardRounding.sum(-rows[at + 2], halfZ);
+        out6[3] = UpwardRounding.sum(rows[at], halfX);
+        out6[4] = UpwardRounding.sum(rows[at + 1], halfY);
+        out6[5] = UpwardRounding.sum(rows[at + 2], halfZ);
     }
 
     private static void box(double[] rows, int at, double[] out6) {
@@ -61,9 +61,9 @@ public final class LeafBounds {
         around(
                 rows,
                 at,
-                Outward.ofBox(rows, at + Leaf.SIZE, rows, r),
-                Outward.ofBox(rows, at + Leaf.SIZE, rows, r + 3),
-                Outward.ofBox(rows, at + Leaf.SIZE, rows, r + 6),
+                UpwardRounding.ofBox(rows, at + Leaf.SIZE, rows, r),
+                UpwardRounding.ofBox(rows, at + Leaf.SIZE, rows, r + 3),
+                UpwardRounding.ofBox(rows, at + Leaf.SIZE, rows, r + 6),
                 out6);
     }
 
@@ -73,9 +73,9 @@ public final class LeafBounds {
         around(
                 rows,
                 at,
-                Outward.ofCapsule(radius, half, rows[at + 7]),
-                Outward.ofCapsule(radius, half, rows[at + 10]),
-                Outward.ofCapsule(radius, half, rows[at + 13]),
+                UpwardRounding.ofCapsule(radius, half, rows[at + 7]),
+                UpwardRounding.ofCapsule(radius, half, rows[at + 10]),
+                UpwardRounding.ofCapsule(radius, half, rows[at + 13]),
                 out6);
     }
 
@@ -89,9 +89,9 @@ public final class LeafBounds {
         around(
                 rows,
                 at,
-                Outward.ofCylinder(radius, half, ax, ay, az, length),
-                Outward.ofCylinder(radius, half, ay, az, ax, length),
-                Outward.ofCylinder(radius, half, az, ax, ay, length),
+                UpwardRounding.ofCylinder(radius, half, ax, ay, az, length),
+                UpwardRounding.ofCylinder(radius, half, ay, az, ax, length),
+                UpwardRounding.ofCylinder(radius, half, az, ax, ay, length),
                 out6);
     }
 

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Outward;
+import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.index.tiles.OrientedRectangle;
@@ -340,10 +340,10 @@ public final class LeafColumn {
         int at = leaf * Leaf.STRIDE;
         PlacedCells cells = cells(leaf);
         out[0] = cells.bound(0);
-        out[1] = 0 - Outward.sum(-rows[at + 1], rows[at + 4]);
+        out[1] = 0 - UpwardRounding.sum(-rows[at + 1], rows[at + 4]);
         out[2] = cells.bound(1);
         out[3] = cells.bound(2);
-        out[4] = Outward.sum(rows[at + 1], rows[at + 4]);
+        out[4] = UpwardRounding.sum(rows[at + 1], rows[at + 4]);
         out[5] = cells.bound(3);
     }
 

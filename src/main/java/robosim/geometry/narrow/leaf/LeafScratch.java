@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.leaf;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 
 /**
  * Working memory of kernels, so that a query allocates nothing; each package extends the scratch of the packages below.
@@ -9,7 +9,7 @@ import robosim.geometry.exact.Work;
  */
 public final class LeafScratch {
     /** Counts what the kernels do. */
-    public final Work work = new Work();
+    public final WorkCounter work = new WorkCounter();
 
     public final MeshWalk outer = new MeshWalk(work);
     public final MeshWalk inner = new MeshWalk(work);

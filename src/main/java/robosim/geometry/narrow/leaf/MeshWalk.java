@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Work;
+import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
@@ -25,7 +25,7 @@ public final class MeshWalk {
     private final double[] high = new double[3];
     private final double[] box = new double[6];
 
-    private final Work work;
+    private final WorkCounter work;
     private TriangleMesh mesh;
     private BoxTree tree;
     private double[] place;
@@ -46,7 +46,7 @@ public final class MeshWalk {
     private double itemKey;
 
     @SuppressWarnings("NullAway.Init") // start sets the query
-    public MeshWalk(Work work) {
+    public MeshWalk(WorkCounter work) {
         this.work = work;
     }
 

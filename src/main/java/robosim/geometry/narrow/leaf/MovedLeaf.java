@@ -42,7 +42,7 @@ public final class MovedLeaf {
     }
 
     /** Writes it after a turn by the angle of a cosine and sine, for any convex kind but a prism. */
-    public static void turned(Leaf leaf, Turn turn, double cos, double sin, Leaf to) {
+    public static void turned(Leaf leaf, PivotTurn turn, double cos, double sin, Leaf to) {
         to.copy(turnedKind(leaf.kind), leaf.row, leaf.at);
         double[] out = to.row;
         switch (leaf.kind) {
@@ -63,7 +63,7 @@ public final class MovedLeaf {
         }
     }
 
-    private static void turnPoints(double[] out, int numbers, Turn turn, double cos, double sin) {
+    private static void turnPoints(double[] out, int numbers, PivotTurn turn, double cos, double sin) {
         for (int k = 0; k < numbers; k += 3) {
             out[k] -= turn.px;
             out[k + 1] -= turn.py;
@@ -75,14 +75,14 @@ public final class MovedLeaf {
         }
     }
 
-    private static void turnAxes(double[] out, Turn turn, double cos, double sin) {
+    private static void turnAxes(double[] out, PivotTurn turn, double cos, double sin) {
         for (int k = 0; k < 3; k++) {
             turn(out, Leaf.ROTATION + k, 3, turn, cos, sin);
         }
     }
 
     // Rodrigues: v cos + (w x v) sin + w (w.v)(1 - cos)
-    private static void turn(double[] v, int at, int step, Turn turn, double cos, double sin) {
+    private static void turn(double[] v, int at, int step, PivotTurn turn, double cos, double sin) {
         double wx = turn.wx;
         double wy = turn.wy;
         double wz = turn.wz;

@@ -23,7 +23,7 @@ public final class UnderflowScaling {
     /** The numbers of the first one. */
     public final double[] a = first.row;
 
-    private final Turn scaled = new Turn();
+    private final PivotTurn scaled = new PivotTurn();
 
     /** The binary logarithm of the scale factor. */
     private int power;
@@ -107,7 +107,7 @@ public final class UnderflowScaling {
     }
 
     /** A turn with its pivot scaled up, valid until the next one. */
-    public Turn up(Turn turn) {
+    public PivotTurn up(PivotTurn turn) {
         return scaled.about(up(turn.px), up(turn.py), up(turn.pz)).by(turn.wx, turn.wy, turn.wz, turn.degrees);
     }
 

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.mesh;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
@@ -303,7 +303,7 @@ public final class MeshPairs {
         // A volume is a normal's dot product with an offset. Each coordinate is off by a quarter of a pad, a
         // side and an offset by twice that; so the normal by 2 pads d, the volume by 3 pads d^2, and by less
         // than 30u d^3 of rounding.
-        doubt = Filter.bound((16 * pad + 0x1p-46 * d) * d * d + VectorMath.UNDERFLOW);
+        doubt = FilterBound.bound((16 * pad + 0x1p-46 * d) * d * d + VectorMath.UNDERFLOW);
         for (int p = firstA; p < firstA + countA; p++) {
             for (int c = 0; c < 9; c += 3) {
                 one[c] = corners[9 * p + c] - corners[k];

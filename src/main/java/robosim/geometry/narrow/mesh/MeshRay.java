@@ -84,7 +84,7 @@ public final class MeshRay {
     private float cy;
     private float cz;
 
-    private final TriangleSieve sieve = new TriangleSieve();
+    private final TriangleLineFilter sieve = new TriangleLineFilter();
 
     /**
      * The line in the world, with its unit direction, or with its own where that has length 1 but for 2^-50, by which distances

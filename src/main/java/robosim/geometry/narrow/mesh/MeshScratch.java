@@ -12,7 +12,7 @@ public final class MeshScratch {
     public final LeafScratch leaf;
 
     public final MeshRay meshRay = new MeshRay();
-    public final MeshSight meshSight = new MeshSight();
+    public final MeshBeamSearch meshSight = new MeshBeamSearch();
 
     private @Nullable MeshPairs meshPairs;
     private @Nullable ContactPairs pairs;

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.mesh;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.BoxGap;
@@ -150,7 +150,7 @@ public final class NearestPairs {
             lower = gjk.close();
         }
         high = Math.min(high, BoxGap.up(gjk.upper() + gjk.error()));
-        if (lower == 0 || Filter.isDoubting()) {
+        if (lower == 0 || FilterBound.isDoubting()) {
             s.uncertain = false;
             if (ConvexOverlap.test(dimension, leafA, leafB, s)) {
                 certain |= !s.uncertain;

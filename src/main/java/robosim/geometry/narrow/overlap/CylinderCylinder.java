@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.overlap;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
@@ -14,18 +14,18 @@ public final class CylinderCylinder {
      * Rounding error along parallel axes, in u = 2^-53 of the operands' magnitudes: an offset 1, its products 1 and
      * their sum 2. The last difference keeps its sign.
      */
-    private static final double ALONG_ERROR = Filter.bound(4.01 * 0x1p-53);
+    private static final double ALONG_ERROR = FilterBound.bound(4.01 * 0x1p-53);
 
     /** Rounding error of the half heights: a.a and a.b 3, their products 1, the sum 1. */
-    private static final double HEIGHTS_ERROR = Filter.bound(5.01 * 0x1p-53);
+    private static final double HEIGHTS_ERROR = FilterBound.bound(5.01 * 0x1p-53);
 
     /**
      * Rounding error of the squared permanents of w x a: a product 2, a coordinate 3, its square 7, the sum of three 9.
      * Of the squared reach: the sum of the radii 1, its square 3, a.a 3, the product 7.
      */
-    private static final double ACROSS_ERROR = Filter.bound(9.01 * 0x1p-53);
+    private static final double ACROSS_ERROR = FilterBound.bound(9.01 * 0x1p-53);
 
-    private static final double REACH_ERROR = Filter.bound(7.01 * 0x1p-53);
+    private static final double REACH_ERROR = FilterBound.bound(7.01 * 0x1p-53);
 
     /** More than the error that underflow may add. */
     private static final double UNDERFLOW = 0x1p-960;

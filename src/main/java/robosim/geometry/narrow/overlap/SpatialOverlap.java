@@ -1,12 +1,12 @@
 package robosim.geometry.narrow.overlap;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
-import robosim.geometry.narrow.leaf.Upright;
+import robosim.geometry.narrow.leaf.UprightLeaves;
 import robosim.geometry.narrow.sat.ExactCapsule;
 import robosim.geometry.narrow.sat.ExactCylinder;
 import robosim.geometry.narrow.sat.ExactPolytope;
@@ -17,7 +17,7 @@ public final class SpatialOverlap {
      * For the comparison of squares, with u = 2^-53: an offset 1u, which counts twice in its square, the square 1u, the
      * sum of three 2u, so 5u; the reach likewise 3u; their difference keeps its sign.
      */
-    private static final double SPHERES_FILTER = Filter.bound(5.01 * 0x1p-53);
+    private static final double SPHERES_FILTER = FilterBound.bound(5.01 * 0x1p-53);
 
     private static final double UNDERFLOW = 0x1p-1000;
     private static final StageCounters.Counter EXACT = StageCounters.counter("SpatialOverlap");
@@ -36,7 +36,7 @@ public final class SpatialOverlap {
      */
     public static boolean test(Leaf a, Leaf b, OverlapScratch s) {
         if (a.kind.isVerticalPrism() && b.kind.isVerticalPrism()) {
-            return Upright.heightsTouch(a, b) && PlanarOverlap.test(a, b, s);
+            return UprightLeaves.heightsTouch(a, b) && PlanarOverlap.test(a, b, s);
         }
         return PairOrder.isReversed(a, b) ? ordered(b, a, s) : ordered(a, b, s);
     }
@@ -51,7 +51,7 @@ public final class SpatialOverlap {
         if (a.kind.isCylinder() && b.kind.isCylinder()) {
             return CylinderCylinder.touch(a, b, s);
         }
-        if (Filter.isDoubting() && !a.kind.isEnclosure() && !b.kind.isEnclosure()) {
+        if (FilterBound.isDoubting() && !a.kind.isEnclosure() && !b.kind.isEnclosure()) {
             return exactly(a, b, s);
         }
         Gjk gjk = s.gjk.pair;

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.packet;
 
 import java.util.Arrays;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -26,7 +26,7 @@ public final class RayPacket {
     /** All of them. */
     private static final long ALL = -1;
 
-    private static final double SLACK = Filter.bound(0x1p-24);
+    private static final double SLACK = FilterBound.bound(0x1p-24);
 
     /** Sums of coordinates within which no product here loses bits or overflows. */
     private static final double SMALLEST = 0x1p-100;

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
@@ -11,13 +11,13 @@ public final class DiscDisc {
     // The differences and the sum of the radii are each rounded once, which counts twice in their squares. The squares
     // are rounded once, the sum of squares once more. So each side is off by 4 roundings of 2^-53; the comparison adds
     // one.
-    private static final double FILTER = Filter.bound(5.01 * 0x1p-53);
+    private static final double FILTER = FilterBound.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     // With u = 2^-53 and M the sum of the three squares: the tails added to the difference of squares are at most 5u M
     // (sum u, difference u, squares u, coordinates 2u), so five additions lose 25u^2 M. The terms from the coordinates'
     // tails are off by 6u^2 M, and the omitted squares of these tails are u^2 M. The last addition preserves the sign.
-    private static final double FINE = Filter.bound(33 * 0x1p-106);
+    private static final double FINE = FilterBound.bound(33 * 0x1p-106);
 
     private static final StageCounters.Counter FINER = StageCounters.counter("DiscDisc fine");
     private static final StageCounters.Counter EXACT = StageCounters.counter("DiscDisc");

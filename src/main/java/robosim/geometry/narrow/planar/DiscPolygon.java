@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.planar;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 
@@ -13,7 +13,7 @@ public final class DiscPolygon {
     private static final double ROUNDING = 1.01;
     private static final double CORNERS = 1.42;
     private static final double SIZE = 10 * 0x1p-53;
-    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double FILTER = FilterBound.bound(ROUNDING);
     private static final double U = 0x1p-53;
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("DiscPolygon");

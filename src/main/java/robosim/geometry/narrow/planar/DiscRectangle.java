@@ -3,7 +3,7 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -13,11 +13,11 @@ public final class DiscRectangle {
     // With u = 2^-53: a coordinate in the rectangle's frame is off by 3u of |dx| + |dz|, the half size times the
     // squared length by 3u; their difference, and that of the result and this bound, add 1u each. A direction is no
     // longer than 1 + 1e-9.
-    private static final double OFFSET = Filter.bound(5.01 * 0x1p-53);
+    private static final double OFFSET = FilterBound.bound(5.01 * 0x1p-53);
 
     // The squared radius times the squared length is off by 4u, the sum of the two other squares by 2u; adding this
     // bound costs 1u.
-    private static final double SQUARES = Filter.bound(5.01 * 0x1p-53);
+    private static final double SQUARES = FilterBound.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     /** From this many radii away, the error of the difference is no more than that of the distance to the centre. */

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.planar;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 
 /**
  * Whether a disc in straight motion meets another at rest, in plain doubles and only where these are certain: compares
@@ -21,10 +21,10 @@ public final class DiscSweepFilter {
     // p is no longer than q. The deviation of p from the true foot enters squared. The stored end deviates from the
     // motion by u|d|, which adds u q.q + u d.d. The squared sum of the radii is off by 3u of itself; the comparison
     // adds 2u.
-    private static final double FILTER = Filter.bound(12 * 0x1p-53);
+    private static final double FILTER = FilterBound.bound(12 * 0x1p-53);
 
     // Each product of q and d is off by 2u of itself, their sum by u.
-    private static final double FILTER_AHEAD = Filter.bound(4 * 0x1p-53);
+    private static final double FILTER_AHEAD = FilterBound.bound(4 * 0x1p-53);
 
     /** Squares of motions shorter than this could lose too much to underflow. */
     private static final double SHORT = 0x1p-900;

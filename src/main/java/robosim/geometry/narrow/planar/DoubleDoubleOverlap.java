@@ -2,7 +2,7 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
@@ -18,14 +18,14 @@ final class DoubleDoubleOverlap {
     // product's sum 4u^2, the product 3u^2. Up to six of these are added, each with 4u^2 of the total: 31u^2. A
     // direction is no longer than 1 + 1e-9, so the total is below the direction's length times the offset plus the half
     // sizes.
-    private static final double ALONG = Filter.bound(32 * 0x1p-106);
+    private static final double ALONG = FilterBound.bound(32 * 0x1p-106);
 
     // The distance of the centre beyond a side: the cross product 7u^2 of the offset; the half size times the squared
     // length (one sum 4u^2, which is its own magnitude; the product 3u^2); their sum 4u^2.
-    private static final double BEYOND = Filter.bound(12 * 0x1p-106);
+    private static final double BEYOND = FilterBound.bound(12 * 0x1p-106);
 
     // Squares: 7u^2 each. The squared radius is exact; times the squared length 4u^2 and 7u^2. Two sums: 4u^2.
-    private static final double SQUARES = Filter.bound(20 * 0x1p-106);
+    private static final double SQUARES = FilterBound.bound(20 * 0x1p-106);
 
     /** More than tails lose to underflow: about 2^-1074, each times a size of at most 2^100. */
     private static final double UNDERFLOW = 0x1p-960;

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.planar;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.index.cells.CellScan;
 import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.model.Dimension;
@@ -26,10 +26,10 @@ public final class PlainCells {
     public static final int MET = -1;
 
     /** In units of the error of own coordinates, which a gap or a depth sums up a few of. */
-    private static final double MARGIN = Filter.bound(16);
+    private static final double MARGIN = FilterBound.bound(16);
 
     /** More than the rounding of a sum of heights. */
-    private static final double HEIGHT = Filter.bound(0x1p-48);
+    private static final double HEIGHT = FilterBound.bound(0x1p-48);
 
     private final CellScan scan = new CellScan();
 

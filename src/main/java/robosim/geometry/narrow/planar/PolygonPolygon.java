@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.planar;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -12,7 +12,7 @@ public final class PolygonPolygon {
     // of their normals: they overlap if they do so along each of these, none of which is off by more.
     private static final double ROUNDING = 1.01;
     private static final double PRODUCT = 3 * 0x1p-53;
-    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double FILTER = FilterBound.bound(ROUNDING);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("PolygonPolygon");

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -16,8 +16,8 @@ public final class RectangleRectangle {
     // sizes. The last difference preserves its sign. The 2^-26 cover squares of u, the directions' lengths and the
     // bound's own rounding.
     private static final double SLACK = 1 + 0x1p-26;
-    private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
-    private static final double HALVES = Filter.bound(SLACK * 5 * 0x1p-53);
+    private static final double OFFSET = FilterBound.bound(SLACK * 3 * 0x1p-53);
+    private static final double HALVES = FilterBound.bound(SLACK * 5 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final StageCounters.Counter ALIGNED = StageCounters.counter("RectangleRectangle aligned");

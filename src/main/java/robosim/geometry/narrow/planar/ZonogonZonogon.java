@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.planar;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 
@@ -12,8 +12,8 @@ public final class ZonogonZonogon {
     // As for two rectangles, times the length of the axis, as an own axis may be almost upright: 3u of the offset. A
     // cross product 2u, its product with a half size 1u, the sums for each box and of both 3u: 6u of the half sizes.
     private static final double SLACK = 1 + 0x1p-26;
-    private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
-    private static final double HALVES = Filter.bound(SLACK * 6 * 0x1p-53);
+    private static final double OFFSET = FilterBound.bound(SLACK * 3 * 0x1p-53);
+    private static final double HALVES = FilterBound.bound(SLACK * 6 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final StageCounters.Counter FINE = StageCounters.counter("ZonogonZonogon fine");

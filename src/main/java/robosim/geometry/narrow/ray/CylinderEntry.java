@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -9,7 +9,7 @@ import robosim.geometry.exact.VectorMath;
  * where neither doubles nor pairs of them are certainly accurate.
  */
 final class CylinderEntry {
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
 
     private CylinderEntry() {}
 

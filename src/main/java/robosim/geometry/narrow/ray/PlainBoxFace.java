@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
@@ -16,9 +16,9 @@ final class PlainBoxFace {
      * The share of all coordinates that covers the roundings of this stage and how far columns are from orthonormal: up to 1e-9
      * for each product of two columns, hence less than 1e-8 of what is taken to the box's own frame.
      */
-    private static final double ERROR = Filter.bound(0x1p-25);
+    private static final double ERROR = FilterBound.bound(0x1p-25);
 
-    private static final double UNDERFLOW = Filter.bound(0x1p-800);
+    private static final double UNDERFLOW = FilterBound.bound(0x1p-800);
 
     private PlainBoxFace() {}
 

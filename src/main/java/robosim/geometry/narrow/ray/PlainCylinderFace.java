@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 
 /**
  * Which face of a cylinder a ray enters by, in plain numbers, where these are sure of it by a wide margin: the first
@@ -21,7 +21,7 @@ final class PlainCylinderFace {
     static final int SIDE = 1;
     static final int CAP = 2;
 
-    private static final double SLACK = Filter.bound(0x1p-24);
+    private static final double SLACK = FilterBound.bound(0x1p-24);
 
     /** Below this, squares and their products with squared slopes might underflow. */
     private static final double SMALLEST = 0x1p-300;
@@ -33,7 +33,7 @@ final class PlainCylinderFace {
     private static final double STEEPEST = 0x1p-10;
 
     /** The least slope against the axis, as a share of the direction, that is certainly not 0. */
-    private static final double LEVEL = Filter.bound(0x1p-40);
+    private static final double LEVEL = FilterBound.bound(0x1p-40);
 
     /** The least share of the radius, squared, that half the chord is. */
     private static final double GRAZING = 0x1p-20;

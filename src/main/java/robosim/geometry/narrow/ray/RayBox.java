@@ -6,7 +6,7 @@ import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -21,7 +21,7 @@ import robosim.geometry.narrow.leaf.Leaf;
  * go to {@link ExactSlabs}; so does a distance whose last correction is not certainly accurate.
  */
 public final class RayBox {
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
     private static final double OFFSET_ERROR = 7 * U;
     private static final double SLOPE_ERROR = 5 * U;
     private static final double REST_ERROR = 10 * U;

@@ -6,7 +6,7 @@ import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
@@ -18,12 +18,12 @@ import robosim.geometry.exact.VectorMath;
  * doubles with a bound, then in pairs of doubles, then exactly.
  */
 final class RayCapsule {
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
 
     /**
      * The error of a sum of products in pairs of doubles, as a share of its terms: about ten steps of 2^-102 to 2^-100.
      */
-    private static final double PAIRS_ERROR = Filter.bound(0x1p-94);
+    private static final double PAIRS_ERROR = FilterBound.bound(0x1p-94);
 
     /** The bounding sphere of a capsule is enlarged by this factor, for its own rounding and that of the test. */
     private static final double AROUND = 1 + 0x1p-40;

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.ray;
 import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
@@ -17,7 +17,7 @@ import robosim.geometry.exact.VectorMath;
  */
 final class RayCylinder {
     private static final int SIDE = 0;
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
     private static final StageCounters.Counter EXACT = StageCounters.counter("RayCylinder");
 
     private RayCylinder() {}

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.ray;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.planar.DiscDisc;
@@ -11,14 +11,14 @@ import robosim.geometry.narrow.planar.DiscDisc;
 /** A ray and a disc in the plane. */
 public final class RayDisc {
     // In u = 2^-53. The square of the offset, already rounded once, is off by 4u of itself, the squared radius by 1u.
-    private static final double START = Filter.bound(4.01 * 0x1p-53);
+    private static final double START = FilterBound.bound(4.01 * 0x1p-53);
 
     // A product of the offset and the direction: offset 1u, product 1u, sum 1u.
-    private static final double PRODUCT = Filter.bound(3.01 * 0x1p-53);
+    private static final double PRODUCT = FilterBound.bound(3.01 * 0x1p-53);
 
     // r^2 |u|^2: squares 1u each, sum 1u, product 1u. On the other side: subtracting the bound 1u, twice, and squaring;
     // and 1u for adding this bound.
-    private static final double REACH = Filter.bound(8.01 * 0x1p-53);
+    private static final double REACH = FilterBound.bound(8.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("RayDisc");

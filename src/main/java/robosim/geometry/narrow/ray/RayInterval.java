@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.ray;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -8,7 +8,7 @@ import robosim.geometry.exact.VectorMath;
  * each end. Yields certain verdicts, or doubt.
  */
 final class RayInterval {
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
 
     /** Approximately where the ray enters; 0 where it starts inside. */
     double enter;

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.ExactPolygon;
@@ -13,7 +13,7 @@ final class RayPolygon {
     // Corners are relative to the start, and off by the shape's error; a product with the direction and the sum of two
     // add 2u of the size. A side's direction is off by 1u; it, a product and a sum add 3u.
     private static final double ROUNDING = 1.01;
-    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double FILTER = FilterBound.bound(ROUNDING);
     private static final double PRODUCT = 2 * 0x1p-53;
     private static final double DOUBTFUL = 4 * 0x1p-53;
     private static final double SIDE_PRODUCT = 3 * 0x1p-53;

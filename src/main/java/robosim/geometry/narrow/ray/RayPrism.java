@@ -6,7 +6,7 @@ import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
@@ -15,7 +15,7 @@ import robosim.geometry.exact.VectorMath;
  * their slopes are off by one rounding, the ends by two.
  */
 final class RayPrism {
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
     private static final StageCounters.Counter EXACT = StageCounters.counter("RayPrism");
 
     private RayPrism() {}

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -14,7 +14,7 @@ public final class RayRectangle {
     // With u = 2^-53: in the rectangle's frame, a coordinate of the start is off by 3u of |dx| + |dz|, one of the
     // direction by 2u. The half size times the squared length is off by 3u; times such a direction and added to
     // another, by 4u. Differences preserve their sign. Directions of the rectangle are no longer than 1 + 1e-9.
-    private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
+    private static final double FILTER = FilterBound.bound(4.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     // The side that a ray enters is decided by products: how far it starts beyond one side times its speed across the

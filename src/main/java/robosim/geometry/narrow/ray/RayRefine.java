@@ -2,7 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
 
@@ -16,9 +16,9 @@ final class RayRefine {
      * successive steps of 2^-102 to 2^-100, few of which are ever at their worst. A tenth of it changes no distance: it
      * decides only whether one is accurate enough, and there it is about 2^-41 of the ulp in question.
      */
-    static final double ERROR = Filter.bound(0x1p-94);
+    static final double ERROR = FilterBound.bound(0x1p-94);
 
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
 
     private static final int TIME = 0;
     private static final int TEMPORARY = 1; // uses the next pair too

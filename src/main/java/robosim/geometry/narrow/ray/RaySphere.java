@@ -5,7 +5,7 @@ import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
@@ -14,7 +14,7 @@ import robosim.geometry.exact.VectorMath;
  * {@code m . d >= 0} and {@code |m x d|^2 <= r^2 |d|^2}.
  */
 final class RaySphere {
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
 
     /** Offset 1u for each factor, square 1u, two sums 2u; the squared radius and the difference add 2u. */
     private static final double INSIDE_ERROR = 7 * U;

@@ -6,7 +6,7 @@ import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
@@ -20,7 +20,7 @@ import robosim.geometry.exact.VectorMath;
  * Doubtful cases are decided by {@link ExactTriangle}.
  */
 public final class RayTriangle {
-    private static final double U = Filter.bound(VectorMath.U);
+    private static final double U = FilterBound.bound(VectorMath.U);
     private static final double VOLUME_ERROR = 8 * U;
     private static final double LAST_VOLUME_ERROR = 11 * U;
     private static final double REST_ERROR = 11 * U;

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.sat;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
@@ -20,7 +20,7 @@ public final class AxisBody {
         SPATIAL
     }
 
-    public static final double ROUNDOFF = Filter.bound(32 * 0x1p-53);
+    public static final double ROUNDOFF = FilterBound.bound(32 * 0x1p-53);
 
     /** More than any product of doubles here loses to underflow. */
     public static final double TINY = 0x1p-1040;

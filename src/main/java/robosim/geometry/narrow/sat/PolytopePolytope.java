@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.sat;
 
-import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -21,16 +21,16 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * however it was rounded, so a gap beyond the first bound is a proof; that an axis does not separate needs the second.
  */
 public final class PolytopePolytope {
-    private static final double PROJECTED = Filter.bound(7.01 * 0x1p-53);
-    private static final double WITH_AXIS = Filter.bound(9.01 * 0x1p-53);
-    private static final double TRIANGLE_PROJECTED = Filter.bound(12.01 * 0x1p-53);
-    private static final double TRIANGLE_WITH_AXIS = Filter.bound(16.01 * 0x1p-53);
+    private static final double PROJECTED = FilterBound.bound(7.01 * 0x1p-53);
+    private static final double WITH_AXIS = FilterBound.bound(9.01 * 0x1p-53);
+    private static final double TRIANGLE_PROJECTED = FilterBound.bound(12.01 * 0x1p-53);
+    private static final double TRIANGLE_WITH_AXIS = FilterBound.bound(16.01 * 0x1p-53);
 
     /** An upper bound, with a generous margin, of what underflow may add to a gap. */
     private static final double UNDERFLOW = 0x1p-1000;
 
     /** Below this, underflow could matter and doubles are not used. */
-    private static final double SMALL = Filter.bound(0x1p-900);
+    private static final double SMALL = FilterBound.bound(0x1p-900);
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("PolytopePolytope");
 

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
 
@@ -65,7 +65,7 @@ public final class PlanarSweep {
      *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
      *     remain; {@code +Infinity} if the whole turn is free
      */
-    public static double turn(Leaf a, Turn turn, Leaf b, SweepScratch s) {
+    public static double turn(Leaf a, PivotTurn turn, Leaf b, SweepScratch s) {
         if (turn.degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }

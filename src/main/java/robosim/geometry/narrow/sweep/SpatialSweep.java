@@ -3,8 +3,8 @@ package robosim.geometry.narrow.sweep;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Turn;
-import robosim.geometry.narrow.leaf.Upright;
+import robosim.geometry.narrow.leaf.PivotTurn;
+import robosim.geometry.narrow.leaf.UprightLeaves;
 import robosim.geometry.narrow.overlap.HeightIntervals;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
@@ -81,9 +81,9 @@ public final class SpatialSweep {
 
     /** An upright cylinder against anything upright: a disc in the plane, while the heights touch. */
     private static double cylinder(Leaf a, double dx, double dy, double dz, Leaf b, SweepScratch s) {
-        double middle = Upright.middle(b);
-        double top = Upright.top(b);
-        double high = Upright.halfHeight(b);
+        double middle = UprightLeaves.middle(b);
+        double top = UprightLeaves.top(b);
+        double high = UprightLeaves.halfHeight(b);
         int above = Dyadic.signOfSum(a.get(1), -a.get(4), -top, -high);
         int below = Dyadic.signOfSum(middle, -high, -a.get(1), -a.get(4));
         if ((above > 0 && dy >= 0) || (below > 0 && dy <= 0)) {
@@ -130,18 +130,18 @@ public final class SpatialSweep {
      *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
      *     remain; {@code +Infinity} if the whole turn is free
      */
-    public static double turn(Leaf a, Turn turn, Leaf b, SweepScratch s) {
+    public static double turn(Leaf a, PivotTurn turn, Leaf b, SweepScratch s) {
         if (turn.degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }
         boolean isUpright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
         if (turn.isLevel() && isUpright && VerticalTurn.isCovered(a.kind) && VerticalTurn.isCovered(b.kind)) {
-            double mid = Upright.middle(a);
-            double half = Upright.halfHeight(a);
-            double top = Upright.top(a);
-            double otherMid = Upright.middle(b);
-            double otherHalf = Upright.halfHeight(b);
-            double otherTop = Upright.top(b);
+            double mid = UprightLeaves.middle(a);
+            double half = UprightLeaves.halfHeight(a);
+            double top = UprightLeaves.top(a);
+            double otherMid = UprightLeaves.middle(b);
+            double otherHalf = UprightLeaves.halfHeight(b);
+            double otherTop = UprightLeaves.top(b);
             if (Dyadic.signOfSum(mid, -half, -otherTop, -otherHalf) > 0
                     || Dyadic.signOfSum(otherMid, -otherHalf, -top, -half) > 0) {
                 return Double.POSITIVE_INFINITY;

@@ -11,6 +11,6 @@ final class SweepWorkspace {
     final MovingBall ball = new MovingBall();
     final TranslationAdvancement move = new TranslationAdvancement();
     final VerticalTurn vertical = new VerticalTurn();
-    final TurnBody body = new TurnBody();
+    final TurningLeaf body = new TurningLeaf();
     final TurnAdvancement turning = new TurnAdvancement();
 }

@@ -1,13 +1,13 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.exact.Outward;
+import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them. */
@@ -27,8 +27,8 @@ public final class SweptBounds {
     private static void moved(double[] bounds, int at, double dx, double dy, double dz, double[] out6) {
         for (int k = 0; k < 3; k++) {
             double d = k == 0 ? dx : k == 1 ? dy : dz;
-            out6[k] = -Outward.sum(-bounds[at + k], Math.max(0, -d));
-            out6[k + 3] = Outward.sum(bounds[at + 3 + k], Math.max(0, d));
+            out6[k] = -UpwardRounding.sum(-bounds[at + k], Math.max(0, -d));
+            out6[k + 3] = UpwardRounding.sum(bounds[at + 3 + k], Math.max(0, d));
         }
     }
 
@@ -39,7 +39,7 @@ public final class SweptBounds {
      * <p>A bound that the turn does not extend is that of the leaf at the start; others are tight to within rounding,
      * for cylinders that tilt to 2^-36 of their distance from the pivot.
      */
-    public static void turn(Leaf leaf, Turn turn, double[] out6, SweepScratch s) {
+    public static void turn(Leaf leaf, PivotTurn turn, double[] out6, SweepScratch s) {
         LeafBounds.of(leaf.kind, leaf.row, leaf.at, out6);
         if (turn.degrees == 0) {
             return;
@@ -59,8 +59,8 @@ public final class SweptBounds {
         }
     }
 
-    private static void extend(Leaf leaf, Turn turn, double[] out6, SweepScratch s) {
-        TurnBody body = s.sweep().body;
+    private static void extend(Leaf leaf, PivotTurn turn, double[] out6, SweepScratch s) {
+        TurningLeaf body = s.sweep().body;
         double sign = turn.degrees < 0 ? -1 : 1;
         body.load(leaf, turn);
         double lost = lost(leaf, turn);
@@ -84,7 +84,7 @@ public final class SweptBounds {
      * What a rim's reach loses in doubles where the cylinder is turned off a direction along its axis by less than can be told
      * from the cosine; 0 for an upright cylinder that stays upright, and for other leaves.
      */
-    private static double lost(Leaf leaf, Turn turn) {
+    private static double lost(Leaf leaf, PivotTurn turn) {
         boolean hasRims = leaf.kind == LeafKind.CYLINDER || (leaf.kind == LeafKind.UPRIGHT_CYLINDER && !turn.isLevel());
         return hasRims ? 0x1p-25 * leaf.get(Leaf.SIZE) : 0;
     }
@@ -93,7 +93,7 @@ public final class SweptBounds {
      * Extends the bounds of x + z (two numbers) and of x - z (two more), which hold at the start, to hold for the leaf
      * anywhere on a turn.
      */
-    public static void turnDiagonals(Leaf leaf, Turn turn, double[] out4, SweepScratch s) {
+    public static void turnDiagonals(Leaf leaf, PivotTurn turn, double[] out4, SweepScratch s) {
         if (turn.degrees == 0) {
             return;
         }
@@ -112,8 +112,8 @@ public final class SweptBounds {
         }
     }
 
-    private static void extendDiagonals(Leaf leaf, Turn turn, double[] out4, SweepScratch s) {
-        TurnBody body = s.sweep().body;
+    private static void extendDiagonals(Leaf leaf, PivotTurn turn, double[] out4, SweepScratch s) {
+        TurningLeaf body = s.sweep().body;
         double sign = turn.degrees < 0 ? -1 : 1;
         body.load(leaf, turn);
         double angle = Degrees.toRadians(Math.abs(turn.degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
@@ -129,7 +129,7 @@ public final class SweptBounds {
     }
 
     // The direction has unit length; a diagonal is the root of two longer.
-    private static double diagonal(TurnBody body, double angle, double pivot, double start, double slack) {
+    private static double diagonal(TurningLeaf body, double angle, double pivot, double start, double slack) {
         double from = VectorMath.HALF_ROOT * start;
         double to = body.greatest(angle, pivot, from);
         return to > from ? (to + slack + 0x1p-48 * Math.abs(to)) / VectorMath.HALF_ROOT : start;

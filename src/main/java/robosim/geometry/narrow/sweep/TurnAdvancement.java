@@ -9,7 +9,7 @@ import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.MovedLeaf;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 
@@ -19,7 +19,7 @@ import robosim.geometry.narrow.overlap.OverlapScratch;
  * <p>At an angle a separating axis is found and kept fixed, once in the world, where the mover's points follow
  * sinusoids, and once in the mover, where the other's do. The turn is free for as long as the better of the two still
  * separates; then the next axis is searched. If that is soon, the normals of sides, the directions perpendicular to an
- * edge of each ({@link EdgeCrossTurn}), which turn with both, and the axis made perpendicular to each edge are tried too.
+ * edge of each ({@link TurningEdgePair}), which turn with both, and the axis made perpendicular to each edge are tried too.
  * For polytopes these are all axes of the separating-axis theorem, each for as long as it separates; for round shapes
  * the loss from a fixed axis grows with the square of the angle. Only these axes prove anything, with all rounding
  * counted; how they are found does not matter. From contact the same is done with the depth at the start allowed for.
@@ -56,13 +56,13 @@ final class TurnAdvancement {
     private static final double NEARLY = 0x1p-8;
     private static final double PARALLEL = 0x1p-40;
 
-    private final TurnBody mover = new TurnBody();
-    private final TurnBody rest = new TurnBody();
+    private final TurningLeaf mover = new TurningLeaf();
+    private final TurningLeaf rest = new TurningLeaf();
     private final Leaf pose = new Leaf();
 
     private final FeatureDirections ofRest = new FeatureDirections();
     private final FeatureDirections ofMover = new FeatureDirections();
-    private final EdgeCrossTurn across = new EdgeCrossTurn(rest, mover);
+    private final TurningEdgePair across = new TurningEdgePair(rest, mover);
     private final StartGap startGap = new StartGap();
     private final StartGap.Motion keepsOff = this::notes;
     private final double[] towards = new double[3];
@@ -79,7 +79,7 @@ final class TurnAdvancement {
     private boolean planar;
     private Leaf a = pose;
     private Leaf b = pose;
-    private final Turn turn = new Turn();
+    private final PivotTurn turn = new PivotTurn();
 
     @SuppressWarnings("NullAway.Init") // set by each query
     private Gjk gjk;
@@ -91,7 +91,7 @@ final class TurnAdvancement {
     private double depth;
 
     /** As {@link SpatialSweep#turn} and {@link PlanarSweep#turn}. */
-    double free(boolean inPlane, Leaf moving, Turn by, Leaf resting, OverlapScratch s) {
+    double free(boolean inPlane, Leaf moving, PivotTurn by, Leaf resting, OverlapScratch s) {
         a = moving;
         b = resting;
         gjk = s.gjk.pair;

@@ -4,8 +4,8 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
-import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.planar.ExactPolygon;
 import robosim.geometry.narrow.sat.ExactExtent;
 
@@ -39,7 +39,7 @@ final class VerticalTurn {
      * @param heightDepth how far the heights overlap, which a turn does not change: where that is the lesser depth at the
      *     start, nothing gets deeper; infinite where heights do not count
      */
-    double free(Leaf a, Turn turn, Leaf b, double heightDepth) {
+    double free(Leaf a, PivotTurn turn, Leaf b, double heightDepth) {
         double degrees = turn.wy < 0 ? -turn.degrees : turn.degrees;
         double angle = Degrees.toRadians(Math.abs(degrees));
         isApart = false;
@@ -63,7 +63,7 @@ final class VerticalTurn {
         return TurningPolygon.covers(free, angle) ? Double.POSITIVE_INFINITY : TurningPolygon.fraction(free, angle);
     }
 
-    private void load(ProjectedPolygon outline, Leaf leaf, Turn turn) {
+    private void load(ProjectedPolygon outline, Leaf leaf, PivotTurn turn) {
         if (leaf.kind.isDisc()) {
             outline.point(leaf.get(0) - turn.px, leaf.get(2) - turn.pz);
         } else {

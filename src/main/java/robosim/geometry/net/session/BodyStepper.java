@@ -60,7 +60,7 @@ public final class BodyStepper {
     private final Runnable breath;
 
     /** Null where nothing falls. */
-    private final @Nullable Falls falls;
+    private final @Nullable FallDetector falls;
 
     /** No bodies so far, and nothing that runs between two parts of a step. */
     public BodyStepper(Geometry world) {
@@ -78,11 +78,11 @@ public final class BodyStepper {
         this.breath = breath;
         this.dynamics = new Dynamics(world, world.dimension() == Dimension.SPATIAL ? FLOOR : Surface.SMOOTH);
         dynamics.pausing(breath);
-        falls = world.dimension() == Dimension.SPATIAL ? new Falls(world) : null;
+        falls = world.dimension() == Dimension.SPATIAL ? new FallDetector(world) : null;
     }
 
     /** By body, the fall that ended in the last step, onto the lower border of the world or something static. */
-    public Map<String, Falls.Fall> falls() {
+    public Map<String, FallDetector.Fall> falls() {
         return falls == null ? Map.of() : Collections.unmodifiableMap(falls.last());
     }
 

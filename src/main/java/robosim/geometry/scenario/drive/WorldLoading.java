@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.check.Text;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.net.session.Opening;
+import robosim.geometry.net.session.SessionStart;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.StepBundle;
@@ -217,7 +217,7 @@ public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
         for (Skipped each : read.skipped()) {
             leftOut.add(new WorldAnswer.LeftOut(objects.size(), each.what(), shown(root, each.reason())));
         }
-        return new InitBundle.Loaded(requests, Opening.of(requests).bytes(), leftOut);
+        return new InitBundle.Loaded(requests, SessionStart.of(requests).bytes(), leftOut);
     }
 
     /** Words without the folder in which the files are here, of which a peer knows nothing. */

@@ -39,12 +39,12 @@ final class AreaBound {
 
     private final Geometry statics;
 
-    private final Watch watch;
+    private final CheckProgress watch;
 
     /** How many more cells may be looked at. */
     private int left;
 
-    AreaBound(World world, Geometry statics, int cells, Watch watch) {
+    AreaBound(World world, Geometry statics, int cells, CheckProgress watch) {
         this.world = world;
         this.statics = statics;
         this.watch = watch;

@@ -194,7 +194,7 @@ final class GridSearch {
      * @param isOver whether it is over when all of them are reached
      * @param met    called with the index of each robot that is reached
      */
-    void run(List<GeometryObject> others, boolean isOver, IntConsumer met, Watch watch) {
+    void run(List<GeometryObject> others, boolean isOver, IntConsumer met, CheckProgress watch) {
         if (!geometry.addObjectUnchecked(body)) {
             throw new IllegalStateException("the robot is not within the world: " + body);
         }

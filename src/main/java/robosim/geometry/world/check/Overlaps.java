@@ -69,7 +69,7 @@ final class Overlaps {
     private long compared;
     private @Nullable Pile pile;
 
-    Overlaps(World world, Watch watch, WorkLimit.Meter meter) {
+    Overlaps(World world, CheckProgress watch, WorkLimit.Meter meter) {
         objects = world.objects();
         dimension = world.dimension();
         this.meter = meter;
@@ -261,7 +261,7 @@ final class Overlaps {
             staticCount++;
             return;
         }
-        boolean hinders = !Standing.isStanding(overlap);
+        boolean hinders = !FloorSupport.isStanding(overlap);
         starts += hinders ? 1 : 0;
         for (int k : new int[] {earlier, later}) {
             if (objects.get(k).object().isMoveable()) {

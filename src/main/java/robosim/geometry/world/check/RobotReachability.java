@@ -25,7 +25,7 @@ final class RobotReachability {
     private static final int CELLS = 400_000;
 
     private final World world;
-    private final Watch watch;
+    private final CheckProgress watch;
     private final WorkLimit.Meter meter;
     private final List<GeometryObject> robots = new ArrayList<>();
 
@@ -38,7 +38,7 @@ final class RobotReachability {
     private final Map<String, GridSearch> byName = new HashMap<>();
 
     /** @param touching names of robots that start in contact and are not tested */
-    RobotReachability(World world, Set<String> touching, Watch watch, WorkLimit.Meter meter) {
+    RobotReachability(World world, Set<String> touching, CheckProgress watch, WorkLimit.Meter meter) {
         this.world = world;
         this.watch = watch;
         this.meter = meter;

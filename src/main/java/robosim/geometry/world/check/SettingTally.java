@@ -31,8 +31,8 @@ final class SettingTally {
         return placesOtherwise + movesOtherwise + distancesOtherwise > 0;
     }
 
-    Setting setting() {
-        return new Setting(
+    SettingComparison setting() {
+        return new SettingComparison(
                 dimension,
                 accuracy,
                 places,

@@ -44,7 +44,7 @@ import robosim.geometry.world.WorldObject;
  * robot may stand at a place, whether it may make a random move or turn from there, and what one of its sonars measures
  * (in a world without sonars, a line in a random direction). The places are random; for each robot they include its own
  * start and some places that it reached. A setting is sufficient if it answers all of them as EXACT in the world's own
- * dimension does. No more are made once each setting that could still be recommended has answered otherwise. Nothing is decided if fewer than {@link Setting#MIN_ANSWERS} moves or distances could be queried, for
+ * dimension does. No more are made once each setting that could still be recommended has answered otherwise. Nothing is decided if fewer than {@link SettingComparison#MIN_ANSWERS} moves or distances could be queried, for
  * lack of free places or of robots, or if none of them hit anything; nor for an incomplete world, of which objects are
  * outside or were left out of the file. A robot that is a mesh, and therefore slow, gets a
  * twentieth of the queries of others.
@@ -77,7 +77,7 @@ public record WorldCheck(
         int staticOverlaps,
         @Nullable Pile pile,
         List<Room> rooms,
-        Needs needs) {
+        RecommendedSetting needs) {
 
     /** Maximum number of pairs of static objects in {@code overlaps}. */
     public static final int MAX_STATIC_OVERLAPS = 100;
@@ -107,26 +107,26 @@ public record WorldCheck(
      *
      * @throws robosim.geometry.WorkLimitException if it takes more, or the limit is cancelled
      */
-    public static WorldCheck of(World world, Watch watch, WorkLimit limit) {
+    public static WorldCheck of(World world, CheckProgress watch, WorkLimit limit) {
         return of(world, watch, true, Checks.present("limit", limit));
     }
 
     /** Checks a world and reports progress. */
-    public static WorldCheck of(World world, Watch watch) {
+    public static WorldCheck of(World world, CheckProgress watch) {
         return of(world, watch, true, WorkLimit.none());
     }
 
     /** Checks the world of a file and reports progress. If parts of the file were left out, {@code needs} is undecided. */
-    public static WorldCheck of(WorldImport read, Watch watch) {
+    public static WorldCheck of(WorldImport read, CheckProgress watch) {
         Checks.present("read", read);
         return of(read.world(), watch, read.isWhole(), WorkLimit.none());
     }
 
-    private static WorldCheck of(World world, Watch told, boolean isWhole, WorkLimit limit) {
+    private static WorldCheck of(World world, CheckProgress told, boolean isWhole, WorkLimit limit) {
         Checks.present("world", world);
         Checks.present("watch", told);
         WorkLimit.Meter meter = limit.meter("a check");
-        Watch watch = (work, done, total) -> {
+        CheckProgress watch = (work, done, total) -> {
             meter.take(1);
             told.at(work, done, total);
         };
@@ -148,13 +148,13 @@ public record WorldCheck(
         // What was dropped may be what the answers depend on.
         boolean isComplete = isWhole && outside.isEmpty();
         Overlaps overlaps = new Overlaps(inside, watch, meter);
-        World free = Standing.raised(inside, overlaps.found());
+        World free = FloorSupport.raised(inside, overlaps.found());
         // Ten worlds, which are not needed before the robots have searched: built on another thread until then.
         CompletableFuture<List<SettingTally>> tallies =
                 CompletableFuture.supplyAsync(() -> isComplete ? SettingTally.all(free) : List.of());
         Set<String> touching = new HashSet<>();
         for (Overlap overlap : overlaps.found()) {
-            if (Standing.isStanding(overlap)) {
+            if (FloorSupport.isStanding(overlap)) {
                 continue;
             }
             touching.add(
@@ -177,9 +177,9 @@ public record WorldCheck(
                 overlaps.pile(),
                 found,
                 isComplete
-                        ? new Questions(free, reachability, pieces.triangles, limited(tallies.join(), meter), watch)
+                        ? new SampleQueries(free, reachability, pieces.triangles, limited(tallies.join(), meter), watch)
                                 .ask()
-                        : Needs.undecided(world));
+                        : RecommendedSetting.undecided(world));
     }
 
     /** The worlds of all settings, whose questions count from now on. */
@@ -222,7 +222,7 @@ public record WorldCheck(
     /** Contacts in which a moveable object starts, other than with what it stands on. */
     public List<Overlap> startingContacts() {
         return overlaps.stream()
-                .filter(each -> each.isStart() && !Standing.isStanding(each))
+                .filter(each -> each.isStart() && !FloorSupport.isStanding(each))
                 .toList();
     }
 
@@ -231,7 +231,7 @@ public record WorldCheck(
      * own height, as soon as bodies move by themselves. They are no findings: moves and sonars know no gravity.
      */
     public static List<Fall> falls(World world) {
-        return Standing.falls(Checks.present("world", world));
+        return FloorSupport.falls(Checks.present("world", world));
     }
 
     /**

@@ -14,7 +14,7 @@ class ContactSolverTest {
     /** Speeds here are of the order of 1 m/s. */
     private static final double NOTHING = 1e-9;
 
-    private final Bodies bodies = new Bodies();
+    private final MovingBodies bodies = new MovingBodies();
     private final FloorFriction floor = new FloorFriction(bodies);
     private final Island island = new Island(bodies, floor);
     private final ContactSolver solver = new ContactSolver(bodies, floor, island);

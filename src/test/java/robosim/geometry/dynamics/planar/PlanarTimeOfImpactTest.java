@@ -15,7 +15,7 @@ class PlanarTimeOfImpactTest {
     private static final double WALL = 6.1;
 
     private final ConvexPieces pieces = new ConvexPieces();
-    private final Bodies bodies = new Bodies();
+    private final MovingBodies bodies = new MovingBodies();
     private final PlanarTimeOfImpact impact = new PlanarTimeOfImpact(bodies, pieces);
 
     PlanarTimeOfImpactTest() {

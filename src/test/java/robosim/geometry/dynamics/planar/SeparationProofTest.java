@@ -19,7 +19,7 @@ class SeparationProofTest {
 
     private final SplittableRandom random = new SplittableRandom(30);
     private final ConvexPieces pieces = new ConvexPieces();
-    private final Bodies bodies = new Bodies();
+    private final MovingBodies bodies = new MovingBodies();
     private final Trajectories legs = new Trajectories();
     private final SeparationProof passing = new SeparationProof(pieces, bodies);
 
@@ -94,8 +94,8 @@ class SeparationProofTest {
 
     /** Moves the second body, at both ends, so near to the first that the ends touch but for a gap. */
     private void bringTogether(double gap) {
-        Separation s = new Separation();
-        Separation.Places places = new Separation.Places();
+        PieceSeparation s = new PieceSeparation();
+        PieceSeparation.Places places = new PieceSeparation.Places();
         for (int round = 0; round < 2; round++) {
             int a = legs.last[0];
             int b = legs.last[1];

@@ -10,7 +10,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 
 /** Turns in the plane, against sampled poses: no contact before the answer, and contact right after it. */
 class PlanarTurnSweepTest {
@@ -70,7 +70,7 @@ class PlanarTurnSweepTest {
         double degrees = -51.102608853458996;
         double share = PlanarSweep.turn(
                 new Leaf(LeafKind.SPHERE, disc, 0),
-                new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
+                new PivotTurn().about(px, 0, pz).by(0, 1, 0, degrees),
                 new Leaf(LeafKind.UPRIGHT_BOX, box, 0),
                 scratch.sweep);
         double gap = gap(LeafKind.SPHERE, disc, px, pz, degrees * Math.min(1, share), LeafKind.UPRIGHT_BOX, box);
@@ -106,7 +106,7 @@ class PlanarTurnSweepTest {
         double pz = 1.1514794349385777;
         double share = PlanarSweep.turn(
                 new Leaf(LeafKind.SPHERE, disc, 0),
-                new Turn().about(px, 0, pz).by(0, 1, 0, 35.23771176608052),
+                new PivotTurn().about(px, 0, pz).by(0, 1, 0, 35.23771176608052),
                 new Leaf(LeafKind.BOX, box, 0),
                 scratch.sweep);
         double gap = gap(LeafKind.SPHERE, disc, px, pz, 35.23771176608052 * share, LeafKind.BOX, box);
@@ -122,7 +122,7 @@ class PlanarTurnSweepTest {
                 .formatted(kindA, Arrays.toString(a), px, pz, degrees, kindB, Arrays.toString(b));
         double share = PlanarSweep.turn(
                 new Leaf(kindA, a, 0),
-                new Turn().about(px, 0, pz).by(0, 1, 0, degrees),
+                new PivotTurn().about(px, 0, pz).by(0, 1, 0, degrees),
                 new Leaf(kindB, b, 0),
                 scratch.sweep);
         double start = gap(kindA, a, px, pz, 0, kindB, b);

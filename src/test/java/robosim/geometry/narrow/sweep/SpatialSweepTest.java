@@ -13,7 +13,7 @@ import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 
 /** Motions of all pairs of kinds in space, against poses sampled on the way and judged by GJK. */
 class SpatialSweepTest {
@@ -195,7 +195,7 @@ class SpatialSweepTest {
                         Arrays.toString(b));
         double share = SpatialSweep.turn(
                 new Leaf(kindA, a, 0),
-                new Turn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], degrees),
+                new PivotTurn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], degrees),
                 new Leaf(kindB, b, 0),
                 scratch.sweep);
         double start = gap(kindA, a, kindB, b);
@@ -227,7 +227,7 @@ class SpatialSweepTest {
         double sin = StrictMath.sin(Math.toRadians(degrees));
         MovedLeaf.turned(
                 new Leaf(kind, a, 0),
-                new Turn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], 0),
+                new PivotTurn().about(pivot[0], pivot[1], pivot[2]).by(axis[0], axis[1], axis[2], 0),
                 cos,
                 sin,
                 new Leaf(LeafKind.SPHERE, pose, 0));

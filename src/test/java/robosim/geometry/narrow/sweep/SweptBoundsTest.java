@@ -12,7 +12,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 
 class SweptBoundsTest {
     private static final int SAMPLES = 2000;
@@ -34,7 +34,7 @@ class SweptBoundsTest {
                 double[] bounds = new double[6];
                 SweptBounds.turn(
                         new Leaf(kind, row, 0),
-                        new Turn().about(p[0], p[1], p[2]).by(axis[0], axis[1], axis[2], degrees),
+                        new PivotTurn().about(p[0], p[1], p[2]).by(axis[0], axis[1], axis[2], degrees),
                         bounds,
                         scratch.sweep);
                 double[] seen = sampled(kind, row, p, axis, degrees);
@@ -63,7 +63,7 @@ class SweptBoundsTest {
         LeafBounds.of(LeafKind.UPRIGHT_CYLINDER, robot, 0, start);
         SweptBounds.turn(
                 new Leaf(LeafKind.UPRIGHT_CYLINDER, robot, 0),
-                new Turn().about(0.1, 0.2, 0.3).by(0, 1, 0, 1234.5),
+                new PivotTurn().about(0.1, 0.2, 0.3).by(0, 1, 0, 1234.5),
                 bounds,
                 scratch.sweep);
         assertThat(bounds).containsExactly(start);
@@ -89,7 +89,7 @@ class SweptBoundsTest {
             double sin = StrictMath.sin(angle);
             MovedLeaf.turned(
                     new Leaf(kind, row, 0),
-                    new Turn().about(p[0], p[1], p[2]).by(axis[0], axis[1], axis[2], 0),
+                    new PivotTurn().about(p[0], p[1], p[2]).by(axis[0], axis[1], axis[2], 0),
                     cos,
                     sin,
                     new Leaf(LeafKind.SPHERE, pose, 0));

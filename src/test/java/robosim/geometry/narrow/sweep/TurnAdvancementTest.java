@@ -16,7 +16,7 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
-import robosim.geometry.narrow.leaf.Turn;
+import robosim.geometry.narrow.leaf.PivotTurn;
 
 /** Turns that pass closely: the gap that is let through, and how close a turn comes that is stopped. */
 class TurnAdvancementTest {
@@ -158,7 +158,7 @@ class TurnAdvancementTest {
             double degrees = random.nextDouble(-180, 180);
             double share = SpatialSweep.turn(
                     new Leaf(kindA, a, 0),
-                    new Turn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], degrees),
+                    new PivotTurn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], degrees),
                     new Leaf(kindB, b, 0),
                     scratch.sweep);
             most = Math.max(most, scratch.sweep.sweep().turning.steps());
@@ -169,7 +169,7 @@ class TurnAdvancementTest {
             double angle = Math.toRadians(degrees * share);
             MovedLeaf.turned(
                     new Leaf(kindA, a, 0),
-                    new Turn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], 0),
+                    new PivotTurn().about(0.1, 0.2, 0.3).by(about[6], about[9], about[12], 0),
                     StrictMath.cos(angle),
                     StrictMath.sin(angle),
                     new Leaf(LeafKind.SPHERE, pose, 0));
@@ -224,7 +224,7 @@ class TurnAdvancementTest {
             LeafKind kindA, double[] a, double wx, double wy, double wz, double degrees, LeafKind kindB, double[] b) {
         return SpatialSweep.turn(
                 new Leaf(kindA, a, 0),
-                new Turn().about(0, 0, 0).by(wx, wy, wz, degrees),
+                new PivotTurn().about(0, 0, 0).by(wx, wy, wz, degrees),
                 new Leaf(kindB, b, 0),
                 scratch.sweep);
     }
@@ -235,7 +235,7 @@ class TurnAdvancementTest {
         double sin = StrictMath.sin(Math.toRadians(degrees));
         MovedLeaf.turned(
                 new Leaf(kind, row, 0),
-                new Turn().about(0, 0, 0).by(0, 1, 0, 0),
+                new PivotTurn().about(0, 0, 0).by(0, 1, 0, 0),
                 cos,
                 sin,
                 new Leaf(LeafKind.SPHERE, out, 0));

@@ -256,7 +256,7 @@ class WorldCheckTest {
         assertThat(check.needs().isTold()).isFalse();
         assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
         assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
-        assertThat(check.needs().settings()).noneMatch(Setting::isSame);
+        assertThat(check.needs().settings()).noneMatch(SettingComparison::isSame);
     }
 
     /** Without a robot a stand-in is asked, on the floor and not in the air, and it meets what is there. */
@@ -274,17 +274,17 @@ class WorldCheckTest {
         List<WorldObject> all = objects.stream().map(WorldObject::new).toList();
         WorldCheck check = WorldCheck.of(new World(30, 12, 30, Unit.METRE, Dimension.SPATIAL, Accuracy.EXACT, all));
         assertThat(check.robots()).isEmpty();
-        StandIn standIn = check.needs().standIn();
+        SubstituteRobot standIn = check.needs().standIn();
         assertThat(standIn).isNotNull();
         assertThat(standIn.floor()).isEqualTo(-0.5);
         assertThat(standIn.body().radius()).isEqualTo(0.2);
         assertThat(standIn.body().center().y()).isBetween(-0.3, -0.25);
         assertThat(check.needs().isTold()).isTrue();
-        assertThat(check.needs().met()).isGreaterThanOrEqualTo(Setting.MIN_ANSWERS);
+        assertThat(check.needs().met()).isGreaterThanOrEqualTo(SettingComparison.MIN_ANSWERS);
         assertThat(check.needs().accuracy()).isNotIn(Accuracy.SPHERE, Accuracy.AABB);
         // The roof covers all in the plane.
         assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
-        assertThat(StandIn.floorOf(check.world())).isEqualTo(-0.5);
+        assertThat(SubstituteRobot.floorOf(check.world())).isEqualTo(-0.5);
     }
 
     /** Where nothing is met all settings answer alike, and none was tried. */
@@ -307,8 +307,8 @@ class WorldCheckTest {
                 new BoxObject(new Point(25.5, 0, 0), 48.9, 6, 100),
                 crate("robot", 0, 0, 0, 2));
         assertThat(check.needs().isTold()).isTrue();
-        Setting sphere = check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE);
-        assertThat(sphere.moves()).isGreaterThanOrEqualTo(Setting.MIN_ANSWERS);
+        SettingComparison sphere = check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE);
+        assertThat(sphere.moves()).isGreaterThanOrEqualTo(SettingComparison.MIN_ANSWERS);
         assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.EXACT).moves())
                 .isGreaterThan(500);
         assertThat(check.needs().accuracy()).isNotEqualTo(Accuracy.SPHERE);
@@ -382,7 +382,7 @@ class WorldCheckTest {
             assertThat(overlap.second().object()).isEqualTo(grid);
             assertThat(overlap.depth()).isGreaterThan(0.1);
         });
-        Needs needs = ofGrid.needs();
+        RecommendedSetting needs = ofGrid.needs();
         assertThat(needs.isProven()).isEqualTo(ofBoxes.needs().isProven()).isTrue();
         // Places near objects are drawn by object, and so differ; what is met does not, but for chance.
         assertThat(needs.met())
@@ -552,7 +552,7 @@ class WorldCheckTest {
         WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL, table, drum("a", -5, 0, 0.5)));
         assertThat(check.needs().isProven()).isFalse();
         assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
-        Setting planar = check.needs().setting(Dimension.PLANAR, Accuracy.EXACT);
+        SettingComparison planar = check.needs().setting(Dimension.PLANAR, Accuracy.EXACT);
         assertThat(planar.placesOtherwise()).isBetween(planar.places() / 10, planar.places() / 2);
         assertThat(planar.distancesOtherwise()).isPositive();
         assertThat(planar.shortest()).isPositive();
@@ -585,7 +585,7 @@ class WorldCheckTest {
         assertThat(check.rooms()).isEmpty();
         assertThat(check.isFine()).isTrue();
         assertThat(WorldCheck.of(world(Dimension.SPATIAL)).isFine()).isTrue();
-        assertThatThrownBy(() -> new Needs(Dimension.PLANAR, Accuracy.EXACT, false, 0, 1, List.of(), null)
+        assertThatThrownBy(() -> new RecommendedSetting(Dimension.PLANAR, Accuracy.EXACT, false, 0, 1, List.of(), null)
                         .setting(Dimension.PLANAR, Accuracy.EXACT))
                 .isInstanceOf(IllegalArgumentException.class);
     }
@@ -608,13 +608,14 @@ class WorldCheckTest {
     @ParameterizedTest
     @CsvSource({"rooms.xml", "cylinders.xml", "studio.xml", "pushing.xml", "maze.xml"})
     void moreQuestionsWouldRecommendTheSame(String file) throws IOException {
-        Needs needs = WorldCheck.of(WorldReader.read(Path.of("worlds", file))).needs();
+        RecommendedSetting needs =
+                WorldCheck.of(WorldReader.read(Path.of("worlds", file))).needs();
         assertThat(needs.isTold()).isTrue();
-        Setting enough = needs.setting(needs.dimension(), needs.accuracy());
+        SettingComparison enough = needs.setting(needs.dimension(), needs.accuracy());
         assertThat(enough.isSame()).isTrue();
         assertThat(needs.settings().subList(0, needs.settings().indexOf(enough)))
                 .isNotEmpty()
-                .allMatch(Setting::isRefuted);
+                .allMatch(SettingComparison::isRefuted);
     }
 
     /**
@@ -755,10 +756,10 @@ class WorldCheckTest {
         assertThat(WorldCheck.of(read, (work, done, total) -> {}).needs()).satisfies(WorldCheckTest::isUndecided);
     }
 
-    private static void isUndecided(Needs needs) {
+    private static void isUndecided(RecommendedSetting needs) {
         assertThat(needs.isTold()).isFalse();
         assertThat(needs.dimension()).isEqualTo(Dimension.SPATIAL);
         assertThat(needs.accuracy()).isEqualTo(Accuracy.EXACT);
-        assertThat(needs.settings()).hasSize(10).noneMatch(Setting::isSame);
+        assertThat(needs.settings()).hasSize(10).noneMatch(SettingComparison::isSame);
     }
 }

@@ -1,8 +1,0 @@
-package robosim.geometry.world.check;
-
-/** Receives the progress of a check, which may take a while. */
-@FunctionalInterface
-public interface Watch {
-    /** Reports that a share of some work is done. */
-    void at(String work, long done, long total);
-}
