@@ -15,6 +15,7 @@ import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.Quaternion;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.world.shared.JsonText;
 

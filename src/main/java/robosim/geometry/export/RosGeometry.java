@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.regex.Pattern;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
+import robosim.geometry.model.Frame;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.Quaternion;
 
 /** Places and shapes in the axes of ROS, as values of its messages: X as here, Y along our -Z, Z up. */
 final class RosGeometry {
@@ -18,6 +20,8 @@ final class RosGeometry {
 
     /** From a sensor that faces X to a camera's frame, in which X is right, Y down and Z forward. */
     static final List<?> OPTICAL = List.of(List.of(0.0, 0.0, 0.0), List.of(-0.5, 0.5, -0.5, 0.5));
+
+    private static final Frame ROS = Frame.ros();
 
     /** What a name of ROS may not contain. */
     private static final Pattern OTHER = Pattern.compile("[^A-Za-z0-9_]+");
@@ -89,13 +93,14 @@ final class RosGeometry {
 
     /** A point or a displacement. */
     static List<Double> point(Point p) {
-        return List.of(p.x(), 0 - p.z(), p.y());
+        Point there = ROS.vector(p);
+        return List.of(there.x(), there.y(), there.z());
     }
 
     /** A pose, which is also how a transform has its numbers. */
     static List<?> pose(Pose pose) {
-        Quaternion q = Quaternion.of(pose);
-        return List.of(point(pose.center()), List.of(q.x(), 0 - q.z(), q.y(), q.w()));
+        Quaternion q = ROS.pose(pose).orientation();
+        return List.of(point(pose.center()), List.of(q.x(), q.y(), q.z(), q.w()));
     }
 
     /** A pose that is lower along its own vertical. */

@@ -3,6 +3,7 @@ package robosim.geometry.export;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.Quaternion;
 
 /**
  * The places of one moveable object, from frame to frame.

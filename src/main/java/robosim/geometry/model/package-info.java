@@ -3,6 +3,7 @@
  *
  * <ul>
  *   <li>{@link Point}: a place; {@link Pose} adds an attitude, {@link Twist} is a velocity
+ *   <li>{@link Frame}: the same places and poses in the axes of ROS, with {@link Quaternion}s
  *   <li>{@link Move}: a translation and then turns
  *   <li>{@link Ray}: a start and a direction; {@link RayPattern} has the directions of many
  *   <li>{@link SenseOptions}: ranges and width of the beams of a pattern, what they ignore, and the number of threads
