@@ -8,6 +8,7 @@ import java.time.Clock;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import robosim.geometry.check.Checks;
 import robosim.geometry.net.SessionListener;
@@ -81,6 +82,21 @@ public final class Recordings implements Function<String, SessionListener> {
     /** These recordings with another clock for names and titles. */
     public Recordings by(Clock other) {
         return new Recordings(files, session, mostBytes, other, maker);
+    }
+
+    /**
+     * These recordings, each of whose files is passed on once it is complete, in the thread that ends the session; for a
+     * conversion to another format.
+     */
+    public Recordings whenClosed(Consumer<Path> done) {
+        Checks.present("done", done);
+        return into(place -> new RecordingFile(place) {
+            @Override
+            public void close() throws IOException {
+                super.close();
+                done.accept(place);
+            }
+        });
     }
 
     /** These recordings with files created by another maker. */

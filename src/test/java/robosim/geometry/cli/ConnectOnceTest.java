@@ -65,6 +65,39 @@ class ConnectOnceTest {
     }
 
     @Test
+    void aTalkIsRecordedAsMessagesOfRos(@TempDir Path folder) throws Exception {
+        Path messages = folder.resolve("talk.mcap");
+        String said = HELLO
+                + "{\"type\":\"init\",\"objects\":[{\"kind\":\"sphere\",\"name\":\"r\",\"moveable\":true,\"center\":[0,0,0],\"radius\":1}]}\n"
+                + "{\"type\":\"moves\",\"moves\":[{\"objectName\":\"r\",\"x\":2}]}\n";
+        assertThat(connect(said, "--record", messages.toString()))
+                .as(err.toString())
+                .isZero();
+        Path scenario = folder.resolve("talk.scenario.jsonl");
+        Path converted = folder.resolve("converted.mcap");
+        assertThat(Commands.run(
+                        new PrintWriter(out),
+                        new PrintWriter(err, true),
+                        "convert",
+                        scenario.toString(),
+                        converted.toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(messages).hasSameBinaryContentAs(converted);
+        // Existing files stay as they are.
+        assertThat(Commands.run(
+                        new PrintWriter(out),
+                        new PrintWriter(err, true),
+                        "connect",
+                        "localhost",
+                        "1",
+                        "--record",
+                        messages.toString()))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("--record must be a new file");
+    }
+
+    @Test
     void anEnvironmentThatAsksNothingIsTold() throws Exception {
         for (String said : List.of("", HELLO, HELLO + "{\"type\":\"ping\"}\n", HELLO + "{\"type\":\"fly\"}\n")) {
             assertThat(connect(said)).as(said).isEqualTo(ExitCodes.FINDINGS);

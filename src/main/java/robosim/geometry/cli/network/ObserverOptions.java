@@ -6,20 +6,30 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import robosim.geometry.check.NumberText;
+import robosim.geometry.check.Text;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.UsageException;
+import robosim.geometry.cli.terminal.WireFiles;
+import robosim.geometry.export.RosRecording;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.scenario.Recordings;
+import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Watching;
+import robosim.geometry.scenario.source.StepReader;
 
 /** How {@code serve} and {@code connect} record their sessions, and let them be watched. */
 public final class ObserverOptions {
+    private static final System.Logger LOG = System.getLogger(ObserverOptions.class.getPackageName());
+    private static final String MCAP = ".mcap";
+
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
 
@@ -27,7 +37,9 @@ public final class ObserverOptions {
             names = "--record",
             paramLabel = "PLACE",
             description = "record each session as a scenario for `replay`: serve takes a folder and writes a"
-                    + " file for each connection; connect takes a file, and numbers those of further connections")
+                    + " file for each connection; connect takes a file, and numbers those of further connections. A"
+                    + " place that ends in .mcap is a file for both, to which the scenario beside it is converted at"
+                    + " the end of each session")
     private @Nullable Path place;
 
     @Option(
@@ -44,11 +56,14 @@ public final class ObserverOptions {
                     + " `view --watch`; 0 for any free port")
     private @Nullable Integer port;
 
-    /** Records into a folder, which is created if it does not exist. */
+    /** Records into a folder, which is created if it does not exist; or into messages of ROS 2. */
     NetOptions recordedInFolder(NetOptions options) {
         Path folder = place;
         if (folder == null) {
             return options;
+        }
+        if (isMcap(folder)) {
+            return recordedAsMcap(options, folder);
         }
         try {
             Files.createDirectories(folder);
@@ -66,8 +81,41 @@ public final class ObserverOptions {
         if (file == null) {
             return options;
         }
+        if (isMcap(file)) {
+            return recordedAsMcap(options, file);
+        }
         return options.withListeners(
                 limited(Recordings.inFile(Arguments.newFile("--record", file), options.session())));
+    }
+
+    private static boolean isMcap(Path file) {
+        return file.toString().toLowerCase(Locale.ROOT).endsWith(MCAP);
+    }
+
+    /** Records scenarios beside the file; each is converted when its session has ended, and stays. */
+    private NetOptions recordedAsMcap(NetOptions options, Path file) {
+        Arguments.newFile("--record", file);
+        Path scenario = withEnding(file, MCAP, ScenarioReader.ENDING);
+        Arguments.newFile("--record, whose scenario is written beside it,", scenario);
+        Recordings recordings = Recordings.inFile(scenario, options.session());
+        return options.withListeners(limited(recordings.whenClosed(ObserverOptions::convert)));
+    }
+
+    private static Path withEnding(Path file, String ending, String other) {
+        String name = String.valueOf(file.getFileName());
+        return file.resolveSibling(name.substring(0, name.length() - ending.length()) + other);
+    }
+
+    private static void convert(Path scenario) {
+        Path messages = withEnding(scenario, ScenarioReader.ENDING, MCAP);
+        try (StepReader recording = WireFiles.recording(scenario)) {
+            long steps = RosRecording.write(recording, RosRecording.TICK, messages, step -> {});
+            LOG.log(System.Logger.Level.INFO, "wrote " + Text.line(messages + ": " + NumberText.count(steps, "step")));
+        } catch (IOException | RuntimeException e) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    Text.line(messages + " could not be written; convert " + scenario + " to try again (" + e + ")"));
+        }
     }
 
     private Recordings limited(Recordings recordings) {
