@@ -17,7 +17,7 @@ import java.util.zip.CRC32;
  *
  * <p>Source: the MCAP format specification, version 0 (mcap.dev/spec).
  */
-final class McapWriter {
+final class McapWriter implements MessageSink {
     private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 
     private static final int HEADER = 1;
@@ -77,14 +77,8 @@ final class McapWriter {
         data(new Content().text("ros2").text(library).as(HEADER));
     }
 
-    /**
-     * Adds a message.
-     *
-     * @param type  of the topic's first message
-     * @param nanos when, not before the message before
-     * @param value as {@link RosTypes} defines it
-     */
-    void write(String topic, String type, long nanos, List<?> value) throws IOException {
+    @Override
+    public void write(String topic, String type, long nanos, List<?> value) throws IOException {
         Channel channel = channel(topic, type);
         if (messages == 0) {
             first = nanos;
@@ -195,7 +189,8 @@ final class McapWriter {
     }
 
     /** Writes what is left and the summary. The stream stays open. */
-    void finish() throws IOException {
+    @Override
+    public void finish() throws IOException {
         endChunk();
         plain(new Content().number(dataCrc.getValue(), 4).as(DATA_END));
         long summary = written;

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.LongConsumer;
@@ -52,7 +53,8 @@ import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.shared.AtomicFileWriter;
 
 /**
- * Writes a recording as an MCAP file of ROS 2 messages, which Foxglove, RViz and PlotJuggler show.
+ * Writes a recording as an MCAP file of ROS 2 messages, which Foxglove, RViz and PlotJuggler show; or as a WPILOG file for
+ * AdvantageScope.
  *
  * <p>Axes are those of ROS: X as in the world, Y along the world's -Z, Z up. The frame of a moveable object is {@code
  * NAME/base_link}, at the bottom of its bounding box as it stands upright, below its centre, facing its forward direction. A
@@ -62,6 +64,12 @@ import robosim.geometry.world.shared.AtomicFileWriter;
  * bundle of moves takes a fixed time; moves within a batch take none. Equal recordings give equal files.
  */
 public final class RosRecording {
+    /** The ending of files of ROS 2 messages. */
+    public static final String MCAP = ".mcap";
+
+    /** The ending of logs for AdvantageScope. */
+    public static final String WPILOG = ".wpilog";
+
     /** When each recording begins, seconds since 1970: the start of the year 2000. */
     public static final long EPOCH_SECONDS = 946_684_800;
 
@@ -74,9 +82,13 @@ public final class RosRecording {
     private static final String WORLD = "world";
     private static final int TRIANGLES = 11;
     private static final int DELETE_ALL = 3;
+
+    /** Of the entities of a scene. */
+    private static final int ALL = 1;
+
     private static final double NANOS = 1e9;
 
-    private final McapWriter out;
+    private final MessageSink out;
     private final double tick;
     private final Replayer replayer;
     private final Beam beam;
@@ -103,7 +115,7 @@ public final class RosRecording {
         }
     }
 
-    private RosRecording(StepReader recording, McapWriter out, double tick) {
+    private RosRecording(StepReader recording, MessageSink out, double tick) {
         this.out = out;
         this.tick = tick;
         this.replayer = new Replayer(recording.header().options(), Colours.NONE);
@@ -111,7 +123,7 @@ public final class RosRecording {
     }
 
     /**
-     * Writes the rest of a recording. An existing file stays as it was until the new one is complete.
+     * Writes the rest of a recording: as a WPILOG file if its name ends in {@code .wpilog}, otherwise as MCAP. An existing file stays as it was until the new one is complete.
      *
      * @param tick     seconds that a bundle of moves stands for if the recording has no steps; above 0
      * @param progress called with the number of steps so far
@@ -124,16 +136,27 @@ public final class RosRecording {
         long[] count = new long[1];
         AtomicFileWriter.write(file, raw -> {
             OutputStream buffered = new BufferedOutputStream(raw, 1 << 16);
-            McapWriter mcap = new McapWriter(buffered, new RosTypes(), "robosim-geometry");
-            RosRecording ros = new RosRecording(recording, mcap, tick);
+            MessageSink sink = hasEnding(file, WPILOG)
+                    ? new WpilogWriter(buffered, EPOCH_SECONDS * 1_000_000_000)
+                    : new McapWriter(buffered, new RosTypes(), "robosim-geometry");
+            RosRecording ros = new RosRecording(recording, sink, tick);
             for (Step step = recording.next(); step != null; step = recording.next()) {
                 ros.add(step);
                 progress.accept(++count[0]);
             }
-            mcap.finish();
+            sink.finish();
             buffered.flush();
         });
         return count[0];
+    }
+
+    /** Whether a file's name ends as that of a log does: {@link #MCAP} or {@link #WPILOG}. */
+    public static boolean isLog(Path file) {
+        return hasEnding(file, MCAP) || hasEnding(file, WPILOG);
+    }
+
+    private static boolean hasEnding(Path file, String ending) {
+        return file.toString().toLowerCase(Locale.ROOT).endsWith(ending);
     }
 
     private void add(Step step) throws IOException {
@@ -179,8 +202,12 @@ public final class RosRecording {
         mounts.clear();
         send("/markers", "visualization_msgs/MarkerArray", List.of(List.of(marker("", 0, DELETE_ALL, WORLD, null))));
         List<Object> markers = new ArrayList<>();
+        List<Object> entities = new ArrayList<>();
         for (Scene.Thing thing : setting.statics()) {
-            markers.add(marker("static", markers.size(), 0, WORLD, RosGeometry.placed(thing.object())));
+            RosGeometry.Triangles shape = RosGeometry.placed(thing.object());
+            String name = thing.object().name();
+            markers.add(marker("static", markers.size(), 0, WORLD, shape));
+            entities.add(entity(name == null ? "static " + entities.size() : name, WORLD, shape));
             if (thing.object() instanceof GridObject grid) {
                 send("/map", "nav_msgs/OccupancyGrid", map(grid));
             }
@@ -190,14 +217,13 @@ public final class RosRecording {
             String name = Objects.requireNonNull(object.name()); // a moveable object has one
             double rise = RosGeometry.rise(object);
             movers.put(name, new Mover(object, object.pose(), rise));
-            markers.add(marker(
-                    "moveable",
-                    markers.size(),
-                    0,
-                    base(name),
-                    RosGeometry.own(object).raised(rise)));
+            RosGeometry.Triangles shape = RosGeometry.own(object).raised(rise);
+            markers.add(marker("moveable", markers.size(), 0, base(name), shape));
+            entities.add(entity(name, base(name), shape));
         }
         send("/markers", "visualization_msgs/MarkerArray", List.of(markers));
+        List<?> deletion = List.of(stamp(), ALL, "");
+        send("/scene", "foxglove_msgs/SceneUpdate", List.of(List.of(deletion), entities));
         Map<String, Pose> all = new LinkedHashMap<>();
         movers.forEach((name, mover) -> all.put(name, mover.pose));
         place(all);
@@ -226,6 +252,27 @@ public final class RosRecording {
                 "",
                 List.of("", new byte[0]),
                 false);
+    }
+
+    /** What Foxglove shows without a plugin for markers. */
+    private List<?> entity(String id, String frame, RosGeometry.Triangles shape) {
+        List<?> none = List.of();
+        List<?> triangles = List.of(RosGeometry.IDENTITY, shape.corners(), shape.color(), none, none);
+        return List.of(
+                stamp(),
+                frame,
+                id,
+                List.of(0, 0),
+                true,
+                none,
+                none,
+                none,
+                none,
+                none,
+                none,
+                List.of(triangles),
+                none,
+                none);
     }
 
     /** A grid's rows are counted along our Z, a map's along the Y of ROS, the other way. */

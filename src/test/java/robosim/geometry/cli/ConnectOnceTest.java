@@ -69,7 +69,7 @@ class ConnectOnceTest {
         Path messages = folder.resolve("talk.mcap");
         String said = HELLO
                 + "{\"type\":\"init\",\"objects\":[{\"kind\":\"sphere\",\"name\":\"r\",\"moveable\":true,\"center\":[0,0,0],\"radius\":1}]}\n"
-                + "{\"type\":\"moves\",\"moves\":[{\"objectName\":\"r\",\"x\":2}]}\n";
+                + "{\"type\":\"moves\",\"moves\":[{\"objectName\":\"r\",\"x\":2,\"y\":0,\"z\":0,\"rx\":0,\"ry\":0}]}\n";
         assertThat(connect(said, "--record", messages.toString()))
                 .as(err.toString())
                 .isZero();

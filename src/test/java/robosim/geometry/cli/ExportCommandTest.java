@@ -52,7 +52,7 @@ class ExportCommandTest extends CommandRun {
         assertThat(run("export", TALK, messages, "--tick", "0")).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("--tick must be above 0 and at most 3600 (got: 0.0)");
         assertThat(run("export", TALK, folder.resolve("a.html"), "--tick", "1")).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("--tick is for an .mcap");
+        assertThat(err.toString()).startsWith("--tick is for .mcap and .wpilog");
         assertThat(run("export", Path.of("worlds/rooms.xml"), messages)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("an .mcap is written of a whole recording");
         assertThat(run("convert", TALK, folder.resolve("a.xml"))).isEqualTo(ExitCodes.UNUSABLE);

@@ -55,7 +55,7 @@ class RosRecordingTest {
     private Path folder;
 
     /** A conversation with a session, as a recording has it. */
-    private static StepReader conversation(Bundle... requests) {
+    static StepReader conversation(Bundle... requests) {
         Session session = new Session();
         List<Step> steps = new ArrayList<>();
         for (Bundle request : requests) {
@@ -78,7 +78,7 @@ class RosRecordingTest {
         };
     }
 
-    private static InitBundle world() {
+    static InitBundle world() {
         BitSet cells = new BitSet();
         cells.set(0); // the cell at the lowest X and the lowest Z
         GeometryObject map = new GridObject(new Point(10, 0.5, 0), 0.5, 1, 4, 3, cells);
@@ -163,6 +163,15 @@ class RosRecordingTest {
         assertThat(reach(markers.get(1), "y")).containsExactly(0.25, 0.75); // of the grid the occupied cell
         assertThat(at(markers.get(2), "header", "frame_id")).isEqualTo("robot_1/base_link");
         assertThat(reach(markers.get(2), "z")).containsExactly(0, 0.5);
+
+        Map<String, Object> scene = of(mcap, "/scene").get(0);
+        assertThat(at(scene, "deletions", 0, "type")).isEqualTo(1L);
+        assertThat((List<?>) at(scene, "entities")).hasSize(3);
+        for (int k = 0; k < 3; k++) {
+            assertThat(at(scene, "entities", k, "triangles", 0, "points")).isEqualTo(at(markers.get(k), "points"));
+            assertThat(at(scene, "entities", k, "frame_id")).isEqualTo(at(markers.get(k), "header", "frame_id"));
+        }
+        assertThat(at(scene, "entities", 2, "id")).isEqualTo("robot 1");
     }
 
     private static double[] reach(Object marker, String axis) {

@@ -6,7 +6,6 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
@@ -28,7 +27,6 @@ import robosim.geometry.scenario.source.StepReader;
 /** How {@code serve} and {@code connect} record their sessions, and let them be watched. */
 public final class ObserverOptions {
     private static final System.Logger LOG = System.getLogger(ObserverOptions.class.getPackageName());
-    private static final String MCAP = ".mcap";
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
@@ -38,8 +36,8 @@ public final class ObserverOptions {
             paramLabel = "PLACE",
             description = "record each session as a scenario for `replay`: serve takes a folder and writes a"
                     + " file for each connection; connect takes a file, and numbers those of further connections. A"
-                    + " place that ends in .mcap is a file for both, to which the scenario beside it is converted at"
-                    + " the end of each session")
+                    + " place that ends in .mcap or .wpilog is a file for both, to which the scenario beside it is"
+                    + " converted at the end of each session")
     private @Nullable Path place;
 
     @Option(
@@ -56,14 +54,14 @@ public final class ObserverOptions {
                     + " `view --watch`; 0 for any free port")
     private @Nullable Integer port;
 
-    /** Records into a folder, which is created if it does not exist; or into messages of ROS 2. */
+    /** Records into a folder, which is created if it does not exist; or into a log for other programs. */
     NetOptions recordedInFolder(NetOptions options) {
         Path folder = place;
         if (folder == null) {
             return options;
         }
-        if (isMcap(folder)) {
-            return recordedAsMcap(options, folder);
+        if (RosRecording.isLog(folder)) {
+            return recordedAsLog(options, folder);
         }
         try {
             Files.createDirectories(folder);
@@ -81,24 +79,22 @@ public final class ObserverOptions {
         if (file == null) {
             return options;
         }
-        if (isMcap(file)) {
-            return recordedAsMcap(options, file);
+        if (RosRecording.isLog(file)) {
+            return recordedAsLog(options, file);
         }
         return options.withListeners(
                 limited(Recordings.inFile(Arguments.newFile("--record", file), options.session())));
     }
 
-    private static boolean isMcap(Path file) {
-        return file.toString().toLowerCase(Locale.ROOT).endsWith(MCAP);
-    }
-
     /** Records scenarios beside the file; each is converted when its session has ended, and stays. */
-    private NetOptions recordedAsMcap(NetOptions options, Path file) {
+    private NetOptions recordedAsLog(NetOptions options, Path file) {
         Arguments.newFile("--record", file);
-        Path scenario = withEnding(file, MCAP, ScenarioReader.ENDING);
+        String name = file.toString();
+        String ending = name.substring(name.lastIndexOf('.'));
+        Path scenario = withEnding(file, ending, ScenarioReader.ENDING);
         Arguments.newFile("--record, whose scenario is written beside it,", scenario);
         Recordings recordings = Recordings.inFile(scenario, options.session());
-        return options.withListeners(limited(recordings.whenClosed(ObserverOptions::convert)));
+        return options.withListeners(limited(recordings.whenClosed(recording -> convert(recording, ending))));
     }
 
     private static Path withEnding(Path file, String ending, String other) {
@@ -106,8 +102,8 @@ public final class ObserverOptions {
         return file.resolveSibling(name.substring(0, name.length() - ending.length()) + other);
     }
 
-    private static void convert(Path scenario) {
-        Path messages = withEnding(scenario, ScenarioReader.ENDING, MCAP);
+    private static void convert(Path scenario, String ending) {
+        Path messages = withEnding(scenario, ScenarioReader.ENDING, ending);
         try (StepReader recording = WireFiles.recording(scenario)) {
             long steps = RosRecording.write(recording, RosRecording.TICK, messages, step -> {});
             LOG.log(System.Logger.Level.INFO, "wrote " + Text.line(messages + ": " + NumberText.count(steps, "step")));

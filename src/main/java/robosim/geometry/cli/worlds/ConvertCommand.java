@@ -77,7 +77,7 @@ public final class ConvertCommand implements Callable<Integer> {
             paramLabel = "OUT",
             description =
                     "the file to write: a world (.xml), or for other viewers glTF (.glb) or the triangles of all its"
-                            + " objects (.obj); of a recording ROS 2 messages (.mcap)")
+                            + " objects (.obj); of a recording ROS 2 messages (.mcap) or a log for AdvantageScope (.wpilog)")
     private Path out = Path.of("");
 
     @Option(
@@ -142,7 +142,7 @@ public final class ConvertCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         if (in.toString().toLowerCase(Locale.ROOT).endsWith(ScenarioReader.ENDING)) {
             Arguments.input("IN", in);
-            Arguments.output("OUT, of a recording,", out, ExportCommand.MCAP);
+            Arguments.output("OUT, of a recording,", out, RosRecording.MCAP, RosRecording.WPILOG);
             ExportCommand.writeMessages(spec, in, out, RosRecording.TICK);
             return ExitCodes.FINE;
         }

@@ -37,7 +37,7 @@ import robosim.geometry.world.World;
         name = "export",
         description =
                 "Writes a world or a recording as one HTML file that shows and plays it in three dimensions, in"
-                        + " any browser, without a server and without a network; or a recording as an MCAP file of ROS 2 messages.",
+                        + " any browser, without a server and without a network; or a recording as messages of ROS 2 (.mcap) or a log for AdvantageScope (.wpilog).",
         footer = {
             "  robosim-geometry export worlds/rooms.xml rooms.html",
             "  robosim-geometry export recordings/session.scenario.jsonl session.html",
@@ -45,8 +45,6 @@ import robosim.geometry.world.World;
             "  robosim-geometry export robosim-demo --world robosim-demo/rooms.xml --steps 1-500 demo.html"
         })
 public final class ExportCommand implements Callable<Integer> {
-    static final String MCAP = ".mcap";
-
     @Spec
     private CommandSpec spec;
 
@@ -57,7 +55,7 @@ public final class ExportCommand implements Callable<Integer> {
                     + "), or a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE)
     private Path file = Path.of("");
 
-    @Parameters(index = "1", paramLabel = "PAGE", description = "the page to write: .html; or .mcap")
+    @Parameters(index = "1", paramLabel = "PAGE", description = "the page to write: .html; or .mcap or .wpilog")
     private Path page = Path.of("");
 
     @Option(
@@ -78,8 +76,9 @@ public final class ExportCommand implements Callable<Integer> {
     @Option(
             names = "--tick",
             paramLabel = "SECONDS",
-            description = "for an .mcap of a recording without steps: how long a bundle of moves takes (default: "
-                    + RosRecording.TICK + ")")
+            description =
+                    "for .mcap and .wpilog of a recording without steps: how long a bundle of moves takes (default: "
+                            + RosRecording.TICK + ")")
     private @Nullable Double tick;
 
     @Option(names = "--title", paramLabel = "TEXT", description = "the page's title (default: the name of FILE)")
@@ -87,10 +86,8 @@ public final class ExportCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        boolean isMcap = Arguments.output("PAGE", page, ".html", MCAP)
-                .toString()
-                .toLowerCase(Locale.ROOT)
-                .endsWith(MCAP);
+        boolean isLog =
+                RosRecording.isLog(Arguments.output("PAGE", page, ".html", RosRecording.MCAP, RosRecording.WPILOG));
         StepRange range = StepRange.of(steps);
         Arguments.refuse(!Files.exists(file), "FILE must exist; check the path", file);
         files.check();
@@ -99,14 +96,14 @@ public final class ExportCommand implements Callable<Integer> {
             Arguments.input("FILE", file);
         }
         boolean isRecording = isDemo || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl");
-        if (tick != null && !isMcap) {
-            throw new UsageException("--tick is for an .mcap (got: " + page + ")");
+        if (tick != null && !isLog) {
+            throw new UsageException("--tick is for .mcap and .wpilog (got: " + page + ")");
         }
-        if (isMcap) {
+        if (isLog) {
             if (!isRecording || steps != null || colours != null || title != null) {
                 throw new UsageException(
-                        "an .mcap is written of a whole recording, without --steps, --world and --title" + " (got: "
-                                + file + ")");
+                        "an .mcap or .wpilog is written of a whole recording, without --steps, --world and --title"
+                                + " (got: " + file + ")");
             }
             writeMessages(spec, file, page, tick == null ? RosRecording.TICK : tick);
             return ExitCodes.FINE;
@@ -127,7 +124,7 @@ public final class ExportCommand implements Callable<Integer> {
         return ExitCodes.FINE;
     }
 
-    /** Writes a recording as ROS 2 messages. */
+    /** Writes a recording as messages of ROS 2 or a log for AdvantageScope. */
     static void writeMessages(CommandSpec spec, Path recording, Path out, double tick) throws IOException {
         if (!(tick > 0 && tick <= StepBundle.MAX_SECONDS)) {
             throw new UsageException(
