@@ -54,7 +54,7 @@ class ExportCommandTest extends CommandRun {
         assertThat(run("export", TALK, folder.resolve("a.html"), "--tick", "1")).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("--tick is for .mcap and .wpilog");
         assertThat(run("export", Path.of("worlds/rooms.xml"), messages)).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("an .mcap is written of a whole recording");
+        assertThat(err.toString()).startsWith("an .mcap or .wpilog is written of a whole recording");
         assertThat(run("convert", TALK, folder.resolve("a.xml"))).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("OUT, of a recording, must end in .mcap");
     }
