@@ -20,5 +20,10 @@ cp "$jar" target/app-input/
 "$jdk/bin/jpackage" --type app-image --name robosim-geometry --app-version "${version%%-*}" --input target/app-input \
   --main-jar "$(basename "$jar")" --runtime-image target/app-runtime --dest target/app "$@"
 
+# A launcher that chooses Java's options for each command, and can prepare an archive of classes.
+if [ -d target/app/robosim-geometry/lib/runtime ] && [ -x target/app/robosim-geometry/lib/runtime/bin/java ]; then
+  cp src/app/robosim-geometry target/app/robosim-geometry/bin/robosim-geometry
+fi
+
 # It runs, and without any Java around it.
 env -i HOME="$HOME" PATH=/usr/bin:/bin target/app/robosim-geometry/bin/robosim-geometry --version

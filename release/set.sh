@@ -15,7 +15,7 @@ case "$what" in
   version)
     old=$(sed -n 's:^  <version>\(.*\)</version>$:\1:p' pom.xml)
     # Not within another number: 1.0.0 is no part of 11.0.0 or of 1.0.0-rc.1.
-    files "$old" | grep -E '(^pom.xml|\.md|\.cff|\.java|examples/.*/pom.xml|Containerfile)$' | xargs -r \
+    files "$old" | grep -E '(^pom.xml|\.md|\.cff|\.java|examples/.*/pom.xml|Containerfile|jbang-catalog.json)$' | xargs -r \
       perl -pi -e "s/(robosim-geometry[- :]|<(?:robosim\\.)?version>|^version: |NUMBER = \")\\Q$old\\E(?![0-9])/\${1}$new/g"
     ;;
   owner)
