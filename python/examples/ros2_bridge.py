@@ -3,7 +3,7 @@
 
     pip install ./python                      # in the project's folder, after mvn -q package -DskipTests
     source /opt/ros/jazzy/setup.bash
-    python3 python/examples/ros2_bridge.py worlds/rooms.xml --robot drum
+    python3 python/examples/ros2_bridge.py worlds/rooms.xml --robot "cart 1"
     ros2 topic pub /cmd_vel geometry_msgs/msg/Twist '{linear: {x: 0.3}, angular: {z: 0.2}}'
 
 It needs rclpy and the messages of ROS 2. The frame `odom` is the world in the axes of ROS: X as in the world, Y along its -Z,

@@ -16,6 +16,6 @@ from the axes of ROS. The guide is docs/guide-python.md.
 from .client import *  # noqa: F403
 from .client import __all__ as _client
 from .coordinates import Frame, Pose2D, RosPose, Twist, Wrench, renormalised
-from .launching import Launched, find_jar, find_java, launch
+from .launching import Launched, Server, find_jar, find_java, launch, serve
 
-__all__ = [*_client, "launch", "Launched", "find_java", "find_jar", "Frame", "RosPose", "Pose2D", "Twist", "Wrench", "renormalised"]
+__all__ = [*_client, "launch", "Launched", "serve", "Server", "find_java", "find_jar", "Frame", "RosPose", "Pose2D", "Twist", "Wrench", "renormalised"]

@@ -20,7 +20,7 @@ import warnings
 import weakref
 from typing import IO, Any, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, Union
 
-from .client import Json, Module, NotDone, World
+from .client import Json, Module, NotDone, World, connect
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -117,7 +117,7 @@ def _java_options() -> List[str]:
 class _Process:
     """The module's process, and this end of its connection."""
 
-    def __init__(self, command: Sequence[str], log: Optional[Path]) -> None:
+    def __init__(self, command: Sequence[str], log: Optional[Path], stdin: int = subprocess.DEVNULL) -> None:
         self.sock: Optional[socket.socket] = None
         self._owner = os.getpid()
         self._log: IO[bytes] = tempfile.TemporaryFile() if log is None else open(log, "w+b")
@@ -126,7 +126,7 @@ class _Process:
         if os.name == "nt":
             apart = {"creationflags": getattr(subprocess, "CREATE_NEW_PROCESS_GROUP") | getattr(subprocess, "CREATE_NO_WINDOW")}
         try:
-            self._popen = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=self._log, stderr=self._log, **apart)
+            self._popen = subprocess.Popen(command, stdin=stdin, stdout=self._log, stderr=self._log, **apart)
         except OSError as e:
             self._log.close()
             raise NotDone(f"the geometry module could not be started by {command[0]}: {e}") from None
@@ -148,6 +148,21 @@ class _Process:
                     raise NotDone(f"the geometry module did not connect within {timeout:g} s; give it more by timeout=; it"
                                   f" printed: {self.printed()}") from None
 
+    def listening(self, timeout: float) -> str:
+        """Waits until the module listens; returns where."""
+        deadline = time.monotonic() + timeout
+        while True:
+            found = re.search(r"^Listening on .*?([0-9.]+:[0-9]+)\s*$", self.printed(), re.M)
+            if found:
+                return found[1]
+            code = self._popen.poll()
+            if code is not None:
+                raise NotDone(f"the geometry module ended with {code} before it listened; it printed: {self.printed()}")
+            if time.monotonic() > deadline:
+                raise NotDone(f"the geometry module did not listen within {timeout:g} s; give it more by timeout=; it printed:"
+                              f" {self.printed()}")
+            time.sleep(0.02)
+
     def printed(self) -> str:
         """The last of what the module has printed."""
         self._log.seek(0)
@@ -163,7 +178,9 @@ class _Process:
             except OSError:
                 pass  # it is closed, or the module has hung up
             self.sock.close()
-        hang_up_is_enough = self.sock is not None
+        if self._popen.stdin is not None:
+            self._popen.stdin.close()
+        hang_up_is_enough = self.sock is not None or self._popen.stdin is not None
         for end in (self._popen.poll if hang_up_is_enough else self._popen.terminate, self._popen.terminate, self._popen.kill):
             end()
             try:
@@ -235,6 +252,54 @@ def launch(world: Union[Path, Iterable[Json], None] = None, *, java: Optional[Pa
             process.end()
         raise
     return module
+
+
+class Server:
+    """A geometry module that `serve` has started: any number of connections, each with a world of its own. It ends with
+    `close`, with the block of `with`, and with this process."""
+
+    def __init__(self, command: Sequence[str], log: Optional[Path], timeout: float) -> None:
+        self._process = process = _Process(command, log, stdin=subprocess.PIPE)
+        self._end = weakref.finalize(self, process.end)
+        #: The number of the module's process.
+        self.pid = process.pid
+        try:
+            #: What `connect` takes.
+            self.address: str = process.listening(timeout)
+        except BaseException:
+            self._end()
+            raise
+
+    def __enter__(self) -> "Server":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends the module and all its connections."""
+        self._end()
+
+    def connect(self) -> Module:
+        """A new connection, with a new copy of the server's world, if it has one."""
+        return connect(self.address)
+
+
+def serve(world: Optional[Path] = None, *, connections: int = 256, java: Optional[Path] = None, jar: Optional[Path] = None,
+          timeout: float = 60.0, options: Sequence[str] = (), log: Optional[Path] = None) -> Server:
+    """Starts a geometry module for this program alone, for many worlds at a time:
+
+        with robosim.serve("rooms.xml") as server:
+            first, second = server.connect(), server.connect()
+
+    Each connection begins with a copy of the world, if a file is given, and may send another by `init` or `load`. `connections`
+    is the most at a time; the other arguments are those of `launch`, with the options of `robosim-geometry serve`."""
+    if world is not None and not os.path.isfile(world):
+        raise NotDone(f"the world must be a file that is there (got: {os.fspath(world)}); check the path")
+    begin = [] if world is None else ["--world", os.fspath(world)]
+    command = [find_java(java), *_java_options(), "-jar", find_jar(jar), "serve", "0", "--attached", "--connections",
+               str(connections), *begin, *options]
+    return Server(command, log, timeout)
 
 
 def _give(module: Launched, world: Union[Path, Iterable[Json], None], settings: Json) -> None:

@@ -1,5 +1,7 @@
 package robosim.geometry.cli.network;
 
+import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.nio.file.Path;
@@ -104,6 +106,11 @@ public final class ServeCommand implements Callable<Integer> {
                     + " does; without it they can send theirs (default: none)")
     private @Nullable Path worlds;
 
+    @Option(
+            names = "--attached",
+            description = "end when standard input ends: a server of the program that starts it ends with that program")
+    private boolean isAttached;
+
     @Mixin
     private WorldFiles files;
 
@@ -147,7 +154,21 @@ public final class ServeCommand implements Callable<Integer> {
             }
         });
         ServiceManager.ready("listening on " + server.address());
+        if (isAttached) {
+            Thread input = new Thread(ServeCommand::endWithInput, "standard-input");
+            input.setDaemon(true);
+            input.start();
+        }
         return 0;
+    }
+
+    private static void endWithInput() {
+        try {
+            System.in.transferTo(OutputStream.nullOutputStream());
+        } catch (IOException e) {
+            // It has ended, too.
+        }
+        System.exit(ExitCodes.FINE);
     }
 
     private AdminPort operator(GeometryServer server, PrintWriter out) {
