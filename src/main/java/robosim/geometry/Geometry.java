@@ -27,8 +27,8 @@ import robosim.geometry.narrow.Scratch;
  * A world: a box centred at the origin with objects in it. It answers three questions: May this object be here? How far
  * may it move? How far away is the nearest surface?
  *
- * <p>Static objects are indexed by a quadtree or, where heights count, by a bounding-volume hierarchy. Up to 16
- * moveable objects are kept in a list; more are put in a tree too. No answer depends on this choice.
+ * <p>Static objects are indexed by a quadtree or, where heights count, by a bounding-volume hierarchy; moveable
+ * ones too, but for up to 16 in a PLANAR world, which are kept in a list. No answer depends on this choice.
  *
  * <p>No part of an object may leave the world, on the way or at the end: a call that would add or move it so returns
  * false. The world's bounds are closed (touching them is inside), are always checked against the exact shape, and echo
@@ -257,11 +257,11 @@ public final class Geometry implements WorldQueries {
 
     /**
      * An immutable snapshot of the world as it is now: many threads may make copies of it, which share its static
-     * objects and the indexes over them. Takes about as long as adding the static objects did, unless this world is
-     * itself a copy of a snapshot and its static objects are unchanged.
+     * objects and the indexes over them. Takes about as long as adding the static objects did the first time, and again
+     * after any of them has been added or removed; otherwise only the moveable objects are copied.
      */
     public Snapshot snapshot() {
-        return Snapshot.of(this, objects, registry.shared());
+        return Snapshot.of(this, registry);
     }
 
     /** Puts an object of a snapshot back where it was, while a world is made from it. */

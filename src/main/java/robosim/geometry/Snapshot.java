@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
@@ -88,14 +88,14 @@ public final class Snapshot implements WorldQueries, Serializable {
         }
     }
 
-    static Snapshot of(Geometry world, ObjectTable objects, @Nullable SharedIndex statics) {
+    static Snapshot of(Geometry world, ObjectRegistry registry) {
+        ObjectTable objects = registry.objects;
         Settings settings =
                 new Settings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
-        SharedIndex shared = statics;
-        if (shared == null || objects.ownStatics() > 0) {
-            int[] ids = objects.ids().filter(id -> !objects.isMoveable(id)).toArray();
-            shared = settings.statics(present(objects, ids), times(objects, ids));
-        }
+        SharedIndex shared = registry.share(() -> {
+            int[] fixed = objects.ids().filter(id -> !objects.isMoveable(id)).toArray();
+            return settings.statics(present(objects, fixed), times(objects, fixed));
+        });
         int[] ids = objects.moverIds().toArray();
         return new Snapshot(settings, shared, present(objects, ids), times(objects, ids), objects.arrivals());
     }

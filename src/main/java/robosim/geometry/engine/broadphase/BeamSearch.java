@@ -109,7 +109,9 @@ public abstract class BeamSearch {
                 }
             }
             SpaceIndex space = table.space;
-            if (space == null) {
+            if (table.hasEmptyTrees()) {
+                // nothing to look for
+            } else if (space == null) {
                 reach = beam.isCone ? searchSector(table, reach, ignored) : searchLine(table, reach, ignored);
             } else {
                 reach = beam.isCone
@@ -180,15 +182,25 @@ public abstract class BeamSearch {
         }
         double slack = slack(table);
         double reach = limit;
-        for (int k = 0; k < count; k++) {
+        for (int k = next(table, 0, loose(reach, slack)); k < count; k = next(table, k + 1, loose(reach, slack))) {
             int id = objects.mover(k);
-            if (id != ignored
-                    && !table.overlaps(id, done)
-                    && (beam.isCone ? coneHits(table, id, loose(reach, slack)) : lineHits(table, id, reach))) {
+            if (id != ignored && !table.overlaps(id, done)) {
                 reach = hit(table, id, reach);
             }
         }
         return reach;
+    }
+
+    /** The next of the moveable objects beside the tree that the beam may meet within a reach. */
+    private int next(LeafTable table, int from, double reach) {
+        if (!beam.isCone) {
+            return nextOnLine(table, from, reach);
+        }
+        int k = from;
+        while (k < table.moversBesideTree() && !coneHits(table, objects.mover(k), reach)) {
+            k++;
+        }
+        return k;
     }
 
     /** Searches the quadtree along a line. */
@@ -253,11 +265,13 @@ public abstract class BeamSearch {
         cursor.aim(beam, space.most());
         double reach = limit;
         for (Hierarchy tree = space.still; ; tree = space.moving) {
-            cursor.start(tree);
-            for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
-                int id = local | table.mark;
-                if (id != ignored) {
-                    reach = hit(table, id, reach);
+            if (tree.size() > 0) {
+                cursor.start(tree);
+                for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
+                    int id = local | table.mark;
+                    if (id != ignored) {
+                        reach = hit(table, id, reach);
+                    }
                 }
             }
             if (tree == space.moving) {
@@ -286,7 +300,7 @@ public abstract class BeamSearch {
      * begin: by 2^-40 of itself in a cone, and for a cylinder by 2^-44 of its place and size, both of which the
      * world limits. What is answered at all is to be found again with its own distance as the limit.
      */
-    private static double loose(double reach, double slack) {
+    static double loose(double reach, double slack) {
         return reach + (0x1p-38 * reach + slack);
     }
 
@@ -294,23 +308,33 @@ public abstract class BeamSearch {
         return 0x1p-44 * (table.extent + Math.abs(beam.ox) + Math.abs(beam.oz));
     }
 
-    /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
-    private boolean lineHits(LeafTable table, int id, double reach) {
+    /** A loop without calls, so that everything stays in registers. Never wrong where it passes over an object. */
+    private int nextOnLine(LeafTable table, int from, double reach) {
         double ux = beam.ux();
         double uz = beam.uz();
+        double ox = beam.ox;
+        double oz = beam.oz;
+        double place = Math.abs(ox) + Math.abs(oz);
+        double wideX = Math.abs(ux);
+        double wideZ = Math.abs(uz);
         double[] b = table.bounds();
-        int k = table.boundsAt(id);
-        double mx = b[k] / 2 + b[k + 3] / 2 - beam.ox;
-        double mz = b[k + 2] / 2 + b[k + 5] / 2 - beam.oz;
-        double hx = b[k + 3] / 2 - b[k] / 2;
-        double hz = b[k + 5] / 2 - b[k + 2] / 2;
-        double slack = 0x1p-40 * (Math.abs(mx) + Math.abs(mz) + Math.abs(beam.ox) + Math.abs(beam.oz) + hx + hz);
-        double aside = Math.abs(mx * uz - mz * ux);
-        double ahead = mx * ux + mz * uz;
-        double half = hx * Math.abs(ux) + hz * Math.abs(uz) + slack;
-        return aside <= hx * Math.abs(uz) + hz * Math.abs(ux) + slack
-                && ahead >= -half
-                && (reach == Double.POSITIVE_INFINITY || ahead - half <= reach);
+        int count = table.moversBesideTree();
+        for (int mover = from; mover < count; mover++) {
+            int k = table.boundsAt(objects.mover(mover));
+            double hx = b[k + 3] / 2 - b[k] / 2;
+            double hz = b[k + 5] / 2 - b[k + 2] / 2;
+            double mx = b[k] / 2 + b[k + 3] / 2 - ox;
+            double mz = b[k + 2] / 2 + b[k + 5] / 2 - oz;
+            double slack = 0x1p-40 * (Math.abs(mx) + Math.abs(mz) + place + hx + hz);
+            double ahead = mx * ux + mz * uz;
+            double half = hx * wideX + hz * wideZ + slack;
+            if (Math.abs(mx * uz - mz * ux) <= hx * wideZ + hz * wideX + slack
+                    && ahead >= -half
+                    && (reach == Double.POSITIVE_INFINITY || ahead - half <= reach)) {
+                return mover;
+            }
+        }
+        return count;
     }
 
     private boolean coneHits(LeafTable table, int id, double reach) {

@@ -121,7 +121,7 @@ public final class BoxQuery {
         int asked = of.cursor.near(x, z, halfX, halfZ, of.leaves().outlines(), passOn);
         return switch (asked) {
             case QuadCursor.ENOUGH -> true;
-            case QuadCursor.ALL -> meetsBesideTree(of, box, but);
+            case QuadCursor.ALL -> probeBesideTree(of, box, but);
             default -> meetsEach(of, box, but);
         };
     }
@@ -133,7 +133,7 @@ public final class BoxQuery {
     }
 
     private boolean meetsEach(LeafTable of, double[] box, int but) {
-        return meetsInTree(of, box, but) || meetsBesideTree(of, box, but);
+        return meetsInTree(of, box, but) || probeBesideTree(of, box, but);
     }
 
     private boolean passOn(int local) {
@@ -144,8 +144,8 @@ public final class BoxQuery {
     private boolean meetsInTree(LeafTable of, double[] box, int but) {
         SpaceIndex space = of.space;
         if (space != null) {
-            return overlaps(of, space.boxes, space.still, box, but)
-                    || overlaps(of, space.boxes, space.moving, box, but);
+            return (space.still.size() > 0 && overlaps(of, space.boxes, space.still, box, but))
+                    || (space.moving.size() > 0 && overlaps(of, space.boxes, space.moving, box, but));
         }
         of.cursor.startBox(box[0], box[2], box[3], box[5]);
         for (int local = of.cursor.next(); local >= 0; local = of.cursor.next()) {
@@ -168,7 +168,23 @@ public final class BoxQuery {
         return false;
     }
 
-    private boolean meetsBesideTree(LeafTable of, double[] box, int but) {
+    /** Whether the bounds of any object that is in no tree meet the box. */
+    boolean hasBesideTree(LeafTable of, double[] box, int but) {
+        for (int k = 0; k < of.gridCount(); k++) {
+            if (of.grid(k) != but && of.overlaps(of.grid(k), box)) {
+                return true;
+            }
+        }
+        for (int k = 0; k < of.moversBesideTree(); k++) {
+            if (objects.mover(k) != but && of.overlaps(objects.mover(k), box)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Shows the objects that are in no tree and whose bounds meet the box. */
+    boolean probeBesideTree(LeafTable of, double[] box, int but) {
         for (int k = 0; k < of.gridCount(); k++) {
             if (overlaps(of, of.grid(k), box, but)) {
                 return true;

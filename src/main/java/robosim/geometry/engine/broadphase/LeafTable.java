@@ -46,7 +46,10 @@ public final class LeafTable {
     private LeafColumn leaves;
     private final LeafRanges spans;
 
-    /** So few moveable objects are tried one by one just as fast; more of them are in a tree. */
+    /**
+     * In a world without heights so few moveable objects are tried one by one just as fast, and more of them are in the
+     * quadtree, where a move takes longer; with heights all of them are in a hierarchy.
+     */
     private static final int FEW_MOVERS = 16;
 
     private int movers;
@@ -234,11 +237,11 @@ public final class LeafTable {
         return object instanceof ObjectGroup && !form(id).own.hasMesh() ? CONVEX : 0;
     }
 
-    /** Adds all moveable objects to a tree once there are more than a few. */
+    /** Adds all moveable objects to a tree once there are more than are tried one by one. */
     private void countMovers(int last) {
         if (hasMoversInTree) {
             list(last);
-        } else if (movers > FEW_MOVERS) {
+        } else if (space != null || movers > FEW_MOVERS) {
             hasMoversInTree = true;
             for (int k = 0; k < objects.moverCount(); k++) {
                 int id = objects.mover(k);
@@ -264,6 +267,16 @@ public final class LeafTable {
     /** How many moveable objects are in no tree: all of them or none. */
     int moversBesideTree() {
         return hasMoversInTree ? 0 : movers;
+    }
+
+    /** Whether every object is in a tree. */
+    boolean hasAllInTrees() {
+        return gridCount == 0 && moversBesideTree() == 0;
+    }
+
+    /** Whether no object is in a tree. */
+    boolean hasEmptyTrees() {
+        return space == null ? tree.size() == 0 : space.still.size() + space.moving.size() == 0;
     }
 
     /** How many grids there are, none of which is in a tree. */

@@ -1,5 +1,6 @@
 package robosim.geometry.engine.broadphase;
 
+import java.lang.ref.SoftReference;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
@@ -78,6 +79,11 @@ public final class ObjectRegistry {
 
     /** The static objects that are shared with other worlds; null where there are none. */
     private @Nullable SharedIndex shared;
+
+    /** The static objects as they were last shared, and when; forgotten where memory runs short. */
+    private SoftReference<SharedIndex> lastShared = new SoftReference<>(null);
+
+    private long sharedAt;
 
     /** What was changed since the outermost call that is made of others began; null outside of one. */
     private @Nullable UndoLog journal;
@@ -166,6 +172,24 @@ public final class ObjectRegistry {
     @Nullable
     public SharedIndex shared() {
         return shared;
+    }
+
+    /**
+     * The static objects for other worlds to share: as they were shared last, unless any has come or gone since.
+     *
+     * @param made takes in all of them
+     */
+    public SharedIndex share(Supplier<SharedIndex> made) {
+        if (shared != null && objects.ownStatics() == 0) {
+            return shared;
+        }
+        SharedIndex last = lastShared.get();
+        if (last == null || sharedAt != objects.changesOfStatics()) {
+            last = made.get();
+            lastShared = new SoftReference<>(last);
+            sharedAt = objects.changesOfStatics();
+        }
+        return last;
     }
 
     /** What is shared as it is seen at an accuracy. */
@@ -360,19 +384,50 @@ public final class ObjectRegistry {
     public boolean collides(AccuracyView at, GeometryObject object, int ignored) {
         LeafTable own = at.own;
         if (own.isFlat
-                && at.shared == null
                 && Checks.present("object", object) instanceof CylinderObject cylinder
                 && cylinder.pose().isUpright()) {
-            int met = probe(own, cylinder);
+            discX = cylinder.center().x();
+            discZ = cylinder.center().z();
+            discRadius = cylinder.radius();
+            LeafTable others = at.shared;
+            int met = others == null ? QuadCursor.ALL : probe(others);
+            if (met == QuadCursor.ALL && !own.hasEmptyTrees()) {
+                met = probe(own);
+            }
             if (met == QuadCursor.ENOUGH) {
                 return true;
             }
-            if (met == QuadCursor.ALL && own.moversBesideTree() == 0) {
-                return own.gridCount() > 0 && touchesGrid(own, cylinder);
+            if (met == QuadCursor.ALL) {
+                return touchesBesideTrees(at, cylinder, ignored);
             }
         }
         own.placed(Checks.present("object", object), candidate);
         return collides(at, ignored);
+    }
+
+    /** Whether an upright cylinder that touches nothing in the trees touches what is in none. */
+    private boolean touchesBesideTrees(AccuracyView at, CylinderObject cylinder, int ignored) {
+        LeafTable others = at.shared;
+        boolean isAll = at.own.hasAllInTrees() && (others == null || others.hasAllInTrees());
+        if (isAll) {
+            return false;
+        }
+        outline(0, discX);
+        outline(2, discZ);
+        boolean isOwn = overlaps.hasBesideTree(at.own, box, ignored);
+        if (!isOwn && (others == null || !overlaps.hasBesideTree(others, box, ignored))) {
+            return false; // placing it takes longer than all this
+        }
+        at.own.placed(cylinder, candidate);
+        return overlaps.probeBesideTree(at.own, box, ignored)
+                || (others != null && overlaps.probeBesideTree(others, box, ignored));
+    }
+
+    /** Writes bounds of the disc along an axis, rounded outward. */
+    private void outline(int axis, double middle) {
+        double half = discRadius + (0x1p-51 * (Math.abs(middle) + discRadius) + Double.MIN_NORMAL);
+        box[axis] = middle - half;
+        box[3 + axis] = middle + half;
     }
 
     /** Whether the candidate touches or overlaps any object that is not ignored. */
@@ -424,11 +479,7 @@ public final class ObjectRegistry {
      * Whether an upright cylinder touches one that is in the tree and stands still: enough where it does, all where it does
      * not, too many where it is not told so quickly, as with a moveable one nearby.
      */
-    private int probe(LeafTable table, CylinderObject cylinder) {
-        Point c = cylinder.center();
-        discX = c.x();
-        discZ = c.z();
-        discRadius = cylinder.radius();
+    private int probe(LeafTable table) {
         isDoubtful = false;
         if (asked != table) { // writing a reference is slow
             asked = table;
@@ -442,16 +493,6 @@ public final class ObjectRegistry {
         int sure = Overlap.sure(discX, discZ, discRadius, asked.leaves(), id);
         isDoubtful |= sure == 0;
         return sure < 0;
-    }
-
-    private boolean touchesGrid(LeafTable table, CylinderObject cylinder) {
-        table.placed(cylinder, candidate);
-        for (int k = 0; k < table.gridCount(); k++) {
-            if (Overlap.test(dimension, candidate, 0, table.leaves(), table.first(table.grid(k)), s)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** Whether the leaves of the candidate touch those of an object. */

@@ -3,6 +3,7 @@ package robosim.geometry.engine.broadphase;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.WorkCounter;
+import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.hierarchy.FrustumCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.model.Dimension;
@@ -10,19 +11,23 @@ import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.packet.RayFan;
 import robosim.geometry.narrow.packet.RayPacket;
 
 /**
- * The nearest echoes of many rays from one place in a world with heights, to the bit as of each alone: the hierarchies are
- * searched once for all of them.
+ * The nearest echoes of many rays from one place, to the bit as of each alone: the hierarchies of a world with heights, or the
+ * quadtree of one without, are searched once for all of them.
  *
  * <p>What a ray certainly meets between two bounds is kept back as long as nothing else may be as near; so the kernel of
  * single rays is mostly asked once for each ray, about the leaf that gives its answer. It is asked at once where a bound is
  * not sure.
  */
 public final class PacketSearch {
-    /** Rays farther than 30 degrees from their middle share little. */
-    private static final double NARROW = 0.866;
+    /** Rays farther than 32 degrees from their middle share little. */
+    private static final double NARROW = 0.848;
+
+    /** So few rays are shown to all leaves of a group one by one just as fast. */
+    private static final int FEW = 2;
 
     private static final StageCounters.Counter UNSURE = StageCounters.counter("PacketSearch");
 
@@ -32,11 +37,18 @@ public final class PacketSearch {
     private final RayPacket packet = new RayPacket();
     private final FrustumCursor cursor = new FrustumCursor();
 
+    /** The rays in a plane. */
+    private final RayFan fan = new RayFan();
+
+    private final double[] box = new double[6];
+
+    private Dimension dimension = Dimension.SPATIAL;
     private double ox;
     private double oy;
     private double oz;
     private double[] directions = new double[0];
     private int first;
+    private int number;
 
     // The nearest for certain, by ray.
     private final double[] best = new double[RayPacket.MOST];
@@ -56,6 +68,9 @@ public final class PacketSearch {
     /** How far any ray still looks. */
     private double reach;
 
+    /** How far all of them look at first. */
+    private double farthest;
+
     /** A search in a world of objects. */
     public PacketSearch(ObjectTable objects, Scratch scratch) {
         this.objects = objects;
@@ -63,23 +78,27 @@ public final class PacketSearch {
         work = scratch.work;
     }
 
-    /** Whether a world is searched by this: it has hierarchies. */
-    public static boolean isFor(AccuracyView view) {
-        return view.dimension == Dimension.SPATIAL;
-    }
-
     /**
      * Sets the rays.
      *
+     * @param in in PLANAR their projections are meant
      * @param ways their directions, three numbers each, of any length but zero, from an index on
      * @param count how many rays, 1 to {@link RayPacket#MOST}
-     * @return false where they spread so far that they share too little
+     * @return false where they spread so far that they share too little, or are not in order in a plane
      */
-    public boolean aim(double x, double y, double z, double[] ways, int at, int count) {
-        packet.aim(x, y, z, ways, at, count);
-        if (!cursor.enclose(packet.units(0), packet.units(1), packet.units(2), count, NARROW)) {
-            return false;
+    public boolean aim(Dimension in, double x, double y, double z, double[] ways, int at, int count) {
+        if (in == Dimension.PLANAR) {
+            if (!fan.aim(x, z, ways, at, count)) {
+                return false;
+            }
+        } else {
+            packet.aim(x, y, z, ways, at, count);
+            if (!cursor.enclose(packet.units(0), packet.units(1), packet.units(2), count, NARROW)) {
+                return false;
+            }
         }
+        dimension = in;
+        number = count;
         ox = x;
         oy = y;
         oz = z;
@@ -89,16 +108,17 @@ public final class PacketSearch {
     }
 
     /**
-     * Searches a world.
+     * Searches a world, which is seen in the dimension of the rays.
      *
      * @param limit how far to look
      * @param ignored an object that does not echo; -1 for none
      */
     public void search(AccuracyView view, double limit, int ignored) {
         packet.look(limit);
-        open = packet.rays();
         reach = limit;
-        for (int ray = 0; ray < packet.count(); ray++) {
+        farthest = limit;
+        open = number == Long.SIZE ? -1 : (1L << number) - 1;
+        for (int ray = 0; ray < number; ray++) {
             best[ray] = Double.POSITIVE_INFINITY;
             hit[ray] = -1;
             pending[ray] = -1;
@@ -114,7 +134,7 @@ public final class PacketSearch {
                 hit(view, view.own, id);
             }
         }
-        for (int ray = 0; ray < packet.count(); ray++) {
+        for (int ray = 0; ray < number; ray++) {
             settle(view, ray);
             if (!(best[ray] <= limit)) {
                 hit[ray] = -1;
@@ -133,10 +153,29 @@ public final class PacketSearch {
             cursor.aim(ox, oy, oz, space.most());
             searchTree(view, table, space.still, ignored);
             searchTree(view, table, space.moving, ignored);
+        } else if (!table.hasEmptyTrees()) {
+            searchSector(view, table, ignored);
+        }
+    }
+
+    private void searchSector(AccuracyView view, LeafTable table, int ignored) {
+        double slack = 0x1p-44 * (table.extent + Math.abs(ox) + Math.abs(oz));
+        QuadCursor tree = table.cursor;
+        tree.startSector(fan.sector());
+        for (int local = tree.nextInSector(BeamSearch.loose(reach, slack));
+                local >= 0;
+                local = tree.nextInSector(BeamSearch.loose(reach, slack))) {
+            int id = local | table.mark;
+            if (id != ignored) {
+                hit(view, table, id);
+            }
         }
     }
 
     private void searchTree(AccuracyView view, LeafTable table, Hierarchy tree, int ignored) {
+        if (tree.size() == 0) {
+            return;
+        }
         cursor.start(tree);
         for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
             int id = local | table.mark;
@@ -147,6 +186,10 @@ public final class PacketSearch {
     }
 
     private void hit(AccuracyView view, LeafTable table, int id) {
+        if (dimension == Dimension.PLANAR) {
+            hitInPlane(table, id);
+            return;
+        }
         LeafColumn leaves = table.leaves();
         int leaf = table.first(id);
         int end = leaf + table.count(id);
@@ -155,13 +198,95 @@ public final class PacketSearch {
             rays = packet.box(table.bounds(), table.boundsAt(id));
         }
         boolean isNearer = false;
+        boolean isFew = end > leaf + 1 && Long.bitCount(rays) <= FEW;
         for (; rays != 0 && leaf < end; leaf++) {
             work.take();
-            isNearer |= hitLeaf(view, leaves, id, leaf, rays & packet.sift(leaves, leaf));
+            isNearer |= isFew
+                    ? hitFew(leaves, id, leaf, rays)
+                    : hitLeaf(view, leaves, id, leaf, rays & packet.sift(leaves, leaf));
         }
         if (isNearer && open == 0) {
             reach = packet.reach();
         }
+    }
+
+    /** Shows an object to the neighbours among the rays that may meet it. */
+    private void hitInPlane(LeafTable table, int id) {
+        if (!fan.find(table.bounds(), table.boundsAt(id), table.isDisc(id))) {
+            return;
+        }
+        LeafColumn leaves = table.leaves();
+        boolean isNearer = false;
+        if (table.isUpright(id)) {
+            isNearer = showUpright(leaves, id, table.uprightLeaf(id));
+        } else if (table.count(id) == 1) {
+            isNearer = show(leaves, id, table.first(id), fan.first(), fan.last());
+        } else {
+            int from = fan.first();
+            int to = fan.last();
+            for (int leaf = table.first(id); leaf < table.first(id) + table.count(id); leaf++) {
+                isNearer |= showLeaf(leaves, id, leaf, from, to);
+            }
+        }
+        if (isNearer && open == 0) {
+            reach = 0;
+            for (int ray = 0; ray < number; ray++) {
+                reach = Math.max(reach, best[ray]);
+            }
+        }
+    }
+
+    /** Shows a leaf of a group to those of some rays that may meet it. */
+    private boolean showLeaf(LeafColumn leaves, int id, int leaf, int from, int to) {
+        if (to - from < FEW) {
+            return show(leaves, id, leaf, from, to);
+        }
+        leaves.bounds(leaf, box);
+        return fan.find(box, 0, leaves.kind(leaf).isDisc())
+                && show(leaves, id, leaf, Math.max(from, fan.first()), Math.min(to, fan.last()));
+    }
+
+    /** Shows a leaf to some rays; answers whether any of them looks less far now. */
+    private boolean show(LeafColumn leaves, int id, int leaf, int from, int to) {
+        boolean isNearer = false;
+        double nearest = fan.nearest();
+        for (int ray = from; ray <= to; ray++) {
+            double limit = Math.min(best[ray], farthest);
+            if (nearest <= limit) {
+                work.take();
+                line(ray);
+                isNearer |= take(ray, cast.distance(leaves, leaf, limit), id, leaf);
+            }
+        }
+        return isNearer;
+    }
+
+    /** The same for an upright leaf, mostly by its outline alone. */
+    private boolean showUpright(LeafColumn leaves, int id, int leaf) {
+        double[] outlines = leaves.outlines();
+        int local = ObjectTable.local(id);
+        boolean isNearer = false;
+        double nearest = fan.nearest();
+        for (int ray = fan.first(); ray <= fan.last(); ray++) {
+            double limit = Math.min(best[ray], farthest);
+            if (nearest <= limit) {
+                line(ray);
+                double found = cast.upright(outlines, local);
+                isNearer |= take(ray, Double.isNaN(found) ? cast.distance(leaves, leaf, limit) : found, id, leaf);
+            }
+        }
+        return isNearer;
+    }
+
+    /** Shows a leaf to some rays without a sieve; answers whether any of them looks less far now. */
+    private boolean hitFew(LeafColumn leaves, int id, int leaf, long rays) {
+        boolean isNearer = false;
+        for (long left = rays; left != 0; left &= left - 1) {
+            int ray = Long.numberOfTrailingZeros(left);
+            line(ray);
+            isNearer |= take(ray, cast.distance(leaves, leaf, packet.near(ray)), id, leaf);
+        }
+        return isNearer;
     }
 
     /** Shows a leaf to some rays; answers whether any of them looks less far now. */
@@ -212,7 +337,7 @@ public final class PacketSearch {
 
     private void line(int ray) {
         int at = first + 3 * ray;
-        cast.line(Dimension.SPATIAL, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2]);
+        cast.line(dimension, ox, oy, oz, directions[at], directions[at + 1], directions[at + 2]);
     }
 
     private boolean take(int ray, double found, int id, int leaf) {

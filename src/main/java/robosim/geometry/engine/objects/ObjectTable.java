@@ -57,6 +57,7 @@ public final class ObjectTable {
     private long arrivals;
     private int size;
     private long changes;
+    private long changesOfStatics;
 
     public ObjectTable() {}
 
@@ -131,9 +132,15 @@ public final class ObjectTable {
         return changes;
     }
 
+    /** How often a static object was added or removed so far. */
+    public long changesOfStatics() {
+        return changesOfStatics;
+    }
+
     /** Adds an object and returns its id. */
     public int add(GeometryObject object) {
         changes++;
+        changesOfStatics += object.isMoveable() ? 0 : 1;
         int id = freeCount > 0 ? reuse() : capacityUsed++;
         if (id == values.length) {
             int capacity = ArrayGrowth.of(id);
@@ -265,6 +272,8 @@ public final class ObjectTable {
         }
         if (isMoveable(id)) {
             removeMover(slots[id]);
+        } else {
+            changesOfStatics++;
         }
         values[id] = null;
         if (freeCount == free.length) {
@@ -294,7 +303,7 @@ public final class ObjectTable {
 
     /** The ids of the moveable objects, in the order in which they were added. */
     public IntStream moverIds() {
-        return inOrder(own().filter(this::isMoveable));
+        return inOrder(IntStream.range(0, moverCount).map(this::mover));
     }
 
     private IntStream own() {

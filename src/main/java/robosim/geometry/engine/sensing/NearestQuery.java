@@ -26,7 +26,10 @@ public final class NearestQuery {
     private double limit;
     private int most;
     private int count;
+
+    /** The nearest so far: while the search runs a heap, with the last of them at its root. */
     private int[] ids = new int[8];
+
     private double[] distances = new double[8];
 
     public NearestQuery(ObjectTable objects, Scratch scratch) {
@@ -64,6 +67,7 @@ public final class NearestQuery {
         if (wanted > 0) {
             search.search(view, box, range, ignored);
         }
+        sort();
         return count;
     }
 
@@ -90,38 +94,63 @@ public final class NearestQuery {
             }
         }
         if (least <= limit && least < Double.POSITIVE_INFINITY) {
-            insert(id, least);
+            take(id, least);
         }
         return reach();
     }
 
     /** How far there is still something to be found: as far as the last of those wanted, ties included. */
     private double reach() {
-        return count < most ? limit : Math.min(limit, distances[count - 1]);
+        return count < most ? limit : Math.min(limit, distances[0]);
     }
 
-    private void insert(int id, double found) {
-        int at = count;
-        for (int k = 0; k < count; k++) {
-            if (ids[k] == id) {
-                return; // shown twice
+    /** Takes in an object, which the search shows once, in place of the last of those wanted where there are as many. */
+    private void take(int id, double found) {
+        if (count == most) {
+            if (isBefore(found, id, distances[0], ids[0])) {
+                sift(0, count, id, found);
             }
-        }
-        while (at > 0 && isBefore(found, id, distances[at - 1], ids[at - 1])) {
-            at--;
-        }
-        if (at >= most) {
             return;
         }
-        if (count < most) {
-            if (count == ids.length) {
-                ids = Arrays.copyOf(ids, 2 * count);
-                distances = Arrays.copyOf(distances, 2 * count);
-            }
-            count++;
+        if (count == ids.length) {
+            ids = Arrays.copyOf(ids, 2 * count);
+            distances = Arrays.copyOf(distances, 2 * count);
         }
-        System.arraycopy(ids, at, ids, at + 1, count - 1 - at);
-        System.arraycopy(distances, at, distances, at + 1, count - 1 - at);
+        int at = count++;
+        while (at > 0 && isBefore(distances[(at - 1) / 2], ids[(at - 1) / 2], found, id)) {
+            put(at, ids[(at - 1) / 2], distances[(at - 1) / 2]);
+            at = (at - 1) / 2;
+        }
+        put(at, id, found);
+    }
+
+    /** Sorts the heap, the last of which is at its root: the nearest comes first. */
+    private void sort() {
+        for (int end = count - 1; end > 0; end--) {
+            int id = ids[end];
+            double found = distances[end];
+            put(end, ids[0], distances[0]);
+            sift(0, end, id, found);
+        }
+    }
+
+    /** Puts an object into the heap from a place on down, up to an end. */
+    private void sift(int from, int end, int id, double found) {
+        int at = from;
+        for (int down = 2 * at + 1; down < end; down = 2 * at + 1) {
+            if (down + 1 < end && isBefore(distances[down], ids[down], distances[down + 1], ids[down + 1])) {
+                down++;
+            }
+            if (!isBefore(found, id, distances[down], ids[down])) {
+                break;
+            }
+            put(at, ids[down], distances[down]);
+            at = down;
+        }
+        put(at, id, found);
+    }
+
+    private void put(int at, int id, double found) {
         ids[at] = id;
         distances[at] = found;
     }

@@ -15,7 +15,7 @@ import robosim.geometry.narrow.Scratch;
 
 /**
  * All beams of a pattern from one place, or from a sensor that moves meanwhile. They are answered tile by tile, and what the
- * beams of a tile share is found once: rays in a world with heights are one {@link PacketSearch}.
+ * beams of a tile share is found once: rays are one {@link PacketSearch}.
  *
  * <p>In a PLANAR world sonars and level lasers measure in the plane; a sensor that looks up or down sees the objects with
  * their heights.
@@ -25,6 +25,9 @@ public final class PatternSensor {
 
     /** Fewer rays are answered one by one just as fast. */
     private static final int FEW = 4;
+
+    /** The same in a world without heights. */
+    private static final int FEW_IN_PLANE = 8;
 
     private static final double[] NONE = new double[0];
 
@@ -218,7 +221,8 @@ public final class PatternSensor {
      * far to be searched together are parted.
      */
     private void answer(AccuracyView view, int from, int to) {
-        if (to - from < FEW || (width == 0 && !PacketSearch.isFor(view))) {
+        boolean isInPlane = view.dimension == Dimension.PLANAR && width == 0;
+        if (to - from < (isInPlane ? FEW_IN_PLANE : FEW)) {
             answerOneByOne(view, from, to, null);
             return;
         }
@@ -231,7 +235,7 @@ public final class PatternSensor {
             search = new PacketSearch(objects, scratch);
             packets = search;
         }
-        if (!search.aim(frame.x(), frame.y(), frame.z(), directions, 3 * from, to - from)) {
+        if (!search.aim(view.dimension, frame.x(), frame.y(), frame.z(), directions, 3 * from, to - from)) {
             int middle = (from + to) / 2;
             answer(view, from, middle);
             answer(view, middle, to);

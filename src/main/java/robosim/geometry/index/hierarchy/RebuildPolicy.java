@@ -8,6 +8,9 @@ final class RebuildPolicy {
     /** So few changes are not worth a rebuild. */
     static final int FEW = 32;
 
+    /** So few objects hang well enough in any order. */
+    private static final int SMALL = 16;
+
     /** An object that comes or goes counts for as much as this many that merely leave the bounds of their node. */
     private static final int CAME = 16;
 
@@ -48,7 +51,7 @@ final class RebuildPolicy {
             return false;
         }
         asked++;
-        return changes > FEW && changes >= 4L * size && 16L * asked >= size;
+        return size > SMALL && changes > FEW && changes >= 4L * size && 16L * asked >= size;
     }
 
     void reset() {

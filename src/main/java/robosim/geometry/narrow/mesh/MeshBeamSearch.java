@@ -188,6 +188,9 @@ public final class MeshBeamSearch {
     }
 
     private double planarKey(double mx, double my, double mz, double hx, double hy, double hz) {
+        if (isLine) {
+            return lineKey(mx, my, mz, hx, hy, hz);
+        }
         if (middle(LEFT, mx, my, mz) - half(LEFT, hx, hy, hz) > pad
                 || middle(RIGHT, mx, my, mz) - half(RIGHT, hx, hy, hz) > pad) {
             return Double.POSITIVE_INFINITY;
@@ -198,9 +201,6 @@ public final class MeshBeamSearch {
             return Double.POSITIVE_INFINITY;
         }
         double key = ahead - along - pad;
-        if (isLine) {
-            return notBelow0(key);
-        }
         // At least its distance along the direction of its centre.
         double east = middle(EAST, mx, my, mz);
         double south = middle(SOUTH, mx, my, mz);
@@ -217,6 +217,16 @@ public final class MeshBeamSearch {
                 + Math.abs(gx * d[EAST + 2] + gz * d[SOUTH + 2]) * hz;
         double radial = distance - radius - pad;
         return notBelow0(radial > key ? radial : key);
+    }
+
+    /** The same for a line, the two sides of which are one. */
+    private double lineKey(double mx, double my, double mz, double hx, double hy, double hz) {
+        if (Math.abs(middle(LEFT, mx, my, mz)) - half(LEFT, hx, hy, hz) > pad) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double ahead = middle(AHEAD, mx, my, mz);
+        double along = half(AHEAD, hx, hy, hz);
+        return ahead + along < -pad ? Double.POSITIVE_INFINITY : notBelow0(ahead - along - pad);
     }
 
     private double middle(int direction, double x, double y, double z) {
@@ -282,6 +292,9 @@ public final class MeshBeamSearch {
 
     /** The same bound for a triangle, given its corners: all beyond one side of the beam, or by its box. */
     private double triangleKey(double[] c, int k) {
+        if (isPlanar && isLine) {
+            return triangleLineKey(c, k);
+        }
         if (isPlanar && (isBeyond(LEFT, c, k) || isBeyond(RIGHT, c, k))) {
             return Double.POSITIVE_INFINITY;
         }
@@ -294,6 +307,21 @@ public final class MeshBeamSearch {
         return isPlanar
                 ? planarKey(lowX + hx, lowY + hy, lowZ + hz, hx, hy, hz)
                 : spatialKey(lowX + hx, lowY + hy, lowZ + hz, hx, hy, hz);
+    }
+
+    private double triangleLineKey(double[] c, int k) {
+        double a = middle(LEFT, c[k], c[k + 1], c[k + 2]);
+        double b = middle(LEFT, c[k + 3], c[k + 4], c[k + 5]);
+        double d = middle(LEFT, c[k + 6], c[k + 7], c[k + 8]);
+        if (Math.min(a, Math.min(b, d)) > pad || Math.max(a, Math.max(b, d)) < -pad) {
+            return Double.POSITIVE_INFINITY;
+        }
+        a = middle(AHEAD, c[k], c[k + 1], c[k + 2]);
+        b = middle(AHEAD, c[k + 3], c[k + 4], c[k + 5]);
+        d = middle(AHEAD, c[k + 6], c[k + 7], c[k + 8]);
+        return Math.max(a, Math.max(b, d)) < -pad
+                ? Double.POSITIVE_INFINITY
+                : notBelow0(Math.min(a, Math.min(b, d)) - pad);
     }
 
     private boolean isBeyond(int direction, double[] c, int k) {

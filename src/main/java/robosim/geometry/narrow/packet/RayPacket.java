@@ -53,6 +53,9 @@ public final class RayPacket {
     private double place;
     private int count;
 
+    /** Whether all rays stay at the height of the start. */
+    private boolean isLevel;
+
     // Reciprocals of the slopes along the world's axes; made when they are first needed.
     private final double[] worldX = new double[MOST];
     private final double[] worldY = new double[MOST];
@@ -89,10 +92,12 @@ public final class RayPacket {
         place = size(ox, oy, oz);
         count = number;
         hasWorld = false;
+        isLevel = true;
         for (int i = 0, k = at; i < number; i++, k += 3) {
             double dx = directions[k];
             double dy = directions[k + 1];
             double dz = directions[k + 2];
+            isLevel &= dy == 0;
             double square = dx * dx + dy * dy + dz * dz;
             if (!(Math.abs(square - 1) < UNIT)) {
                 double scale = 1 / VectorMath.largest(dx, dy, dz);
@@ -185,8 +190,13 @@ public final class RayPacket {
         }
         takeWorld();
         double slack = SLACK * size;
+        if (isAbove(y, halfY, slack)) {
+            return 0;
+        }
         Lanes.slab(worldX, x, halfX + slack, enter, leave);
-        Lanes.clip(worldY, y, halfY + slack, enter, leave);
+        if (!isLevel) {
+            Lanes.clip(worldY, y, halfY + slack, enter, leave);
+        }
         Lanes.clip(worldZ, z, halfZ + slack, enter, leave);
         return Lanes.hits(enter, leave, near) & rays();
     }
@@ -207,6 +217,11 @@ public final class RayPacket {
             case TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID -> ALL;
         };
         return met & rays();
+    }
+
+    /** Whether the rays are all above or below what is within a half of a height. */
+    private boolean isAbove(double height, double half, double slack) {
+        return isLevel && Math.abs(height) > half + slack;
     }
 
     private static double size(double x, double y, double z) {
@@ -238,6 +253,9 @@ public final class RayPacket {
             return rays();
         }
         double slack = SLACK * size;
+        if (isUpright && isAbove(my, halfY, slack)) {
+            return 0;
+        }
         int r = j + Leaf.ROTATION;
         double[] ix = ownX;
         double[] iy = ownY;
@@ -261,13 +279,19 @@ public final class RayPacket {
             Lanes.inverses(x, y, z, b[r], b[r + 3], b[r + 6], ix);
             Lanes.inverses(x, y, z, b[r + 2], b[r + 5], b[r + 8], iz);
         }
+        // A level ray may not be sure to be within a height that it is not certainly beyond.
+        boolean isClipped = !(isUpright && isLevel && Math.abs(my) < halfY - slack);
         Lanes.slab(ix, left, halfX + slack, enter, leave);
-        Lanes.clip(iy, up, halfY + slack, enter, leave);
+        if (isClipped) {
+            Lanes.clip(iy, up, halfY + slack, enter, leave);
+        }
         Lanes.clip(iz, back, halfZ + slack, enter, leave);
         long met = Lanes.hits(enter, leave, near);
         if (met != 0) {
             Lanes.slab(ix, left, halfX - slack, late, early);
-            Lanes.clip(iy, up, halfY - slack, late, early);
+            if (isClipped) {
+                Lanes.clip(iy, up, halfY - slack, late, early);
+            }
             Lanes.clip(iz, back, halfZ - slack, late, early);
             sure = Lanes.sure(enter, late, early);
         }
@@ -285,6 +309,9 @@ public final class RayPacket {
             return rays();
         }
         double slack = SLACK * size;
+        if (isUpright && isAbove(my, half, slack)) {
+            return 0;
+        }
         double[] iy = ownY;
         double up = my;
         if (isUpright) {
@@ -301,15 +328,27 @@ public final class RayPacket {
             Lanes.inverses(x, y, z, b[r + 1], b[r + 4], b[r + 7], iy);
             Lanes.across(ownX, ownZ, left, back, square, product, cross);
         }
-        Lanes.slab(iy, up, half + slack, enter, leave);
+        boolean isClipped = !(isUpright && isLevel && Math.abs(my) < half - slack);
+        start(isClipped, iy, up, half + slack, enter, leave);
         Lanes.circle(square, product, cross, (radius + slack) * (radius + slack), enter, leave);
         long met = Lanes.hits(enter, leave, near);
         if (met != 0 && radius > slack) {
-            Lanes.slab(iy, up, half - slack, late, early);
+            start(isClipped, iy, up, half - slack, late, early);
             Lanes.circle(square, product, cross, (radius - slack) * (radius - slack), late, early);
             sure = Lanes.sure(enter, late, early);
         }
         return met;
+    }
+
+    /** Begins with what is within a slab, or with all of the rays. */
+    private static void start(
+            boolean isClipped, double[] inverses, double height, double half, double[] enter, double[] leave) {
+        if (isClipped) {
+            Lanes.slab(inverses, height, half, enter, leave);
+        } else {
+            Arrays.fill(enter, 0);
+            Arrays.fill(leave, Double.POSITIVE_INFINITY);
+        }
     }
 
     private long spheres(double[] b, int j) {

@@ -31,6 +31,9 @@ class RayPacketTest {
     private double oy;
     private double oz;
 
+    /** Whether all rays stay at one height. */
+    private boolean isLevel;
+
     // Of all rays: those that were passed over, those that were sure, and those that were left to the kernel.
     private int passed;
     private int sure;
@@ -70,7 +73,7 @@ class RayPacketTest {
         double z = isOnGrid ? dyadic(3) : any(3);
         for (int k = 0; k < count; k++) {
             double dx = target.x() - x + (isOnGrid ? dyadic(1) : any(0.8));
-            double dy = target.y() - y + (isOnGrid ? dyadic(1) : any(0.8));
+            double dy = isLevel ? 0 : target.y() - y + (isOnGrid ? dyadic(1) : any(0.8));
             double dz = target.z() - z + (isOnGrid ? dyadic(1) : any(0.8));
             boolean isNone = dx == 0 && dy == 0 && dz == 0;
             double length = random.nextInt(3) == 0 ? 1 / Math.sqrt(dx * dx + dy * dy + dz * dz) : 1;
@@ -102,6 +105,30 @@ class RayPacketTest {
     @CsvSource({"false, 0", "true, 0", "false, -60", "true, 60", "false, -200", "true, -95"})
     void isNeverWrong(boolean isOnGrid, int power) {
         double scale = Math.scalb(1.0, power);
+        sift(isOnGrid, scale);
+        int all = passed + sure + left;
+        if (scale > 0x1p-100) {
+            assertThat(passed).as("passed over of " + all).isGreaterThan(all / 5);
+            assertThat(sure).as("sure of " + all).isGreaterThan(all / 5);
+            assertThat(left).as("left of " + all).isBetween(all / 1000, all / 4);
+        } else {
+            assertThat(left).isEqualTo(all);
+        }
+    }
+
+    /** Level rays, of which all or none are within the heights of what is upright. */
+    @ParameterizedTest
+    @CsvSource({"false, 0", "true, 0", "true, 60"})
+    void isNeverWrongAtOneHeight(boolean isOnGrid, int power) {
+        isLevel = true;
+        sift(isOnGrid, Math.scalb(1.0, power));
+        int all = passed + sure + left;
+        assertThat(passed).as("passed over of " + all).isGreaterThan(all / 2);
+        assertThat(sure).as("sure of " + all).isGreaterThan(all / 20);
+        assertThat(left).as("left of " + all).isBetween(all / 1000, all / 4);
+    }
+
+    private void sift(boolean isOnGrid, double scale) {
         passed = 0;
         sure = 0;
         left = 0;
@@ -112,14 +139,6 @@ class RayPacketTest {
             LeafColumn column = LocalLeaves.placed(scaled(solid, scale));
             packet.look(random.nextBoolean() ? Double.POSITIVE_INFINITY : scale * random.nextDouble(5));
             assertRight(column, count);
-        }
-        int all = passed + sure + left;
-        if (scale > 0x1p-100) {
-            assertThat(passed).as("passed over of " + all).isGreaterThan(all / 5);
-            assertThat(sure).as("sure of " + all).isGreaterThan(all / 5);
-            assertThat(left).as("left of " + all).isBetween(all / 1000, all / 4);
-        } else {
-            assertThat(left).isEqualTo(all);
         }
     }
 
