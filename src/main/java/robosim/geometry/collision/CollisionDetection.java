@@ -45,15 +45,7 @@ public final class CollisionDetection {
     }
 
     private static boolean touch(LeafColumn first, LeafColumn second) {
-        Scratch scratch = SCRATCH.get();
-        for (int i = 0; i < first.size(); i++) {
-            for (int j = 0; j < second.size(); j++) {
-                if (Overlap.test(Dimension.SPATIAL, first, i, second, j, scratch)) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return Overlap.any(Dimension.SPATIAL, first, second, 0, second.size(), SCRATCH.get());
     }
 
     /**

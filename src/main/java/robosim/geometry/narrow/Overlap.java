@@ -4,6 +4,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UprightRows;
@@ -16,6 +17,9 @@ import robosim.geometry.narrow.planar.PlainCells;
 
 /** Whether two placed leaves have a point in common, meshes and grids included: the only switch over leaf kinds for overlaps. */
 public final class Overlap {
+    /** More than the share of their sizes at which two cylinders that are apart may count as touching. */
+    private static final double UNCERTAIN = 0x1p-30;
+
     private Overlap() {}
 
     /** Whether leaf i of a touches or overlaps leaf j of b. */
@@ -40,6 +44,40 @@ public final class Overlap {
             return mesh(dimension, b, j, s.leaf.placedA.set(a, i), s);
         }
         return ConvexOverlap.test(dimension, s.leaf.placedA.set(a, i), s.leaf.placedB.set(b, j), s.overlap);
+    }
+
+    /** Whether any leaf of a column touches or overlaps one of several leaves of another. */
+    public static boolean any(Dimension dimension, LeafColumn a, LeafColumn b, int first, int count, Scratch s) {
+        boolean isOne = a.size() == 1;
+        LeafBoxes boxes = s.leaf.parts();
+        if (!isOne) {
+            boxes.setAll(a, 0, a.size(), dimension == Dimension.PLANAR);
+        }
+        double[] box = s.leaf.partBox;
+        for (int j = first; j < first + count; j++) {
+            int near = 1;
+            if (!isOne) {
+                s.work.take();
+                b.bounds(j, box);
+                near = boxes.meeting(box, uncertain(box));
+            }
+            for (int k = 0; k < near; k++) {
+                s.work.take();
+                if (test(dimension, a, isOne ? 0 : boxes.found(k), b, j, s)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** More than the gap of two leaves, one of them with these bounds, may be where it is not certain that they do not touch. */
+    static double uncertain(double[] box) {
+        double size = Double.MIN_NORMAL;
+        for (double bound : box) {
+            size += Math.abs(bound);
+        }
+        return UNCERTAIN * size;
     }
 
     /**

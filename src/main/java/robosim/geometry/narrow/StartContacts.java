@@ -4,6 +4,7 @@ import java.util.Arrays;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.HullOverlap;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
@@ -39,6 +40,12 @@ public final class StartContacts {
     private LeafColumn end;
     private int leaf;
 
+    /** The bounds of the mover's leaves at the start, where there are several. */
+    private final LeafBoxes boxes = new LeafBoxes();
+
+    private final double[] box = new double[6];
+    private boolean hasBoxes;
+
     private ContactPlanes[] planes = new ContactPlanes[4];
     private int count;
 
@@ -70,6 +77,7 @@ public final class StartContacts {
         count = 0;
         levelCount = 0;
         spares = false;
+        hasBoxes = false;
     }
 
     /**
@@ -87,11 +95,28 @@ public final class StartContacts {
 
     /** Adds the pieces of a leaf that the mover touches at the start. */
     public void add(LeafColumn b, int j) {
-        for (int i = 0; i < start.size(); i++) {
-            s.work.take();
-            leaf = i;
-            pairs.any(dimension, start, i, b, j, contact);
+        if (start.size() == 1) {
+            add(0, b, j);
+            return;
         }
+        if (!hasBoxes) {
+            hasBoxes = true;
+            boxes.setAll(start, 0, start.size(), dimension == Dimension.PLANAR);
+        }
+        b.bounds(j, box);
+        int near = boxes.meeting(box, Overlap.uncertain(box));
+        for (int k = 0; k < near; k++) {
+            add(boxes.found(k), b, j);
+        }
+    }
+
+    private void add(int i, LeafColumn b, int j) {
+        s.work.take();
+        if (start.kind(i).isMesh() && b.kind(j).isMesh() && !Overlap.test(dimension, start, i, b, j, s)) {
+            return; // found sooner by both trees
+        }
+        leaf = i;
+        pairs.any(dimension, start, i, b, j, contact);
     }
 
     private boolean gather(Leaf a, int t, Leaf b, int u) {
@@ -261,6 +286,18 @@ public final class StartContacts {
      */
     public boolean touchesAnew(LeafColumn at, int i, LeafColumn b, int j) {
         return touches(at, i, b, j, true);
+    }
+
+    /**
+     * The same of a mover that touches nothing at the start, where it does not matter which pieces touch: whatever is touched is
+     * then touched anew.
+     */
+    public boolean isTouchedAnew(LeafColumn at, int i, LeafColumn b, int j) {
+        if (!Overlap.test(dimension, at, i, b, j, s)) {
+            s.work.take();
+            return false;
+        }
+        return !Overlap.test(dimension, start, i, b, j, s) || touches(at, i, b, j, true);
     }
 
     /** The same for a place that is not on the way, where what was touched at the start counts too. */

@@ -14,10 +14,12 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
+import robosim.geometry.narrow.mesh.MeshSweep;
 import robosim.geometry.narrow.planar.PlainCells;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.narrow.sweep.SweepScratch;
 import robosim.geometry.narrow.sweep.SweptBounds;
 
 /**
@@ -55,7 +57,18 @@ public final class Sweep {
     /** Decides about pairs in place of the kernels, if pairs that come near are asked for; and how near. */
     private @Nullable Pairs pairs;
 
+    private final MeshSweep.Judge meshPair = this::meshPair;
+    private final double[] way = new double[3];
+    private double least;
+
     private double margin;
+
+    /** Whether it only matters that something blocks: the first piece found is enough. */
+    private boolean isVerdict;
+
+    /** Whether doubles could not tell of some pair. */
+    private boolean isUnsure;
+
     private int leaf;
     private int own;
     private int ownPiece;
@@ -296,6 +309,33 @@ public final class Sweep {
     }
 
     /**
+     * Whether {@link #free} is below +Infinity.
+     *
+     * @param on the mover's contacts at the start, if they are to be considered
+     */
+    public boolean isBlocked(LeafColumn a, int i, LeafColumn b, int j, @Nullable StartContacts on) {
+        standing = on;
+        isVerdict = true;
+        boolean hasPieces = a.kind(i).hasPieces() || b.kind(j).hasPieces();
+        try {
+            if (hasPieces && on == null) { // mostly some pair tells, and the exact kernels are not needed
+                s.sweep.need = SweepScratch.Need.SURE_VERDICT;
+                isUnsure = false;
+                boolean isMet = free(a, i, b, j) != Double.POSITIVE_INFINITY;
+                if (isMet || !isUnsure) {
+                    return isMet;
+                }
+            }
+            s.sweep.need = SweepScratch.Need.VERDICT;
+            return free(a, i, b, j) != Double.POSITIVE_INFINITY;
+        } finally {
+            standing = null;
+            isVerdict = false;
+            s.sweep.need = SweepScratch.Need.TIME;
+        }
+    }
+
+    /**
      * The fraction of the motion during which leaf i of a does not touch leaf j of b: +Infinity if it never does, else
      * from 0 to 1, rounded down. A contact at the start blocks only motion deeper into it.
      */
@@ -312,6 +352,9 @@ public final class Sweep {
         }
         if (!kindA.isMesh()) {
             return againstPieces(mover.set(a, i), b, j);
+        }
+        if (kindB.isMesh() && !turns && pairs == null) {
+            return meshes(a, i, b, j);
         }
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
@@ -334,10 +377,47 @@ public final class Sweep {
                 } else {
                     otherPiece = before;
                 }
+                if (isEnough(least)) {
+                    return least;
+                }
                 obstacleBounds(b, j);
             }
         }
         return least;
+    }
+
+    private boolean isEnough(double share) {
+        return isVerdict && share != Double.POSITIVE_INFINITY;
+    }
+
+    /** The same for two meshes, of which one is translated. */
+    private double meshes(LeafColumn a, int i, LeafColumn b, int j) {
+        way[0] = dx;
+        way[1] = dy;
+        way[2] = dz;
+        least = Double.POSITIVE_INFINITY;
+        s.leaf.outer.open(a, i);
+        s.leaf.inner.open(b, j);
+        s.mesh.sweep().descend(dimension, a, i, way, b, j, meshPair);
+        return least;
+    }
+
+    private double meshPair(int t, int u) {
+        s.leaf.outer.corners(t, s.leaf.triangleA, 0);
+        s.leaf.inner.corners(u, s.leaf.triangleB, 0);
+        own = t;
+        double share = piece(s.leaf.faceA, s.leaf.faceB, u, least);
+        if (share < least || (share == least && ownPiece >= 0 && isLowerPair(t, u))) {
+            least = share;
+            ownPiece = t;
+            otherPiece = u;
+        }
+        return isEnough(least) ? -1 : least;
+    }
+
+    /** Whether a pair of triangles comes before the one that was met. */
+    private boolean isLowerPair(int t, int u) {
+        return t == ownPiece ? isLower(s.leaf.inner, u, otherPiece) : isLower(s.leaf.outer, t, ownPiece);
     }
 
     /**
@@ -416,6 +496,9 @@ public final class Sweep {
                 least = share;
                 first = cell;
             }
+            if (isEnough(least)) {
+                break;
+            }
         }
         otherPiece = first;
         return least;
@@ -457,6 +540,9 @@ public final class Sweep {
                 least = share;
                 first = t;
             }
+            if (isEnough(least)) {
+                break;
+            }
         }
         otherPiece = first;
         return least;
@@ -476,7 +562,12 @@ public final class Sweep {
         if (standing != null && standing.isBehindLevel(leaf, a, own, b)) {
             return Double.POSITIVE_INFINITY;
         }
+        s.sweep.latest = before;
         double share = pairs == null ? convex(a, b) : 0;
+        if (Double.isNaN(share)) {
+            isUnsure = true;
+            return Double.POSITIVE_INFINITY;
+        }
         if (standing != null
                 && share != Double.POSITIVE_INFINITY
                 && share <= before

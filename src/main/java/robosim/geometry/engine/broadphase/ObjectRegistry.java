@@ -500,15 +500,7 @@ public final class ObjectRegistry {
         if (dimension == Dimension.SPATIAL && !at.overlaps(other, box)) {
             return false;
         }
-        for (int j = at.first(other); j < at.first(other) + at.count(other); j++) {
-            for (int i = 0; i < candidate.size(); i++) {
-                s.work.take();
-                if (Overlap.test(dimension, candidate, i, at.leaves(), j, s)) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return Overlap.any(dimension, candidate, at.leaves(), at.first(other), at.count(other), s);
     }
 
     /** All objects at their present places, in the order in which they were added. */

@@ -50,16 +50,10 @@ public final class TouchQuery {
     }
 
     private boolean touch(LeafTable table, int id) {
-        for (int j = table.first(id); j < table.first(id) + table.count(id); j++) {
-            for (int i = 0; i < candidate.size(); i++) {
-                s.work.take();
-                if (Overlap.test(view.dimension, candidate, i, table.leaves(), j, s)) {
-                    add(id);
-                    return false; // and on to the others
-                }
-            }
+        if (Overlap.any(view.dimension, candidate, table.leaves(), table.first(id), table.count(id), s)) {
+            add(id);
         }
-        return false;
+        return false; // and on to the others
     }
 
     private void add(int id) {

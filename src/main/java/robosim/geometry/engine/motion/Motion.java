@@ -17,6 +17,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Tries to move an object, without moving it: its translation, its turn about Y and its turn about X, each a segment that is swept
@@ -540,7 +541,7 @@ public final class Motion {
         if (least == 0 || (segment.turns() && isSureTurn())) {
             return least;
         }
-        if (!segment.turns() && of != BORDER && isExact(of) && gapAfter(of, 0) > 0) {
+        if (!segment.turns() && of != BORDER && isExact(of) && gapAfter(of, 0, 0) > 0) {
             double apart = apart(of, least);
             if (apart >= 0) {
                 return apart;
@@ -573,7 +574,7 @@ public final class Motion {
         }
         double step = Math.max(FIRST_STEP, need / length());
         double free = representable(least);
-        for (; free > 0 && gapAfter(of, free) < need; step *= 2) {
+        for (; free > 0 && gapAfter(of, free, need) < need; step *= 2) {
             if (step > Math.max(FAR_BACK, 64 * need / length())) {
                 return -1;
             }
@@ -582,15 +583,18 @@ public final class Motion {
         return Math.max(0, free);
     }
 
-    /** The gap to an object after a share of the segment. */
-    private double gapAfter(int of, double share) {
+    /** The gap to an object after a share of the segment; any number above the limit where it is above that. */
+    private double gapAfter(int of, double share, double limit) {
         LeafColumn there = share == 0 ? segment.atStart : segment.after(share);
         LeafTable table = view.table(of);
         int first = table.first(of);
         double gap = Double.POSITIVE_INFINITY;
         for (int j = first; j < first + table.count(of); j++) {
-            for (int i = 0; i < there.size(); i++) {
-                gap = Math.min(gap, distance.between(view.dimension, there, i, table.leaves(), j, gap));
+            int near = segment.near(table.leaves(), j, limit);
+            for (int k = 0; k < near; k++) {
+                double within = Math.min(gap, limit);
+                gap = Math.min(
+                        gap, distance.between(view.dimension, there, segment.near(k), table.leaves(), j, within));
             }
         }
         return gap;
@@ -599,11 +603,12 @@ public final class Motion {
     /** Whether a translation of the mover beside an object is decided without rounding. */
     private boolean isExact(int of) {
         LeafTable table = view.table(of);
-        int first = table.first(of);
-        for (int j = first; j < first + table.count(of); j++) {
-            for (int i = 0; i < segment.atStart.size(); i++) {
-                if (!Sweep.isExact(
-                        view.dimension, segment.atStart.kind(i), table.leaves().kind(j))) {
+        int own = segment.atStart.kinds(0, segment.atStart.size());
+        int others = table.leaves().kinds(table.first(of), table.count(of));
+        for (int mine = own; mine != 0; mine &= mine - 1) {
+            LeafKind kind = LeafKind.first(mine);
+            for (int theirs = others; theirs != 0; theirs &= theirs - 1) {
+                if (!Sweep.isExact(view.dimension, kind, LeafKind.first(theirs))) {
                     return false;
                 }
             }
@@ -616,7 +621,7 @@ public final class Motion {
             return false;
         }
         enclose();
-        return of == BORDER ? isLeaving() : timeOfImpact(of) != Double.POSITIVE_INFINITY || endsOn(of);
+        return of == BORDER ? isLeaving() : blocks(of);
     }
 
     /** The share after which the world is left, or is nearer to the border than the clearance. */
@@ -713,7 +718,7 @@ public final class Motion {
             if (other == sure || !view.table(other).overlaps(other, around)) {
                 continue;
             }
-            if (timeOfImpact(other) != Double.POSITIVE_INFINITY || endsOn(other)) {
+            if (blocks(other)) {
                 return true;
             }
         }
@@ -793,13 +798,49 @@ public final class Motion {
         return met;
     }
 
+    /** Whether an object is met on the way, or by the end as it is stored. */
+    private boolean blocks(int other) {
+        if (!segment.isRigid()) {
+            return timeOfImpact(other) != Double.POSITIVE_INFINITY || endsOn(other);
+        }
+        return isMeshPair(other) ? endsThere(other) || isMet(other) : isMet(other) || endsThere(other);
+    }
+
+    /** Whether a mesh moves beside a mesh: it takes longer to sweep the two than to look where they are. */
+    private boolean isMeshPair(int other) {
+        LeafTable of = view.table(other);
+        return segment.atStart.kind(0).isMesh()
+                && of.leaves().kind(of.first(other)).isMesh();
+    }
+
+    /** Whether an object is met on the way. */
+    private boolean isMet(int other) {
+        LeafColumn atStart = segment.atStart;
+        LeafTable of = view.table(other);
+        int first = of.first(other);
+        for (int j = first; j < first + of.count(other); j++) {
+            int near = segment.near(of.leaves(), j, 0);
+            for (int k = 0; k < near; k++) {
+                int i = segment.near(k);
+                boolean isOnFloor = hasPieces(of, other, i, j) && stands();
+                if (segment.sweep.isBlocked(atStart, i, of.leaves(), j, isOnFloor ? standing : null)
+                        && (isOnFloor || !stands() || segment.sweep.isBlocked(atStart, i, of.leaves(), j, standing))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     private double rigidImpact(int other) {
         LeafColumn atStart = segment.atStart;
         LeafTable of = view.table(other);
         int first = of.first(other);
         double least = Double.POSITIVE_INFINITY;
         for (int j = first; j < first + of.count(other); j++) {
-            for (int i = 0; i < atStart.size(); i++) {
+            int near = segment.near(of.leaves(), j, 0);
+            for (int k = 0; k < near; k++) {
+                int i = segment.near(k);
                 boolean isOnFloor = hasPieces(of, other, i, j) && stands(); // whose planes spare most of a sweep
                 double free = isOnFloor
                         ? segment.sweep.free(atStart, i, of.leaves(), j, standing)
@@ -863,13 +904,39 @@ public final class Motion {
         return view.table(other).overlaps(other, endBox) && touchesAnew(other, 1);
     }
 
+    /** The same where it does not matter by which pieces. */
+    private boolean endsThere(int other) {
+        return view.table(other).overlaps(other, endBox) && isAnew(other, 1);
+    }
+
+    /** As {@link #touchesAnew}, where it does not matter by which pieces. */
+    private boolean isAnew(int other, double share) {
+        if (!isMeshPair(other) || stands()) {
+            return touchesAnew(other, share);
+        }
+        LeafColumn there = segment.after(share);
+        LeafTable of = view.table(other);
+        int first = of.first(other);
+        for (int j = first; j < first + of.count(other); j++) {
+            int near = segment.near(of.leaves(), j, 0);
+            for (int k = 0; k < near; k++) {
+                if (standing.isTouchedAnew(there, segment.near(k), of.leaves(), j)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     /** Whether the object, after a share of the segment, overlaps one that it does not at the start. */
     private boolean touchesAnew(int other, double share) {
         LeafColumn there = segment.after(share);
         LeafTable of = view.table(other);
         int first = of.first(other);
         for (int j = first; j < first + of.count(other); j++) {
-            for (int i = 0; i < segment.atStart.size(); i++) {
+            int near = segment.near(of.leaves(), j, 0);
+            for (int k = 0; k < near; k++) {
+                int i = segment.near(k);
                 if (standing.touchesAnew(there, i, of.leaves(), j)) {
                     // Contacts are only looked for here, as mostly there is no need of them.
                     boolean wasKnown = isStandingKnown;
@@ -887,7 +954,7 @@ public final class Motion {
     private boolean isFreeAfter(double share) {
         for (int k = 0; k < candidates.count(); k++) {
             scratch.work.take();
-            if (candidates.id(k) != obstacle && touchesAnew(candidates.id(k), share)) {
+            if (candidates.id(k) != obstacle && isAnew(candidates.id(k), share)) {
                 return false;
             }
         }
@@ -902,7 +969,7 @@ public final class Motion {
         int ownPieceMet = hitOwnPiece;
         int leafMet = hitLeaf;
         int pieceMet = hitPiece;
-        while (free > 0 && (of == BORDER ? !exit.holds(segment.exactAfter(free)) : touchesAnew(of, free))) {
+        while (free > 0 && (of == BORDER ? !exit.holds(segment.exactAfter(free)) : isAnew(of, free))) {
             free = from - step;
             step *= 2;
         }
@@ -917,7 +984,7 @@ public final class Motion {
     private double backOff(double least) {
         double free = least;
         double step = FIRST_STEP;
-        while (free > 0 && (!isFreeAfter(free) || (free < least && obstacle >= 0 && touchesAnew(obstacle, free)))) {
+        while (free > 0 && (!isFreeAfter(free) || (free < least && obstacle >= 0 && isAnew(obstacle, free)))) {
             free = least - step;
             step *= 2;
         }

@@ -14,6 +14,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
@@ -72,6 +73,17 @@ public final class MotionSegment {
 
     private final LeafColumn exact = new LeafColumn(1);
     private final double[] part = new double[6];
+
+    /** The bounds of all places of each leaf during the segment as it was scaled; not kept of a single leaf. */
+    private final LeafBoxes leavesSwept = new LeafBoxes();
+
+    /** For which scale that is so; NaN for none. */
+    private double sweptScale = Double.NaN;
+
+    /** More than a sweep of a leaf may stop early, and than a place may be rounded. */
+    private double early;
+
+    private final double[] nearBox = new double[6];
 
     private AccuracyView view;
     private ObjectLeaves form;
@@ -134,6 +146,7 @@ public final class MotionSegment {
     boolean scale(double share) {
         scaled = share;
         degrees = share * givenDegrees;
+        sweptScale = Double.NaN;
         probed = Double.NaN;
         placeAt(1, end);
         System.arraycopy(way, 0, whole, 0, 3);
@@ -157,6 +170,7 @@ public final class MotionSegment {
         axis = NO_TURN;
         scale(1);
         form.place(view.dimension, start[0], start[1], start[2], start, 3, atStart, 0);
+        sweptScale = Double.NaN;
         sweep.translation(view.dimension, 0, 0, 0);
     }
 
@@ -301,7 +315,7 @@ public final class MotionSegment {
     /** The bounds of all places of what stands for the object during the first share of the segment. */
     void sweptBox(double share, double[] out) {
         if (isRigid()) {
-            union(atStart, out);
+            sweepLeaves(out);
         } else if (view.accuracy == Accuracy.SPHERE) {
             turnBy(share);
             form.place(Dimension.SPATIAL, start[0], start[1], start[2], start, 3, probe, 0);
@@ -344,6 +358,57 @@ public final class MotionSegment {
         }
     }
 
+    private void sweepLeaves(double[] out) {
+        if (atStart.size() == 1) {
+            sweep.bounds(atStart, 0, out);
+            return;
+        }
+        sweptScale = scaled;
+        leavesSwept.clear(atStart.size(), dimension() == Dimension.PLANAR);
+        clear(out);
+        for (int leaf = 0; leaf < atStart.size(); leaf++) {
+            sweep.bounds(atStart, leaf, part);
+            leavesSwept.set(leaf, part);
+            include(part, out);
+        }
+        early = EARLY * size(out);
+    }
+
+    /** The sum of the magnitudes of the bounds of a box and of the centre at the start. */
+    private double size(double[] box) {
+        double size = Math.abs(start[0]) + Math.abs(start[1]) + Math.abs(start[2]);
+        for (double bound : box) {
+            size += Math.abs(bound);
+        }
+        return size;
+    }
+
+    /**
+     * Finds the mover's leaves that may come within a distance of a leaf of another object during the segment; see {@link
+     * #near(int)}.
+     *
+     * @return how many there are
+     */
+    int near(LeafColumn other, int leaf, double distance) {
+        if (atStart.size() == 1) {
+            return 1;
+        }
+        if (sweptScale != scaled) {
+            if (turns()) {
+                turnBy(1);
+            }
+            sweepLeaves(nearBox);
+        }
+        other.bounds(leaf, nearBox);
+        double slack = early + EARLY * size(nearBox);
+        return distance > 0 ? leavesSwept.within(nearBox, distance + slack) : leavesSwept.meeting(nearBox, slack);
+    }
+
+    /** The k-th of the leaves that may come near, in ascending order. */
+    int near(int k) {
+        return atStart.size() == 1 ? 0 : leavesSwept.found(k);
+    }
+
     private void union(LeafColumn column, double[] out) {
         clear(out);
         for (int leaf = 0; leaf < column.size(); leaf++) {
@@ -382,11 +447,7 @@ public final class MotionSegment {
      * @param more how much more to widen them, for a clearance
      */
     void around(double[] box, double[] out, double more) {
-        double size = Math.abs(start[0]) + Math.abs(start[1]) + Math.abs(start[2]);
-        for (double bound : box) {
-            size += Math.abs(bound);
-        }
-        double slack = more + (view.accuracy == Accuracy.EXACT ? STORED : EARLY) * size + Double.MIN_NORMAL;
+        double slack = more + (view.accuracy == Accuracy.EXACT ? STORED : EARLY) * size(box) + Double.MIN_NORMAL;
         for (int k = 0; k < 3; k++) {
             out[k] = box[k] - slack;
             out[3 + k] = box[3 + k] + slack;

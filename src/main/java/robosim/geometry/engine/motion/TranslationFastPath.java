@@ -12,6 +12,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.planar.DiscSweepFilter;
 import robosim.geometry.narrow.planar.PlainCells;
@@ -31,6 +32,9 @@ final class TranslationFastPath {
 
     /** More than a place loses when it is stored, as a share of its coordinates. */
     private static final double STORED = 0x1p-47;
+
+    /** More than a sweep may stop early, as a share of the coordinates. */
+    private static final double EARLY = 0x1p-19;
 
     /** More than the least float. */
     private static final double LEAST = 0x1p-140;
@@ -54,6 +58,12 @@ final class TranslationFastPath {
     private double dy;
     private double dz;
     private boolean hasProbe;
+
+    /** The bounds of the way of each leaf, where there are several. */
+    private final LeafBoxes swept = new LeafBoxes();
+
+    private final double[] part = new double[6];
+    private boolean hasSwept;
     private boolean isUnsure;
 
     // The disc around the object, and by how much it may be off.
@@ -98,6 +108,7 @@ final class TranslationFastPath {
             return UNKNOWN;
         }
         hasProbe = false;
+        hasSwept = false;
         isUnsure = false;
         enclose();
         takeSweptBox(places, at);
@@ -140,8 +151,12 @@ final class TranslationFastPath {
         LeafColumn leaves = own.leaves();
         LeafColumn theirs = table.leaves();
         int first = own.first(id);
+        sweep.translation(view.dimension, dx, dy, dz);
+        enclose(first, own.count(id));
         for (int j = table.first(other); j < table.first(other) + table.count(other); j++) {
-            for (int i = first; i < first + own.count(id); i++) {
+            int near = near(theirs, j);
+            for (int k = 0; k < near; k++) {
+                int i = first + near(k);
                 if (Overlap.test(view.dimension, leaves, i, theirs, j, s)
                         && !Overlap.isDeep(view.dimension, leaves, i, theirs, j, s)) {
                     return true;
@@ -246,18 +261,23 @@ final class TranslationFastPath {
         int others = table.first(other);
         int othersEnd = others + table.count(other);
         sweep.translation(view.dimension, dx, dy, dz);
+        enclose(first, last - first);
         for (int j = others; j < othersEnd; j++) {
-            for (int i = first; i < last; i++) {
+            int near = near(theirs, j);
+            for (int k = 0; k < near; k++) {
+                int i = first + near(k);
                 // Who touches a mesh or a grid may be stopped by its next piece only where the contacts say so.
                 isUnsure = theirs.kind(j).hasPieces() && Overlap.test(view.dimension, leaves, i, theirs, j, s);
-                if (isUnsure || sweep.free(leaves, i, theirs, j) != Double.POSITIVE_INFINITY) {
+                if (isUnsure || sweep.isBlocked(leaves, i, theirs, j, null)) {
                     return false;
                 }
             }
         }
         placeProbe();
         for (int j = others; j < othersEnd; j++) {
-            for (int i = first; i < last; i++) {
+            int near = near(theirs, j);
+            for (int k = 0; k < near; k++) {
+                int i = first + near(k);
                 if (Overlap.test(view.dimension, probe, i - first, theirs, j, s)) {
                     // Each face of a mesh and each cell of a grid is a piece of its own, any of which may be touched
                     // anew.
@@ -269,6 +289,35 @@ final class TranslationFastPath {
             }
         }
         return true;
+    }
+
+    /** Bounds the way of each leaf, where there are several. */
+    private void enclose(int first, int count) {
+        if (count > 1 && !hasSwept) {
+            hasSwept = true;
+            swept.clear(count, view.dimension == Dimension.PLANAR);
+            for (int k = 0; k < count; k++) {
+                sweep.bounds(own.leaves(), first + k, part);
+                swept.set(k, part);
+            }
+        }
+    }
+
+    /** Finds the leaves that may meet one of another object on the way or at its end. */
+    private int near(LeafColumn theirs, int leaf) {
+        if (!hasSwept) {
+            return 1;
+        }
+        theirs.bounds(leaf, part);
+        double size = ownSize + Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+        for (double bound : part) {
+            size += Math.abs(bound);
+        }
+        return swept.meeting(part, EARLY * size);
+    }
+
+    private int near(int k) {
+        return hasSwept ? swept.found(k) : 0;
     }
 
     private boolean endsInside() {

@@ -8,6 +8,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** The least distance of an object to any other in a world. */
@@ -20,6 +21,11 @@ public final class ProximityQuery {
 
     /** What stands for the object whose distance to others is asked. */
     private final LeafColumn own = new LeafColumn(1);
+
+    /** The bounds of its leaves, where there are several. */
+    private final LeafBoxes ownBoxes = new LeafBoxes();
+
+    private final double[] otherBox = new double[6];
 
     /** And its bounds. */
     private final double[] box = new double[6];
@@ -40,6 +46,9 @@ public final class ProximityQuery {
         own.clear();
         own.appendWhole(home.leaves(), home.first(id), home.count(id));
         dimension = view.dimension;
+        if (own.size() > 1) {
+            ownBoxes.setAll(own, 0, own.size(), dimension == Dimension.PLANAR);
+        }
         isCoarse = view.accuracy != Accuracy.EXACT;
         best = Double.POSITIVE_INFINITY;
         search.search(view, box, limit, id);
@@ -54,14 +63,25 @@ public final class ProximityQuery {
         }
         int first = table.first(other);
         int last = first + table.count(other);
-        for (int i = 0; i < own.size(); i++) {
-            for (int j = first; j < last; j++) {
+        for (int j = first; j < last; j++) {
+            int near = near(table, j, Distance.reach(Math.min(reach, best), sizes));
+            for (int k = 0; k < near; k++) {
+                int i = own.size() == 1 ? 0 : ownBoxes.found(k);
                 double limit = isCoarse ? Math.min(far, Distance.reach(best, sizes)) : Math.min(reach, best);
                 double found = distance.between(dimension, own, i, table.leaves(), j, limit);
                 best = Math.min(best, isCoarse ? Distance.ofEnclosures(found, sizes) : found);
             }
         }
         return Math.min(reach, best);
+    }
+
+    /** Finds the own leaves that may be so near to another leaf. */
+    private int near(LeafTable table, int leaf, double far) {
+        if (own.size() == 1) {
+            return 1;
+        }
+        table.leaves().bounds(leaf, otherBox);
+        return ownBoxes.within(otherBox, far);
     }
 
     static double sides(LeafTable table, int other) {

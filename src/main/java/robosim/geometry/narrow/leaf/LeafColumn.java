@@ -207,6 +207,15 @@ public final class LeafColumn {
         return LeafKind.of(isUpright(leaf) ? upright.code(leaf ^ UPRIGHT) : kinds[leaf]);
     }
 
+    /** The kinds of several leaves: for each that there is, the bit of its code. */
+    public int kinds(int first, int count) {
+        int kinds = 0;
+        for (int leaf = first; leaf < first + count; leaf++) {
+            kinds |= 1 << kind(leaf).code();
+        }
+        return kinds;
+    }
+
     public void setKind(int leaf, LeafKind kind) {
         kinds[leaf] = kind.code();
     }

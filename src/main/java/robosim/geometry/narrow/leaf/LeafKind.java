@@ -115,6 +115,11 @@ public enum LeafKind {
         return ALL[code];
     }
 
+    /** The first of several kinds: see {@link LeafColumn#kinds}. */
+    public static LeafKind first(int kinds) {
+        return ALL[Integer.numberOfTrailingZeros(kinds)];
+    }
+
     /** The kind as a byte, at least 0; of this build only, never stored. */
     @SuppressWarnings("EnumOrdinal")
     byte code() {

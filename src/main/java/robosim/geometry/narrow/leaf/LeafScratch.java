@@ -19,6 +19,17 @@ public final class LeafScratch {
     private @Nullable GridWalk cells;
     private @Nullable GridWalk cellsOfGrid;
 
+    private @Nullable LeafBoxes parts;
+
+    /** The bounds of the leaves of an object that has several. */
+    public LeafBoxes parts() {
+        LeafBoxes made = parts == null ? new LeafBoxes() : parts;
+        parts = made;
+        return made;
+    }
+
+    public final double[] partBox = new double[6];
+
     /** Walks a grid for a leaf of a kind: another one than for its cells where that is a grid, too. */
     public GridWalk cells(LeafKind kind) {
         GridWalk walk = kind.isGrid() ? cellsOfGrid : cells;

@@ -16,6 +16,7 @@ public final class MeshScratch {
 
     private @Nullable MeshPairs meshPairs;
     private @Nullable ContactPairs pairs;
+    private @Nullable MeshSweep sweep;
 
     public MeshScratch(DistanceScratch distance, OverlapScratch overlap, LeafScratch leaf) {
         this.distance = distance;
@@ -29,6 +30,14 @@ public final class MeshScratch {
             meshPairs = new MeshPairs(overlap);
         }
         return meshPairs;
+    }
+
+    /** Descends a mesh that is translated and one at rest at once. */
+    public MeshSweep sweep() {
+        if (sweep == null) {
+            sweep = new MeshSweep(leaf);
+        }
+        return sweep;
     }
 
     /** Descends the projections of two meshes at once. */

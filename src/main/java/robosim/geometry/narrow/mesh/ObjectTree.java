@@ -86,6 +86,11 @@ final class ObjectTree {
         return (int) (place >> 32);
     }
 
+    /** Of a triangle, its position in the order of the leaves. */
+    static int position(long place) {
+        return ~code(place);
+    }
+
     private static int code(long place) {
         return (int) place;
     }

@@ -21,6 +21,9 @@ public final class MovingAxes {
     private static final double SMALL = 0x1p-900;
     private static final int MOST = 96;
 
+    /** Takes more off a time than its rounding. */
+    private static final double SURE = 1 - 0x1p-48;
+
     /** Below this, the squares of normals would underflow. */
     private static final double MINUTE = 0x1p-200;
 
@@ -46,6 +49,24 @@ public final class MovingAxes {
     private double mx;
     private double my;
     private double mz;
+
+    /** A contact after this does not matter and counts as none. */
+    private double latest = Double.POSITIVE_INFINITY;
+
+    /** Whether it only matters that two meet, not when. */
+    private boolean isVerdictEnough;
+
+    /**
+     * Sets what matters of the next times.
+     *
+     * @param isVerdict whether any time will do where the two meet
+     * @param until a contact after this counts as none
+     */
+    public MovingAxes needing(boolean isVerdict, double until) {
+        isVerdictEnough = isVerdict;
+        latest = until;
+        return this;
+    }
 
     /** As {@code PlanarSweep.translation}; NaN where pairs of doubles cannot tell. */
     public double time(AxisBody.Mode mode, Leaf a, double moveX, double moveY, double moveZ, Leaf b) {
@@ -78,6 +99,9 @@ public final class MovingAxes {
         }
         if (!decide()) {
             return verdict;
+        }
+        if (isVerdictEnough) {
+            return Math.min(1, earliest);
         }
         fine.load(mode, a, b, ox, oy, oz);
         fine.move(dx, dy, dz, mx + my + mz);
@@ -226,8 +250,9 @@ public final class MovingAxes {
             return false;
         }
         earliest = enterLo;
-        verdict = enterLo > 1 || enterLo > leaveHi ? Double.POSITIVE_INFINITY : Double.NaN;
-        return enterHi <= 1 && enterHi <= leaveLo;
+        boolean isLate = enterLo * SURE > latest;
+        verdict = isLate || enterLo > 1 || enterLo > leaveHi ? Double.POSITIVE_INFINITY : Double.NaN;
+        return !isLate && enterHi <= 1 && enterHi <= leaveLo;
     }
 
     /** The latest time at which the gap in a direction may close. */

@@ -3,7 +3,6 @@ package robosim.geometry.narrow.sweep;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.sat.AxisBody;
-import robosim.geometry.narrow.sat.ExactAxes;
 
 /** The motion of one leaf's projection on XZ against another's at rest. */
 public final class PlanarSweep {
@@ -26,8 +25,7 @@ public final class PlanarSweep {
         }
         if (a.kind.isPolytope()) {
             if (b.kind.isPolytope()) {
-                double time = s.sweep().axes.time(AxisBody.Mode.PLANAR, a, dx, 0, dz, b);
-                return Double.isNaN(time) ? ExactAxes.time(AxisBody.Mode.PLANAR, a, dx, 0, dz, b) : time;
+                return s.polytopes(AxisBody.Mode.PLANAR, a, dx, 0, dz, b);
             }
             if (b.kind.isDisc()) {
                 return disc(b, -dx, -dz, a, s);

@@ -7,7 +7,6 @@ import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.leaf.UprightLeaves;
 import robosim.geometry.narrow.overlap.HeightIntervals;
 import robosim.geometry.narrow.sat.AxisBody;
-import robosim.geometry.narrow.sat.ExactAxes;
 
 /** The motion of one leaf against another at rest, in space. */
 public final class SpatialSweep {
@@ -35,8 +34,7 @@ public final class SpatialSweep {
         if (a.kind.isPolytope() && b.kind.isPolytope()) {
             boolean upright = a.kind.isVerticalPrism() && b.kind.isVerticalPrism();
             AxisBody.Mode mode = upright ? AxisBody.Mode.UPRIGHT : AxisBody.Mode.SPATIAL;
-            double time = s.sweep().axes.time(mode, a, dx, dy, dz, b);
-            return Double.isNaN(time) ? ExactAxes.time(mode, a, dx, dy, dz, b) : time;
+            return s.polytopes(mode, a, dx, dy, dz, b);
         }
         if (a.kind.isVerticalPrism() && b.kind.isVerticalPrism()) {
             return a.kind.isRound() ? cylinder(a, dx, dy, dz, b, s) : cylinder(b, -dx, -dy, -dz, a, s);

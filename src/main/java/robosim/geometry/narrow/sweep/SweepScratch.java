@@ -1,9 +1,12 @@
 package robosim.geometry.narrow.sweep;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.overlap.OverlapScratch;
+import robosim.geometry.narrow.sat.AxisBody;
+import robosim.geometry.narrow.sat.ExactAxes;
 import robosim.geometry.narrow.sat.MovingAxes;
 
 /** The working memory of sweeps. */
@@ -11,11 +14,32 @@ public final class SweepScratch {
     public final OverlapScratch overlap;
     public final LeafScratch leaf;
 
+    /** What a straight sweep of two polytopes is asked for. */
+    public enum Need {
+        /** When they meet. */
+        TIME,
+        /** Whether they meet: any time will do. */
+        VERDICT,
+        /** Whether doubles show that they meet: NaN where they cannot tell. */
+        SURE_VERDICT
+    }
+
+    public Need need = Need.TIME;
+
+    /** A contact after this does not matter and may count as none. */
+    public double latest = Double.POSITIVE_INFINITY;
+
     private @Nullable Kernels sweep;
 
     public SweepScratch(OverlapScratch overlap, LeafScratch leaf) {
         this.overlap = overlap;
         this.leaf = leaf;
+    }
+
+    /** When two polytopes meet: as {@link PlanarSweep#translation} and {@link SpatialSweep#translation}, as far as that is needed. */
+    double polytopes(AxisBody.Mode mode, Leaf a, double dx, double dy, double dz, Leaf b) {
+        double time = sweep().axes.needing(need != Need.TIME, latest).time(mode, a, dx, dy, dz, b);
+        return Double.isNaN(time) && need != Need.SURE_VERDICT ? ExactAxes.time(mode, a, dx, dy, dz, b) : time;
     }
 
     public Kernels sweep() {
