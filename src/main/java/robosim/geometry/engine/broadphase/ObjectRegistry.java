@@ -186,6 +186,7 @@ public final class ObjectRegistry {
     private AccuracyView at(Accuracy asked, Dimension seen) {
         for (AccuracyView each : views) {
             if (each.accuracy == asked && each.dimension == seen) {
+                each.catchUp(objects);
                 return each;
             }
         }
@@ -300,6 +301,7 @@ public final class ObjectRegistry {
 
     void remove(int id) {
         for (AccuracyView each : views) {
+            each.catchUp(objects);
             each.own.remove(id);
         }
         objects.remove(id);
@@ -329,9 +331,8 @@ public final class ObjectRegistry {
     public void shift(int id, double[] centre) {
         noteMove(id);
         objects.shift(id, centre);
-        for (AccuracyView each : views) {
-            each.own.shift(id, objects.places(), objects.place(id));
-        }
+        view.own.shift(id, objects.places(), objects.place(id));
+        noteMoved(id);
     }
 
     private void noteMove(int id) {
@@ -341,8 +342,14 @@ public final class ObjectRegistry {
     }
 
     private void moved(int id) {
-        for (AccuracyView each : views) {
-            each.own.move(id, objects.places(), objects.place(id));
+        view.own.move(id, objects.places(), objects.place(id));
+        noteMoved(id);
+    }
+
+    /** Other views than the world's own follow when they are asked. */
+    private void noteMoved(int id) {
+        for (int k = 1; k < views.length; k++) {
+            views[k].noteMoved(id);
         }
     }
 
