@@ -1,8 +1,10 @@
 package robosim.geometry.engine.broadphase;
 
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.index.ArrayGrowth;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -20,6 +22,12 @@ public final class AccuracyView {
     /** The static objects that are shared with other worlds; null where there are none. */
     @Nullable
     LeafTable shared;
+
+    /** The objects that were moved since this view was asked last, each once, and a bit for each. */
+    private int[] late = new int[0];
+
+    private long[] isLate = new long[0];
+    private int lateCount;
 
     AccuracyView(
             ObjectTable objects,
@@ -44,6 +52,31 @@ public final class AccuracyView {
     public LeafTable table(int id) {
         LeafTable other = shared;
         return other != null && ObjectTable.isShared(id) ? other : own;
+    }
+
+    /** Notes that an object was moved: it is put where it stands before the view is asked next. */
+    void noteMoved(int id) {
+        int word = id >> 6;
+        if (word >= isLate.length) {
+            isLate = Arrays.copyOf(isLate, ArrayGrowth.of(word));
+        }
+        if ((isLate[word] & 1L << id) == 0) {
+            isLate[word] |= 1L << id;
+            if (lateCount == late.length) {
+                late = Arrays.copyOf(late, ArrayGrowth.of(lateCount));
+            }
+            late[lateCount++] = id;
+        }
+    }
+
+    /** Puts all objects where they stand. */
+    void catchUp(ObjectTable objects) {
+        for (int k = 0; k < lateCount; k++) {
+            int id = late[k];
+            isLate[id >> 6] = 0;
+            own.move(id, objects.places(), objects.place(id));
+        }
+        lateCount = 0;
     }
 
     /** Adds an object under an id that it already has in the world. */

@@ -2,10 +2,10 @@ package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.objects.LeafRanges;
+import robosim.geometry.engine.objects.Forms;
 import robosim.geometry.engine.objects.ObjectLeaves;
+import robosim.geometry.engine.objects.LeafRanges;
 import robosim.geometry.engine.objects.ObjectTable;
-import robosim.geometry.exact.Attitude;
 import robosim.geometry.index.ArrayGrowth;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.QuadTree;
@@ -13,7 +13,6 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -66,6 +65,9 @@ public final class LeafTable {
     /** How to place a moveable object; null until it is first needed. */
     private @Nullable ObjectLeaves[] forms = new ObjectLeaves[0];
 
+    /** The forms of objects that need not be here. */
+    private final Forms made;
+
     /** What is known of each object beforehand: a sum of the bits below. */
     private byte[] shapes;
 
@@ -87,7 +89,6 @@ public final class LeafTable {
     private final ObjectTable objects;
     private final LeafColumn incoming = new LeafColumn(1);
     private final double[] box = new double[6];
-    private final double[] attitude = new double[Attitude.STRIDE];
 
     LeafTable(ObjectTable objects, Accuracy accuracy, Dimension dimension, double width, double length) {
         this.objects = objects;
@@ -99,6 +100,7 @@ public final class LeafTable {
         spans = new LeafRanges();
         shapes = new byte[ArrayGrowth.FIRST];
         this.accuracy = accuracy;
+        made = new Forms(accuracy);
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
         cursor = tree.cursor();
@@ -110,6 +112,7 @@ public final class LeafTable {
     private LeafTable(LeafTable of) {
         objects = of.objects;
         accuracy = of.accuracy;
+        made = new Forms(accuracy);
         dimension = of.dimension;
         extent = of.extent;
         isFlat = of.isFlat;
@@ -146,16 +149,7 @@ public final class LeafTable {
             LocalLeaves.placed(object, column);
             return;
         }
-        ObjectLeaves form = new ObjectLeaves(object, accuracy);
-        column.clear();
-        column.append(form.size());
-        placeForm(form, object, column, 0);
-    }
-
-    private void placeForm(ObjectLeaves form, GeometryObject object, LeafColumn column, int firstLeaf) {
-        object.pose().attitude(attitude, 0);
-        Point c = object.center();
-        form.place(dimension, c.x(), c.y(), c.z(), attitude, 0, column, firstLeaf);
+        made.place(dimension, object, column);
     }
 
     /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
@@ -395,7 +389,7 @@ public final class LeafTable {
             if (id >= forms.length) {
                 forms = Arrays.copyOf(forms, shapes.length);
             }
-            form = new ObjectLeaves(objects.value(id), accuracy);
+            form = accuracy == Accuracy.EXACT ? new ObjectLeaves(objects.value(id), accuracy) : made.of(objects.value(id));
             forms[id] = form;
         }
         return form;

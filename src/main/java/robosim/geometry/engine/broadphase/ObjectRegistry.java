@@ -210,6 +210,7 @@ public final class ObjectRegistry {
     private AccuracyView at(Accuracy asked, Dimension seen) {
         for (AccuracyView each : views) {
             if (each.accuracy == asked && each.dimension == seen) {
+                each.catchUp(objects);
                 return each;
             }
         }
@@ -324,6 +325,7 @@ public final class ObjectRegistry {
 
     void remove(int id) {
         for (AccuracyView each : views) {
+            each.catchUp(objects);
             each.own.remove(id);
         }
         objects.remove(id);
@@ -353,9 +355,8 @@ public final class ObjectRegistry {
     public void shift(int id, double[] centre) {
         noteMove(id);
         objects.shift(id, centre);
-        for (AccuracyView each : views) {
-            each.own.shift(id, objects.places(), objects.place(id));
-        }
+        view.own.shift(id, objects.places(), objects.place(id));
+        noteMoved(id);
     }
 
     private void noteMove(int id) {
@@ -365,8 +366,14 @@ public final class ObjectRegistry {
     }
 
     private void moved(int id) {
-        for (AccuracyView each : views) {
-            each.own.move(id, objects.places(), objects.place(id));
+        view.own.move(id, objects.places(), objects.place(id));
+        noteMoved(id);
+    }
+
+    /** Other views than the world's own follow when they are asked. */
+    private void noteMoved(int id) {
+        for (int k = 1; k < views.length; k++) {
+            views[k].noteMoved(id);
         }
     }
 

@@ -266,7 +266,7 @@ public final class Motion {
     private TranslationFastPath straight() {
         TranslationFastPath made = straight;
         if (made == null) { // writing a reference in each move is slow
-            made = new TranslationFastPath(objects, worldBounds, scratch);
+            made = new TranslationFastPath(registry, scratch);
             straight = made;
         }
         return made;

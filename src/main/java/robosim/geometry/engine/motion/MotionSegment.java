@@ -45,7 +45,7 @@ public final class MotionSegment {
     private static final double STORED = 0x1p-42;
 
     /** More than a sweep of the objects themselves may stop early, as a share of their coordinates; see docs/numerics.md. */
-    private static final double EARLY = 0x1p-19;
+    static final double EARLY = 0x1p-19;
 
     private static final int PLACE = ObjectTable.PLACE;
 

@@ -1,19 +1,25 @@
 package robosim.geometry.engine.motion;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.BoxQuery;
 import robosim.geometry.engine.broadphase.LeafTable;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.Enclosure;
 import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.planar.DiscSweepFilter;
 import robosim.geometry.narrow.planar.PlainCells;
 
@@ -39,6 +45,7 @@ final class TranslationFastPath {
     /** More than the least float. */
     private static final double LEAST = 0x1p-140;
 
+    private final ObjectRegistry registry;
     private final ObjectTable objects;
     private final BoxQuery query;
     private final WorldBounds worldBounds;
@@ -77,10 +84,31 @@ final class TranslationFastPath {
 
     private boolean ownIsDisc;
 
+    /** Whether enclosures are asked about: then the objects in them must pass too. */
+    private boolean isCoarse;
+
+    /** The enclosure at the start, wide enough to hold whatever the object itself may be stopped before. */
+    private final LeafColumn wide = new LeafColumn(1);
+
+    private boolean hasWide;
+
+    /** By how much it is wider. */
+    private double margin;
+
+    /** Asks about the objects themselves; null until a move at an accuracy below EXACT first needs it. */
+    private @Nullable TranslationFastPath shapes;
+
+    private boolean hasShapes;
+    private boolean isKnown;
+    private double givenX;
+    private double givenY;
+    private double givenZ;
+
     @SuppressWarnings("NullAway.Init") // a question sets its view
-    TranslationFastPath(ObjectTable objects, WorldBounds worldBounds, Scratch scratch) {
-        this.objects = objects;
-        this.worldBounds = worldBounds;
+    TranslationFastPath(ObjectRegistry registry, Scratch scratch) {
+        this.registry = registry;
+        objects = registry.objects;
+        worldBounds = registry.worldBounds;
         s = scratch;
         sweep = new Sweep(scratch);
         query = new BoxQuery(objects);
@@ -93,25 +121,9 @@ final class TranslationFastPath {
 
     /** Whether an object may go by a displacement in the world's axes: {@link #FREE}, {@link #BLOCKED} or {@link #UNKNOWN}. */
     int find(AccuracyView inView, int mover, double x, double y, double z) {
-        view = inView;
-        own = inView.table(mover);
-        id = mover;
-        if (!view.keepsShape(mover)) {
+        if (!begin(inView, mover, x, y, z) || (dx == 0 && dy == 0 && dz == 0)) {
             return UNKNOWN;
         }
-        double[] places = objects.places();
-        int at = objects.place(mover);
-        dx = advance(places, at, 0, x);
-        dy = advance(places, at, 1, y);
-        dz = advance(places, at, 2, z);
-        if (dx == 0 && dy == 0 && dz == 0) {
-            return UNKNOWN;
-        }
-        hasProbe = false;
-        hasSwept = false;
-        isUnsure = false;
-        enclose();
-        takeSweptBox(places, at);
         if (!worldBounds.clearlyHolds(box) && !endsInside()) {
             return BLOCKED;
         }
@@ -119,16 +131,108 @@ final class TranslationFastPath {
         for (int k = 0; k < count; k++) {
             int other = query.gathered(k);
             LeafTable table = view.table(other);
-            int quick = isGrid(table, other) ? pastCells(table, other) : quickly(table, other);
-            if (quick == DiscSweepFilter.MET) {
-                return BLOCKED;
-            }
-            if (quick == DiscSweepFilter.UNSURE && table.overlaps(other, box) && !passes(table, other)) {
-                // What it stands on may have a say, if not where the insides meet: see Standing.
-                return isUnsure || touches() ? UNKNOWN : BLOCKED;
+            int one = isCoarse ? coarsely(table, other) : exactly(table, other);
+            if (one != FREE) {
+                return one;
             }
         }
         return FREE;
+    }
+
+    /** Takes a move; false where only {@link Motion} can tell about it. */
+    private boolean begin(AccuracyView inView, int mover, double x, double y, double z) {
+        view = inView;
+        own = inView.table(mover);
+        id = mover;
+        givenX = x;
+        givenY = y;
+        givenZ = z;
+        isCoarse = view.accuracy != Accuracy.EXACT;
+        if (!isCoarse && !view.keepsShape(mover)) {
+            return false;
+        }
+        double[] places = objects.places();
+        int at = objects.place(mover);
+        dx = advance(places, at, 0, x);
+        dy = advance(places, at, 1, y);
+        dz = advance(places, at, 2, z);
+        hasProbe = false;
+        hasSwept = false;
+        hasWide = false;
+        hasShapes = false;
+        isUnsure = false;
+        enclose();
+        takeSweptBox(places, at);
+        return true;
+    }
+
+    /** Whether the object passes another one whose bounds may meet those of its path. */
+    private int exactly(LeafTable table, int other) {
+        int quick = isGrid(table, other) ? pastCells(table, other) : quickly(table, other, isDiscs(table, other));
+        if (quick == DiscSweepFilter.MET) {
+            return BLOCKED;
+        }
+        return quick == DiscSweepFilter.CLEAR || !table.overlaps(other, box) || passes(table, other) ? FREE : refusal();
+    }
+
+    /** What stands on something may have leave to go on, if not where the insides meet: see {@link StartContacts}. */
+    private int refusal() {
+        return isUnsure || touches() ? UNKNOWN : BLOCKED;
+    }
+
+    /** The same for enclosures, and for the objects in them. */
+    private int coarsely(LeafTable table, int other) {
+        if (quickly(table, other, false) == DiscSweepFilter.CLEAR || !table.overlaps(other, box)) {
+            return FREE;
+        }
+        if (isGrid(table, other)) {
+            return UNKNOWN;
+        }
+        if (isDiscs(table, other) && quickly(table, other, true) == DiscSweepFilter.MET) {
+            return BLOCKED;
+        }
+        if (passesWidely(table, other)) {
+            return FREE;
+        }
+        if (!passes(table, other)) {
+            return refusal();
+        }
+        TranslationFastPath exact = shapes();
+        return exact != null && exact.exactly(exact.view.table(other), other) == FREE ? FREE : UNKNOWN;
+    }
+
+    /**
+     * Whether the enclosure, made so much wider that the object itself is not stopped either, is apart from another one and
+     * stays so.
+     */
+    private boolean passesWidely(LeafTable table, int other) {
+        if (!hasWide) {
+            hasWide = true;
+            wide.clear();
+            wide.append(1);
+            Enclosure.widen(own.leaves(), own.first(id), margin, wide);
+        }
+        LeafColumn theirs = table.leaves();
+        int leaf = table.first(other);
+        if (Overlap.test(view.dimension, wide, 0, theirs, leaf, s)) {
+            return false;
+        }
+        sweep.translation(view.dimension, dx, dy, dz);
+        return sweep.free(wide, 0, theirs, leaf) == Double.POSITIVE_INFINITY;
+    }
+
+    /** The same move of the object itself; null where only {@link Motion} can tell about it. */
+    private @Nullable TranslationFastPath shapes() {
+        TranslationFastPath made = shapes;
+        if (made == null) {
+            made = new TranslationFastPath(registry, s);
+            shapes = made;
+        }
+        if (!hasShapes) {
+            hasShapes = true;
+            isKnown = made.begin(registry.at(Accuracy.EXACT), id, givenX, givenY, givenZ);
+        }
+        return isKnown ? made : null;
     }
 
     /** Whether the object touches another one where it is, and does not overlap it so deeply that it has no say. */
@@ -184,7 +288,12 @@ final class TranslationFastPath {
         double place = Math.abs(places[at]) + Math.abs(places[at + 1]) + Math.abs(places[at + 2]);
         double way = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
         double heights = Math.abs(b[k + 1]) + Math.abs(b[k + 4]);
-        double slack = STORED * ((ownSize + heights) + (place + (way + way))) + Double.MIN_NORMAL;
+        double size = (ownSize + heights) + (place + (way + way));
+        if (isCoarse) {
+            margin = MotionSegment.EARLY * size;
+            ownSlack += margin;
+        }
+        double slack = (isCoarse ? MotionSegment.EARLY : STORED) * size + Double.MIN_NORMAL;
         box[0] = b[k] + Math.min(0, dx) - slack;
         box[1] = b[k + 1] + Math.min(0, dy) - slack;
         box[2] = b[k + 2] + Math.min(0, dz) - slack;
@@ -230,11 +339,16 @@ final class TranslationFastPath {
         ownSlack = 0x1p-50 * ownSize + LEAST;
     }
 
+    /** Whether both are discs and no more; who meets as seen from above may be higher or lower where heights count. */
+    private boolean isDiscs(LeafTable table, int other) {
+        return ownIsDisc && view.dimension == Dimension.PLANAR && table.isDisc(other);
+    }
+
     /**
      * What doubles can tell, as seen from above, of the discs around the object and around the bounds of another: a disc's
      * own, or that through the corners.
      */
-    private int quickly(LeafTable table, int other) {
+    private int quickly(LeafTable table, int other, boolean isAll) {
         double[] bounds = table.bounds();
         int at = table.boundsAt(other);
         double minX = bounds[at];
@@ -248,8 +362,6 @@ final class TranslationFastPath {
         double slack = 0x1p-50 * (Math.abs(minX) + Math.abs(maxX) + Math.abs(minZ) + Math.abs(maxZ)) + ownSlack;
         double qx = 0.5 * minX + 0.5 * maxX - ownX;
         double qz = 0.5 * minZ + 0.5 * maxZ - ownZ;
-        // Who meets as seen from above may be higher or lower.
-        boolean isAll = isDisc && ownIsDisc && view.dimension == Dimension.PLANAR;
         return DiscSweepFilter.past(qx, qz, dx, dz, ownRadius + radius, slack, isAll);
     }
 
@@ -321,7 +433,14 @@ final class TranslationFastPath {
     }
 
     private boolean endsInside() {
-        placeProbe();
+        if (isCoarse) { // the border is that of the object itself
+            LocalLeaves shape = view.form(id).own;
+            probe.clear();
+            probe.append(shape.size());
+            shape.place(end[0], end[1], end[2], objects.places(), objects.place(id) + 3, probe, 0);
+        } else {
+            placeProbe();
+        }
         return worldBounds.holds(probe, 0, probe.size());
     }
 

@@ -11,18 +11,17 @@ import robosim.geometry.narrow.leaf.LocalLeaves;
 /** The leaves that stand for an object at one accuracy, in the object's own frame, ready to be placed. */
 public final class ObjectLeaves {
     public final LocalLeaves own;
-    private final Accuracy accuracy;
     private final @Nullable Enclosure enclosure;
-    private final @Nullable LeafColumn exact;
 
     public ObjectLeaves(GeometryObject object, Accuracy accuracy) {
-        this.accuracy = accuracy;
         own = LocalLeaves.of(object);
-        enclosure = accuracy == Accuracy.EXACT ? null : new Enclosure(own);
-        exact = accuracy == Accuracy.EXACT ? null : new LeafColumn(own.size());
-        if (exact != null) {
-            exact.append(own.size());
-        }
+        enclosure = accuracy == Accuracy.EXACT ? null : new Enclosure(accuracy, own);
+    }
+
+    /** The form of an object of the same shape, for places of its own. */
+    ObjectLeaves(ObjectLeaves of) {
+        own = of.own;
+        enclosure = of.enclosure == null ? null : new Enclosure(of.enclosure);
     }
 
     /** The number of leaves that stand for the object. */
@@ -40,11 +39,19 @@ public final class ObjectLeaves {
             int at,
             LeafColumn column,
             int firstLeaf) {
-        if (enclosure == null || exact == null) {
+        if (enclosure == null) {
             own.place(cx, cy, cz, rotation, at, column, firstLeaf);
         } else {
-            own.place(cx, cy, cz, rotation, at, exact, 0);
-            enclosure.place(accuracy, as, exact, cx, cy, cz, rotation, at, column, firstLeaf);
+            enclosure.place(as, cx, cy, cz, rotation, at, column, firstLeaf);
+        }
+    }
+
+    /** Sets a column to what stands for an object given by sizes, where it stands; this becomes its form. */
+    void placeSized(Dimension as, GeometryObject object, LeafColumn column) {
+        if (enclosure == null) {
+            LocalLeaves.placed(object, column);
+        } else {
+            enclosure.placeSized(as, object, column, column.append(1));
         }
     }
 }

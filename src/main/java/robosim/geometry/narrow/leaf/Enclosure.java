@@ -1,11 +1,15 @@
 package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.model.TriangleMesh;
 
 /**
@@ -21,45 +25,116 @@ public final class Enclosure {
 
     private static final double ROOT_TWO = 1.4142135623730951; // rounded up: the root of two is below
 
+    private static final double[] IDENTITY = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+    private final Accuracy accuracy;
     private final LocalLeaves leaves;
 
-    /** Minimum and maximum along the object's own axes. */
+    /** The leaves at the place in question, in a column of their own. */
+    private final LeafColumn placed = new LeafColumn(1);
+
+    /** Minimum and maximum along the object's own axes; for levels that turn with it. */
     private final double[] box = new double[6];
 
-    private final double radius;
-    private final double levelRadius;
+    /** Negative until it is first needed. */
+    private double radius;
 
-    /** Measures an object in its own frame, once. */
-    public Enclosure(LocalLeaves own) {
+    private double levelRadius;
+
+    /** Whether one leaf without triangles is enclosed, which takes no longer to place than to look up. */
+    private final boolean isSimple;
+
+    /** For the corners of meshes that lie farthest out; null until the first. */
+    private @Nullable MeshWalk walk;
+
+    /** The attitude in which {@link #around} holds the object; NaN before the first. */
+    private final double[] attitude = new double[9];
+
+    /**
+     * What holds the object in that attitude about its centre: pairs of bounds of x, z, x + z, x - z and y, the sums for
+     * prisms only.
+     */
+    private final double[] around = new double[10];
+
+    private final double[] part = new double[6];
+    private final double[] ownAttitude = new double[Attitude.STRIDE];
+
+    /** Measures an object in its own frame, as far as the accuracy needs that. */
+    public Enclosure(Accuracy accuracy, LocalLeaves own) {
+        this.accuracy = accuracy;
         leaves = own;
-        LeafColumn column = own.own();
-        double[] part = new double[6];
+        isSimple = own.size() == 1 && !own.hasMesh();
+        placed.append(own.size());
+        measure();
+    }
+
+    /** The enclosure of an object of the same shape, which need not be measured again. */
+    public Enclosure(Enclosure of) {
+        accuracy = of.accuracy;
+        leaves = of.leaves;
+        isSimple = of.isSimple;
+        placed.append(leaves.size());
+        System.arraycopy(of.box, 0, box, 0, 6);
+        radius = of.radius;
+        levelRadius = of.levelRadius;
+        System.arraycopy(of.attitude, 0, attitude, 0, 9);
+        System.arraycopy(of.around, 0, around, 0, 10);
+    }
+
+    /** Measures the leaves, which have changed. */
+    void measure() {
+        attitude[0] = Double.NaN;
+        if (accuracy == Accuracy.AABB || accuracy == Accuracy.DOP) {
+            return; // these are taken from the leaves as placed
+        }
+        radius = -1;
+        levelRadius = -1;
+        LeafColumn column = leaves.own();
         Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
         Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
         for (int leaf = 0; leaf < column.size(); leaf++) {
-            bounds(column, leaf, part);
-            for (int k = 0; k < 3; k++) {
-                box[k] = Math.min(box[k], part[k]);
-                box[3 + k] = Math.max(box[3 + k], part[3 + k]);
+            if (column.kind(leaf).isMesh()) {
+                walk().tightBounds(column, leaf, part);
+            } else {
+                LeafBounds.of(column.kind(leaf), column.rows(), leaf * Leaf.STRIDE, part);
             }
+            include(part, box);
         }
-        double farthest = 0;
-        double farthestLevel = 0;
-        for (int leaf = 0; leaf < column.size(); leaf++) {
-            farthest = Math.max(farthest, reach(column, leaf, false));
-            farthestLevel = Math.max(farthestLevel, reach(column, leaf, true));
-        }
-        double widen = WIDEN * size() + UNDERFLOW;
-        radius = farthest + widen;
-        levelRadius = farthestLevel + widen;
     }
 
-    private static void bounds(LeafColumn column, int leaf, double[] out) {
-        if (column.kind(leaf).isMesh()) {
-            new MeshWalk(new WorkCounter()).tightBounds(column, leaf, out);
-        } else {
-            LeafBounds.of(column.kind(leaf), column.rows(), leaf * Leaf.STRIDE, out);
+    private static void include(double[] one, double[] all) {
+        for (int k = 0; k < 3; k++) {
+            all[k] = Math.min(all[k], one[k]);
+            all[3 + k] = Math.max(all[3 + k], one[3 + k]);
         }
+    }
+
+    private MeshWalk walk() {
+        MeshWalk made = walk;
+        if (made == null) {
+            made = new MeshWalk(new WorkCounter());
+            walk = made;
+        }
+        return made;
+    }
+
+    /** The radius about the middle of the box, in all directions or only horizontally. */
+    private double radius(boolean level) {
+        double known = level ? levelRadius : radius;
+        if (known < 0) {
+            double farthest = 0;
+            LeafColumn column = leaves.own();
+            for (int leaf = 0; leaf < column.size(); leaf++) {
+                farthest = Math.max(farthest, reach(column, leaf, level));
+            }
+            known = farthest + (WIDEN * size() + UNDERFLOW);
+            if (level) {
+                levelRadius = known;
+            } else {
+                radius = known;
+            }
+        }
+        return known;
     }
 
     private double middle(int axis) {
@@ -119,6 +194,9 @@ public final class Enclosure {
     }
 
     private double boxReach(double[] row, int at, boolean level) {
+        if (isInOwnFrame(row, at)) { // all corners are as far
+            return VectorMath.anyLength(row[at + 3], level ? 0 : row[at + 4], row[at + 5]);
+        }
         double[] offset = new double[3];
         double farthest = 0;
         for (int corner = 0; corner < 8; corner++) {
@@ -133,6 +211,15 @@ public final class Enclosure {
             farthest = Math.max(farthest, VectorMath.anyLength(offset[0], offset[1], offset[2]));
         }
         return farthest;
+    }
+
+    /** Whether a box, the only leaf, is no member of a group that may be placed and turned in it. */
+    private boolean isInOwnFrame(double[] row, int at) {
+        return isSimple
+                && row[at] == 0
+                && row[at + 1] == 0
+                && row[at + 2] == 0
+                && Arrays.equals(row, at + Leaf.ROTATION, at + Leaf.ROTATION + 9, IDENTITY, 0, 9);
     }
 
     private double meshReach(TriangleMesh mesh, double[] row, int at, boolean level) {
@@ -150,48 +237,161 @@ public final class Enclosure {
     }
 
     /**
-     * Writes the leaf that encloses the placed object.
+     * Writes the leaf that encloses the object at a place.
      *
-     * @param placed   the object's own leaves at that place, in a column of their own
      * @param rotation its attitude: nine numbers from {@code at} on
      */
     public void place(
-            Accuracy accuracy,
-            Dimension dimension,
-            LeafColumn placed,
-            double cx,
-            double cy,
-            double cz,
-            double[] rotation,
-            int at,
-            LeafColumn out,
-            int leaf) {
+            Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
+        if (isSimple) {
+            leaves.place(cx, cy, cz, rotation, at, placed, 0);
+            placeSimple(dimension, cx, cy, cz, rotation, at, out, leaf);
+            return;
+        }
+        switch (accuracy) {
+            case SPHERE, OBB -> placeMeasured(dimension, cx, cy, cz, rotation, at, out, leaf);
+            case AABB, DOP -> {
+                turnTo(rotation, at);
+                placeAround(cx, cy, cz, out, leaf);
+            }
+            case EXACT -> throw new IllegalArgumentException("accuracy must be below EXACT (got: EXACT)");
+        }
+    }
+
+    /** Writes the leaf that encloses an object given by sizes where it stands; these leaves become its own. */
+    public void placeSized(Dimension dimension, GeometryObject object, LeafColumn out, int leaf) {
+        leaves.set(object);
+        measure();
+        LocalLeaves.placed(object, placed);
+        if (accuracy == Accuracy.SPHERE || accuracy == Accuracy.OBB) {
+            object.pose().attitude(ownAttitude, 0);
+        }
+        Point c = object.center();
+        placeSimple(dimension, c.x(), c.y(), c.z(), ownAttitude, 0, out, leaf);
+    }
+
+    private void placeSimple(
+            Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
         if (isItsOwn(accuracy, placed)) {
             out.setKind(leaf, placed.kind(0));
             System.arraycopy(placed.rows(), 0, out.rows(), leaf * Leaf.STRIDE, Leaf.STRIDE);
             return;
         }
-        double[] row = out.rows();
-        int to = leaf * Leaf.STRIDE;
         switch (accuracy) {
-            case SPHERE -> {
-                out.setKind(leaf, LeafKind.SPHERE);
-                placeMiddle(cx, cy, cz, rotation, at, row, to);
-                boolean flat = dimension == Dimension.PLANAR && Rotations.isUpright(rotation, at);
-                row[to + 3] = (flat ? levelRadius : radius) + widen(row, to);
+            case SPHERE, OBB -> placeMeasured(dimension, cx, cy, cz, rotation, at, out, leaf);
+            case AABB -> {
+                LeafBounds.of(placed.kind(0), placed.rows(), 0, part);
+                axisBox(part, out, leaf);
             }
-            case OBB -> {
-                placeMiddle(cx, cy, cz, rotation, at, row, to);
-                double widen = widen(row, to);
-                for (int k = 0; k < 3; k++) {
-                    row[to + 3 + k] = Math.max(box[3 + k] - middle(k), middle(k) - box[k]) + widen;
-                }
-                System.arraycopy(rotation, at, row, to + Leaf.ROTATION, 9);
-                out.setKind(leaf, UprightDetection.kind(LeafKind.BOX, row, to));
-            }
-            case AABB -> axisBox(placed, out, leaf);
             case DOP -> prism(placed, out, leaf);
             case EXACT -> throw new IllegalArgumentException("accuracy must be below EXACT (got: EXACT)");
+        }
+    }
+
+    private void placeMeasured(
+            Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
+        double[] row = out.rows();
+        int to = leaf * Leaf.STRIDE;
+        placeMiddle(cx, cy, cz, rotation, at, row, to);
+        double widen = widen(row, to);
+        if (accuracy == Accuracy.SPHERE) {
+            out.setKind(leaf, LeafKind.SPHERE);
+            row[to + 3] = radius(dimension == Dimension.PLANAR && Rotations.isUpright(rotation, at)) + widen;
+            return;
+        }
+        for (int k = 0; k < 3; k++) {
+            row[to + 3 + k] = Math.max(box[3 + k] - middle(k), middle(k) - box[k]) + widen;
+        }
+        System.arraycopy(rotation, at, row, to + Leaf.ROTATION, 9);
+        out.setKind(leaf, UprightDetection.kind(LeafKind.BOX, row, to));
+    }
+
+    /** Measures the object about its centre in an attitude, unless it was in that one last. */
+    private void turnTo(double[] rotation, int at) {
+        if (Arrays.equals(attitude, 0, 9, rotation, at, at + 9)) {
+            return;
+        }
+        leaves.place(0, 0, 0, rotation, at, placed, 0);
+        for (int k = 0; k < 10; k += 2) {
+            around[k] = Double.POSITIVE_INFINITY;
+            around[k + 1] = Double.NEGATIVE_INFINITY;
+        }
+        for (int each = 0; each < placed.size(); each++) {
+            extendAround(each, 0, 1, 0, 0);
+            extendAround(each, 2, 0, 0, 1);
+            extendAround(each, 8, 0, 1, 0);
+            if (accuracy == Accuracy.DOP) {
+                extendAround(each, 4, 1, 0, 1);
+                extendAround(each, 6, 1, 0, -1);
+            }
+        }
+        System.arraycopy(rotation, at, attitude, 0, 9);
+    }
+
+    private void extendAround(int leaf, int pair, double x, double y, double z) {
+        if (placed.kind(leaf).isMesh()) {
+            MeshWalk corners = walk();
+            around[pair] = Math.min(around[pair], -corners.farthest(placed, leaf, -x, -y, -z));
+            around[pair + 1] = Math.max(around[pair + 1], corners.farthest(placed, leaf, x, y, z));
+        } else {
+            extend(placed, leaf, around, 0, pair, x, y, z);
+        }
+    }
+
+    /** Writes what holds the object about a centre, in the attitude taken last. */
+    private void placeAround(double cx, double cy, double cz, LeafColumn out, int leaf) {
+        double size = Math.abs(cx) + Math.abs(cy) + Math.abs(cz);
+        for (int k = 0; k < 4; k++) {
+            size += Math.abs(around[k]);
+        }
+        size += Math.abs(around[8]) + Math.abs(around[9]);
+        double widen = WIDEN * size + UNDERFLOW;
+        if (accuracy == Accuracy.AABB) {
+            part[0] = cx + around[0] - widen;
+            part[1] = cy + around[8] - widen;
+            part[2] = cz + around[2] - widen;
+            part[3] = cx + around[1] + widen;
+            part[4] = cy + around[9] + widen;
+            part[5] = cz + around[3] + widen;
+            axisBox(part, out, leaf);
+            return;
+        }
+        double[] row = out.rows();
+        int to = leaf * Leaf.STRIDE;
+        shift(row, to, 0, cx, widen);
+        shift(row, to, 2, cz, widen);
+        shift(row, to, 4, cx + cz, widen);
+        shift(row, to, 6, cx - cz, widen);
+        shift(row, to, 8, cy, widen);
+        out.setKind(leaf, LeafKind.PRISM);
+    }
+
+    private void shift(double[] row, int to, int pair, double by, double widen) {
+        row[to + pair] = by + around[pair] - widen;
+        row[to + pair + 1] = by + around[pair + 1] + widen;
+    }
+
+    /** Writes an enclosure that is wider by a margin on all sides as the only leaf of a column. */
+    public static void widen(LeafColumn enclosures, int leaf, double margin, LeafColumn out) {
+        LeafKind kind = enclosures.kind(leaf);
+        double[] row = out.rows();
+        System.arraycopy(enclosures.rows(leaf), enclosures.at(leaf), row, 0, Leaf.STRIDE);
+        out.setKind(0, kind);
+        switch (kind) {
+            case SPHERE -> row[3] += margin;
+            case UPRIGHT_BOX, BOX -> {
+                row[3] += margin;
+                row[4] += margin;
+                row[5] += margin;
+            }
+            case PRISM -> {
+                for (int pair = 0; pair < 10; pair += 2) {
+                    row[pair] -= 2 * margin; // the sums of x and z reach farther by the root of two
+                    row[pair + 1] += 2 * margin;
+                }
+            }
+            case UPRIGHT_CYLINDER, CYLINDER, TRIANGLE, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH, GRID ->
+                throw kind.refused();
         }
     }
 
@@ -224,9 +424,7 @@ public final class Enclosure {
         return WIDEN * (size() + Math.abs(row[to]) + Math.abs(row[to + 1]) + Math.abs(row[to + 2])) + UNDERFLOW;
     }
 
-    private static void axisBox(LeafColumn placed, LeafColumn out, int leaf) {
-        double[] bounds = new double[6];
-        bounds(placed, bounds);
+    private static void axisBox(double[] bounds, LeafColumn out, int leaf) {
         double[] row = out.rows();
         int to = leaf * Leaf.STRIDE;
         for (int k = 0; k < 3; k++) {
@@ -237,21 +435,7 @@ public final class Enclosure {
         out.setKind(leaf, LeafKind.UPRIGHT_BOX);
     }
 
-    /** The outward bounds of all leaves of a column. */
-    static void bounds(LeafColumn placed, double[] bounds) {
-        double[] part = new double[6];
-        Arrays.fill(bounds, 0, 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(bounds, 3, 6, Double.NEGATIVE_INFINITY);
-        for (int leaf = 0; leaf < placed.size(); leaf++) {
-            bounds(placed, leaf, part);
-            for (int k = 0; k < 3; k++) {
-                bounds[k] = Math.min(bounds[k], part[k]);
-                bounds[3 + k] = Math.max(bounds[3 + k], part[3 + k]);
-            }
-        }
-    }
-
-    /** Writes the prism around all leaves of a column. */
+    /** Writes the prism around all leaves of a column, none of which is a mesh. */
     static void prism(LeafColumn placed, LeafColumn out, int leaf) {
         double[] row = out.rows();
         int to = leaf * Leaf.STRIDE;
@@ -275,19 +459,6 @@ public final class Enclosure {
         double[] row = placed.rows();
         int at = leaf * Leaf.STRIDE;
         LeafKind kind = placed.kind(leaf);
-        if (kind.isMesh()) {
-            TriangleMesh mesh = placed.mesh(leaf);
-            for (int t = 0; t < mesh.size(); t++) {
-                for (int corner = 0; corner < 3; corner++) {
-                    int v = mesh.vertex(t, corner);
-                    double px = mesh.placed(v, 0, row, at);
-                    double py = mesh.placed(v, 1, row, at);
-                    double pz = mesh.placed(v, 2, row, at);
-                    hold(prism, to + pair, px * x + py * y + pz * z, 0, Math.abs(px) + Math.abs(py) + Math.abs(pz));
-                }
-            }
-            return;
-        }
         double middle = row[at] * x + row[at + 1] * y + row[at + 2] * z;
         double length = x != 0 && z != 0 ? ROOT_TWO : 1;
         double half = halfExtent(kind, row, at, x, y, z, length);

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
+import java.util.Arrays;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GeometryObject.RoundedBox;
@@ -26,6 +27,14 @@ public final class LocalLeaves {
         Rotations.identity(frame, Leaf.ROTATION);
         leaves.add(object, frame);
         return leaves;
+    }
+
+    /** Makes these the leaf of an object given by sizes, in place of that of another one. */
+    void set(GeometryObject object) {
+        double[] row = own.rows();
+        Arrays.fill(row, 0, Leaf.STRIDE, 0);
+        Rotations.identity(row, Leaf.ROTATION);
+        own.setKind(0, size(object, row, 0));
     }
 
     /** The leaves of an object at its place, in a new column. */

@@ -24,6 +24,7 @@ public final class MeshWalk {
     private final double[] low = new double[3];
     private final double[] high = new double[3];
     private final double[] box = new double[6];
+    private final double[] triangle = new double[9];
 
     private final WorkCounter work;
     private TriangleMesh mesh;
@@ -80,6 +81,60 @@ public final class MeshWalk {
                 }
             }
         }
+    }
+
+    /**
+     * How far the corners of a placed mesh extend along (x, y, z): the largest dot product, rounded up by more than the
+     * rounding of the corners and of the product. Numbers are at most 1.
+     */
+    double farthest(LeafColumn column, int leaf, double x, double y, double z) {
+        open(column, leaf);
+        int r = at + Leaf.ROTATION;
+        double ux = place[r] * x + place[r + 3] * y + place[r + 6] * z;
+        double uy = place[r + 1] * x + place[r + 4] * y + place[r + 7] * z;
+        double uz = place[r + 2] * x + place[r + 5] * y + place[r + 8] * z;
+        double size = tree.reach() + Math.abs(place[at]) + Math.abs(place[at + 1]) + Math.abs(place[at + 2]);
+        double widen = WIDEN * size + UNDERFLOW;
+        double offset = place[at] * x + place[at + 1] * y + place[at + 2] * z;
+        double most = Double.NEGATIVE_INFINITY;
+        push(tree.root(), 0);
+        while (depth > 0) {
+            int node = stack[--depth];
+            if (along(node, ux, uy, uz) + offset + 4 * widen <= most) {
+                continue; // what is there lies farther in, whatever is rounded
+            }
+            if (tree.isLeaf(node)) {
+                for (int k = tree.first(node); k < tree.first(node) + tree.count(node); k++) {
+                    most = Math.max(most, farthestOf(k, x, y, z));
+                }
+            } else if (along(tree.left(node), ux, uy, uz) > along(tree.right(node), ux, uy, uz)) {
+                push(tree.right(node), 0);
+                push(tree.left(node), 0);
+            } else {
+                push(tree.left(node), 0);
+                push(tree.right(node), 0);
+            }
+        }
+        return most + widen;
+    }
+
+    /** How far a node's box extends along a direction in the own frame. */
+    private double along(int node, double x, double y, double z) {
+        return tree.middle(node, 0) * x
+                + tree.middle(node, 1) * y
+                + tree.middle(node, 2) * z
+                + tree.half(node, 0) * Math.abs(x)
+                + tree.half(node, 1) * Math.abs(y)
+                + tree.half(node, 2) * Math.abs(z);
+    }
+
+    private double farthestOf(int leafPlace, double x, double y, double z) {
+        corners(leafPlace, triangle, 0);
+        double most = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < 9; k += 3) {
+            most = Math.max(most, triangle[k] * x + triangle[k + 1] * y + triangle[k + 2] * z);
+        }
+        return most;
     }
 
     /**

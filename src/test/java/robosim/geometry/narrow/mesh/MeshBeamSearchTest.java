@@ -21,7 +21,7 @@ import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.ray.PlanarRay;
 
 /** Planar rays and cones through a mesh's tree against every triangle of it, one by one. */
-class MeshSightTest {
+class MeshBeamSearchTest {
     private static final int BEAMS = 40;
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
