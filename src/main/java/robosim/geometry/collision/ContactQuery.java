@@ -10,6 +10,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.mesh.ContactPairs;
 import robosim.geometry.narrow.mesh.NearestPairs;
 import robosim.geometry.narrow.mesh.SignedPairs;
@@ -163,7 +164,12 @@ public final class ContactQuery {
         Checks.present("budget", budget);
         ContactQuery query = MEMORY.get();
         SignedPairs signed = query.signed;
-        signed.start(dimension, Parts.of(a).leaves(), Parts.of(b).leaves());
+        LeafColumn ofA = Parts.of(a).leaves();
+        LeafColumn ofB = Parts.of(b).leaves();
+        if (budget.steps() > 0 && budget.nanos() > 0 && signed.isAnswered(dimension, ofA, ofB)) {
+            return query.signed();
+        }
+        signed.start(dimension, ofA, ofB);
         long nanos = budget.nanos();
         while (!signed.isMeasured() && signed.steps() < budget.steps()) {
             if (signed.steps() % STEPS_A_LOOK == 0 && System.nanoTime() - start >= nanos) {
@@ -172,12 +178,13 @@ public final class ContactQuery {
             signed.step();
         }
         signed.finish();
-        signed.witness(query.witness);
-        return signed(signed.low(), signed.high(), query.witness, signed.steps());
+        return query.signed();
     }
 
-    private static SignedDistance signed(double low, double high, double[] witness, long steps) {
-        return new SignedDistance(low, high, point(witness, 0), point(witness, 3), point(witness, 6), steps);
+    private SignedDistance signed() {
+        signed.witness(witness);
+        return new SignedDistance(
+                signed.low(), signed.high(), point(witness, 0), point(witness, 3), point(witness, 6), signed.steps());
     }
 
     private static Point point(double[] numbers, int at) {

@@ -231,31 +231,35 @@ public final class ConvexSeparation {
             beside(a, b, aside, isLevel ? 0 : SpatialDistance.gap(a, b));
             return;
         }
-        boolean isOver = PlanarOverlap.test(a, b, s.overlap);
-        touches = isLevel && isOver;
-        if (touches) {
-            overlap(false, a, b);
-            return;
-        }
-        nearest(true, a, b);
-        if (isOver) {
-            double gap = SpatialDistance.gap(a, b);
-            takeMiddle(a, b, above(a, b) ? 1 : -1);
-            direction[0] = 0;
-            direction[1] = above(a, b) ? 1 : -1;
-            direction[2] = 0;
-            low = gap * DOWN;
-            high = BoxGap.up(gap);
-            return;
-        }
-        if (gjk.lower() > 0 || !isLevel) {
-            beside(a, b, Math.max(0, gjk.lower()), isLevel ? 0 : SpatialDistance.gap(a, b));
-            return;
-        }
         double nearly = BoxGap.up(gjk.upper() + gjk.error());
-        overlap(false, a, b); // closer than doubles resolve: the direction of the way out
-        low = 0;
-        high = nearly;
+        if (!isLevel) {
+            stacked(a, b, nearly);
+            return;
+        }
+        touches = PlanarOverlap.test(a, b, s.overlap);
+        if (!touches && aside > 0) {
+            nearest(true, a, b);
+            beside(a, b, aside, 0);
+            return;
+        }
+        overlap(false, a, b);
+        if (!touches) {
+            low = 0; // closer than doubles resolve: the direction of the way out
+            high = nearly;
+        }
+    }
+
+    /** Two that are apart in height, with projections that overlap or are no farther apart than rounding. */
+    private void stacked(Leaf a, Leaf b, double aside) {
+        double gap = SpatialDistance.gap(a, b);
+        double side = above(a, b) ? 1 : -1;
+        touches = false;
+        takeMiddle(a, b, side);
+        direction[0] = 0;
+        direction[1] = side;
+        direction[2] = 0;
+        low = gap * DOWN;
+        high = BoxGap.up(aside == 0 ? gap : VectorMath.legs(aside, BoxGap.up(gap)));
     }
 
     /** The bracket, points and direction of two that are apart in the plane, and perhaps in height. */
@@ -271,12 +275,12 @@ public final class ConvexSeparation {
             direction[0] *= reach / length;
             direction[1] = side * (up / length);
             direction[2] *= reach / length;
-            heights(a, b, above(a, b) ? 1 : -1);
+            heights(a, b, side);
         }
     }
 
     /** A common point of the projections for both, at the heights at which the two face each other. */
-    private void takeMiddle(Leaf a, Leaf b, int side) {
+    private void takeMiddle(Leaf a, Leaf b, double side) {
         Gjk gjk = s.gjk.pair;
         onA[0] = 0.5 * gjk.ax() + 0.5 * gjk.bx();
         onA[2] = 0.5 * gjk.az() + 0.5 * gjk.bz();
@@ -294,7 +298,7 @@ public final class ConvexSeparation {
      *
      * @param side 1 if a is above or leaves upwards, -1 if b does; 0 for the middle of the common heights, or of the gap
      */
-    private void heights(Leaf a, Leaf b, int side) {
+    private void heights(Leaf a, Leaf b, double side) {
         LeafBounds.of(a.kind, a.row, a.at, box);
         double leastA = box[1];
         double mostA = box[4];

@@ -41,6 +41,8 @@ public final class SignedPairs {
     private final double[] onB = new double[3];
     private final double[] direction = new double[3];
     private final Leaf spot = new Leaf(LeafKind.SPHERE);
+    private final Leaf leafA = new Leaf();
+    private final Leaf leafB = new Leaf();
     private long[] stack = new long[64];
     private Dimension dimension = Dimension.SPATIAL;
     private boolean isReversed;
@@ -76,6 +78,23 @@ public final class SignedPairs {
         low = key;
         sample(first.root(), second.root());
         queue.push(key, first.root(), second.root(), COMPARE);
+    }
+
+    /** Answers a query for two convex leaves in one step, without boxes; false, and nothing is done, for other objects. */
+    public boolean isAnswered(Dimension dimension, LeafColumn a, LeafColumn b) {
+        if (a.size() != 1 || b.size() != 1 || a.kind(0).hasPieces() || b.kind(0).hasPieces()) {
+            return false;
+        }
+        s.leaf.work.take();
+        pair.measure(dimension, leafA.set(a, 0), leafB.set(b, 0));
+        isReversed = false;
+        measured = Double.POSITIVE_INFINITY;
+        best = Double.POSITIVE_INFINITY;
+        high = Double.POSITIVE_INFINITY;
+        take(pair.low, pair.high);
+        low = Math.min(pair.low, high) + 0.0;
+        steps = 1;
+        return true;
     }
 
     /** Whether further steps could not narrow the bracket. */
