@@ -72,8 +72,7 @@ class SignedDistanceTest {
 
     private static GeometryObject convex(RandomObjects objects, SplittableRandom random) {
         if (random.nextInt(5) == 0) {
-            return new MeshObject(
-                    List.of(objects.place(), objects.place(), objects.place()), new int[][] {{0, 1, 2}});
+            return new MeshObject(List.of(objects.place(), objects.place(), objects.place()), new int[][] {{0, 1, 2}});
         }
         GeometryObject object = objects.primitive();
         return object.kind() == Kind.CYLINDER ? convex(objects, random) : object;
@@ -82,10 +81,13 @@ class SignedDistanceTest {
     private void compare(GeometryObject a, GeometryObject b, Dimension dimension) {
         SignedDistance found = ContactQuery.signedDistance(a, b, dimension, Budget.UNLIMITED);
         SignedTruth truth = SignedTruth.of(a, b, dimension);
-        String pair = "%s, %s %s: %s but %s".formatted(a, b, dimension, found, truth.signed().doubleValue());
+        String pair = "%s, %s %s: %s but %s"
+                .formatted(a, b, dimension, found, truth.signed().doubleValue());
         assertThat(new BigDecimal(found.low())).as(pair).isLessThanOrEqualTo(truth.signed());
         assertThat(new BigDecimal(found.high())).as(pair).isGreaterThanOrEqualTo(truth.signed());
-        assertThat(found.high() - found.low()).as(pair).isLessThan(truth.signed().signum() > 0 ? 1e-12 : 1e-9);
+        assertThat(found.high() - found.low())
+                .as(pair)
+                .isLessThan(truth.signed().signum() > 0 ? 1e-12 : 1e-9);
         boolean touches = ContactQuery.decide(a, b, dimension, Budget.UNLIMITED).answer() == Verdict.Answer.YES;
         assertThat(touches ? found.high() <= 0 : found.low() >= 0).as(pair).isTrue();
         apart += touches ? 0 : 1;
@@ -100,14 +102,19 @@ class SignedDistanceTest {
                         found.high(),
                         found.onB(),
                         found.onA(),
-                        new Point(0 - found.direction().x(), 0 - found.direction().y(), 0 - found.direction().z()),
+                        new Point(
+                                0 - found.direction().x(),
+                                0 - found.direction().y(),
+                                0 - found.direction().z()),
                         found.steps()));
     }
 
     private void direction(SignedDistance found, SignedTruth truth, Dimension dimension, String pair) {
         double[] way = truth.direction();
         Point d = found.direction();
-        assertThat(Math.sqrt(d.x() * d.x() + d.y() * d.y() + d.z() * d.z())).as(pair).isEqualTo(1, within(1e-15));
+        assertThat(Math.sqrt(d.x() * d.x() + d.y() * d.y() + d.z() * d.z()))
+                .as(pair)
+                .isEqualTo(1, within(1e-15));
         if (way == null || (truth.apart() > 0 && truth.apart() < 1e-4)) {
             return;
         }
@@ -188,8 +195,7 @@ class SignedDistanceTest {
     }
 
     private static Point shifted(Point from, Point direction, double by) {
-        return new Point(
-                from.x() + by * direction.x(), from.y() + by * direction.y(), from.z() + by * direction.z());
+        return new Point(from.x() + by * direction.x(), from.y() + by * direction.y(), from.z() + by * direction.z());
     }
 
     private static Point unit(SplittableRandom random) {

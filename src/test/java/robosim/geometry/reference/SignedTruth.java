@@ -49,8 +49,7 @@ public record SignedTruth(BigDecimal signed, double @Nullable [] direction, doub
             double level = wide.divide(length, Reference.DIGITS).doubleValue();
             double rise = side * height.divide(length, Reference.DIGITS).doubleValue();
             double[] way = plane.direction;
-            return new SignedTruth(
-                    length, way == null ? null : new double[] {level * way[0], rise, level * way[1]}, 1);
+            return new SignedTruth(length, way == null ? null : new double[] {level * way[0], rise, level * way[1]}, 1);
         }
         double[] level = plane.direction == null ? null : new double[] {plane.direction[0], 0, plane.direction[1]};
         boolean isTie = Math.abs(wide.doubleValue() - height.doubleValue()) < TIE;
@@ -76,7 +75,8 @@ public record SignedTruth(BigDecimal signed, double @Nullable [] direction, doub
     private static double[] unit(Rational[] vector, BigDecimal length) {
         double[] unit = new double[vector.length];
         for (int k = 0; k < unit.length; k++) {
-            unit[k] = vector[k].toDecimal(Reference.DIGITS)
+            unit[k] = vector[k]
+                    .toDecimal(Reference.DIGITS)
                     .divide(length, Reference.DIGITS)
                     .doubleValue();
         }

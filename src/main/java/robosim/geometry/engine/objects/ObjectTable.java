@@ -58,6 +58,9 @@ public final class ObjectTable {
     private int size;
     private long changes;
 
+    /** What does not count for the current query. */
+    public final IgnoredObjects ignored = new IgnoredObjects();
+
     public ObjectTable() {}
 
     /** The objects of a world that shares some of them. */

@@ -269,7 +269,14 @@ public final class SignedPairs {
      * @param sign of the direction from the point to the surface: 1 if the part belongs to the first object
      */
     private void within(
-            ObjectTree solid, long place, ObjectTree other, int part, int vertex, double[] onSolid, double[] on, int sign) {
+            ObjectTree solid,
+            long place,
+            ObjectTree other,
+            int part,
+            int vertex,
+            double[] onSolid,
+            double[] on,
+            int sign) {
         double radius = 0;
         if (other.kindOf(part).isMesh()) {
             other.vertex(part, vertex, spot.row, 0);
