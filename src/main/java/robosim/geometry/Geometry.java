@@ -8,6 +8,7 @@ import robosim.geometry.engine.World;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
+import robosim.geometry.engine.motion.ClearanceQuery;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.motion.Motion;
 import robosim.geometry.engine.motion.Slide;
@@ -311,6 +312,27 @@ public final class Geometry implements WorldQueries {
     }
 
     /**
+     * The same with a margin that is kept all along the move, and without the objects that do not count. An object that is
+     * nearer to something than the margin may move along it or away, as with {@link #moveToContact}.
+     */
+    public MoveResult move(String name, Move move, Avoidance avoid) {
+        registry.begin("move");
+        int id = registry.mover(name);
+        Checks.present("move", move);
+        Checks.present("avoid", avoid).begin(engine);
+        try {
+            boolean isFree = engine.motion.attemptOwnAvoiding(view, id, move, avoid.margin());
+            MoveResult result = result(isFree);
+            if (isFree) {
+                engine.motion.commit();
+            }
+            return result;
+        } finally {
+            objects.ignored.clear();
+        }
+    }
+
+    /**
      * Makes a move along the world's axes, or reports what blocks it: a translation along them, then in place a turn by
      * {@code ry} about the world's Y and one by {@code rx} about the world's X, both through the object's centre. In
      * PLANAR an object turns about the vertical only, and {@code rx} is ignored, unlike in {@link #move}: the world's X lies
@@ -479,6 +501,35 @@ public final class Geometry implements WorldQueries {
     }
 
     /**
+     * The nearest object within a range, or the one in which an object is deepest, with the points, the direction and the
+     * signed distance: what keeps a robot away from it, and by how much. It has the distance of {@link #getProximity}.
+     *
+     * @param max range, world units; may be infinite
+     * @return null if nothing is within {@code max}
+     */
+    public @Nullable NearObject clearance(String name, double max) {
+        return clearance(name, max, Avoidance.ALL);
+    }
+
+    /** The same without the objects that do not count; the margin does not matter. */
+    public @Nullable NearObject clearance(String name, double max, Avoidance avoid) {
+        registry.begin("clearance");
+        int id = registry.known(name);
+        Checks.range(0, max);
+        Checks.present("avoid", avoid).begin(engine);
+        try {
+            ClearanceQuery query = engine.clearance();
+            query.present(view, id);
+            double found = query.signed(id, max);
+            return found == Double.POSITIVE_INFINITY
+                    ? null
+                    : ObjectSearch.near(objects, query.object(), Math.max(0, found), query);
+        } finally {
+            objects.ignored.clear();
+        }
+    }
+
+    /**
      * What a ray hits first within a range; null if it hits nothing. A ray that starts inside a solid hits it at
      * distance 0. In PLANAR the hit point keeps the height of the ray's start.
      */
@@ -585,6 +636,36 @@ public final class Geometry implements WorldQueries {
         registry.begin("freeEdges");
         int id = registry.mover(name);
         return engine.places().edges(view, id, edges, 0, FreePlaces.check("edges", edges, FreePlaces.EDGE, free), free);
+    }
+
+    @Override
+    public int freePoses(String name, double[] poses, Avoidance avoid, long[] free) {
+        PlaceBatch batch = PlaceBatch.poses(name, poses, avoid, free);
+        return batch.answer(this, 0, batch.count());
+    }
+
+    @Override
+    public int freeEdges(String name, double[] edges, Avoidance avoid, long[] free) {
+        PlaceBatch batch = PlaceBatch.edges(name, edges, avoid, free);
+        return batch.answer(this, 0, batch.count());
+    }
+
+    @Override
+    public int edgeFractions(String name, double[] edges, Avoidance avoid, double[] fractions) {
+        PlaceBatch batch = PlaceBatch.fractions(name, edges, avoid, fractions);
+        return batch.answer(this, 0, batch.count());
+    }
+
+    @Override
+    public int driveFractions(String name, double[] drives, Avoidance avoid, double[] fractions) {
+        PlaceBatch batch = PlaceBatch.drives(name, drives, avoid, fractions);
+        return batch.answer(this, 0, batch.count());
+    }
+
+    @Override
+    public int clearances(String name, double[] poses, double max, Avoidance avoid, double[] out) {
+        PlaceBatch batch = PlaceBatch.clearances(name, poses, max, avoid, out);
+        return batch.answer(this, 0, batch.count());
     }
 
     /**

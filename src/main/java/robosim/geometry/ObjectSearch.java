@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.collision.SignedDistance;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.TouchQuery;
+import robosim.geometry.engine.motion.ClearanceQuery;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.sensing.NearestQuery;
 import robosim.geometry.model.BoxObject;
@@ -41,12 +43,14 @@ public final class ObjectSearch {
     private final ObjectTable objects;
     private final TouchQuery touching;
     private final NearestQuery nearest;
+    private final ClearanceQuery clearance;
 
     ObjectSearch(World world) {
         registry = world.registry;
         objects = world.objects;
         touching = world.touching();
         nearest = world.nearest();
+        clearance = world.clearance();
     }
 
     /**
@@ -103,7 +107,9 @@ public final class ObjectSearch {
     public List<NearObject> nearest(Point point, int count, double max) {
         registry.begin("nearest");
         Checks.range(0, max);
-        return near(nearest.around(registry.view, Checks.present("point", point), Checks.count(count), max));
+        int found = nearest.around(registry.view, Checks.present("point", point), Checks.count(count), max);
+        clearance.point(registry.view, point);
+        return near(found);
     }
 
     /**
@@ -116,7 +122,9 @@ public final class ObjectSearch {
         registry.begin("nearest");
         int id = registry.known(name);
         Checks.range(0, max);
-        return near(nearest.around(registry.view, id, Checks.count(count), max));
+        int found = nearest.around(registry.view, id, Checks.count(count), max);
+        clearance.present(registry.view, id);
+        return near(found);
     }
 
     /** Whether an object lies within the world's bounds where it stands. */
@@ -149,8 +157,21 @@ public final class ObjectSearch {
     private List<NearObject> near(int count) {
         List<NearObject> list = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
-            list.add(new NearObject(objects.present(nearest.found(k)), nearest.distance(k)));
+            clearance.measure(nearest.found(k), nearest.distance(k));
+            list.add(near(objects, nearest.found(k), nearest.distance(k), clearance));
         }
         return list;
+    }
+
+    static NearObject near(ObjectTable objects, int id, double distance, ClearanceQuery measured) {
+        double[] w = measured.witness();
+        SignedDistance signed = new SignedDistance(
+                measured.low(),
+                measured.high(),
+                new Point(w[0], w[1], w[2]),
+                new Point(w[3], w[4], w[5]),
+                new Point(w[6], w[7], w[8]),
+                measured.steps());
+        return new NearObject(objects.present(id), distance, signed);
     }
 }

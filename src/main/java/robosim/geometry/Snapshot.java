@@ -251,6 +251,31 @@ public final class Snapshot implements WorldQueries, Serializable {
         return copies.free(WorldCopies.Places.EDGES, name, edges, threads, free);
     }
 
+    @Override
+    public int freePoses(String name, double[] poses, Avoidance avoid, long[] free) {
+        return copies.answer(PlaceBatch.poses(name, poses, avoid, free), threads);
+    }
+
+    @Override
+    public int freeEdges(String name, double[] edges, Avoidance avoid, long[] free) {
+        return copies.answer(PlaceBatch.edges(name, edges, avoid, free), threads);
+    }
+
+    @Override
+    public int edgeFractions(String name, double[] edges, Avoidance avoid, double[] fractions) {
+        return copies.answer(PlaceBatch.fractions(name, edges, avoid, fractions), threads);
+    }
+
+    @Override
+    public int driveFractions(String name, double[] drives, Avoidance avoid, double[] fractions) {
+        return copies.answer(PlaceBatch.drives(name, drives, avoid, fractions), threads);
+    }
+
+    @Override
+    public int clearances(String name, double[] poses, double max, Avoidance avoid, double[] out) {
+        return copies.answer(PlaceBatch.clearances(name, poses, max, avoid, out), threads);
+    }
+
     /** The serialized form of a snapshot. */
     private record Form(
             double width, double height, double length, Dimension dimension, Accuracy accuracy, ObjectRows objects)

@@ -1,6 +1,7 @@
 package robosim.geometry;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
@@ -158,6 +159,29 @@ final class WorldCopies {
                 }
             }.run(world, threads);
             return bits(free, FreePlaces.words(count));
+        } finally {
+            giveBack(world);
+        }
+    }
+
+    /** Answers questions about places. */
+    int answer(PlaceBatch batch, int threads) {
+        Geometry world = borrow();
+        try {
+            int parts = parts(batch.count(), BITS);
+            if (Math.min(parts, threads) <= 1) {
+                return batch.answer(world, 0, batch.count());
+            }
+            batch.answer(world, 0, 0); // refuses names that have no answers
+            AtomicInteger found = new AtomicInteger();
+            new CopiedWork(parts) {
+                @Override
+                void part(Geometry copy, int part) {
+                    int from = part * BITS;
+                    found.addAndGet(batch.answer(copy, from, Math.min(from + BITS, batch.count())));
+                }
+            }.run(world, threads);
+            return found.get();
         } finally {
             giveBack(world);
         }

@@ -115,4 +115,57 @@ public sealed interface WorldQueries permits Geometry, Snapshot {
      * @return how many edges are free
      */
     int freeEdges(String name, double[] edges, long[] free);
+
+    /** The same as {@link #freePoses(String, double[], long[])} with a margin, and without the objects that do not count. */
+    int freePoses(String name, double[] poses, Avoidance avoid, long[] free);
+
+    /**
+     * The same as {@link #freeEdges(String, double[], long[])} with a margin, which is kept all along an edge, and without the
+     * objects that do not count. With a margin, nothing that the object stands on is spared: name it to be ignored.
+     */
+    int freeEdges(String name, double[] edges, Avoidance avoid, long[] free);
+
+    /**
+     * Finds for many edges how much of each is free. Nothing is moved.
+     *
+     * @param edges     as in {@link #freeEdges(String, double[], long[])}
+     * @param fractions takes two numbers for each edge, as {@link MoveResult} has them: the fraction of its translation that
+     *                  is free, and after the whole translation that of its turn. Both are 1 for a free edge, and 0 for one
+     *                  whose first pose is not free
+     * @return how many edges are free
+     */
+    int edgeFractions(String name, double[] edges, Avoidance avoid, double[] fractions);
+
+    /**
+     * Finds for many drives how much of each is free. A drive is a motion with a constant {@link robosim.geometry.model.Twist},
+     * which turns while it translates: a straight line, the arc of a car or of a robot with two driven wheels, a turn in place,
+     * or a helix. It is swept, not sampled: no point of the object touches anything or comes nearer than the margin at any time
+     * of the fraction returned, and no part of it leaves the world. Nothing is moved.
+     *
+     * <p>A drive that begins in contact, or nearer than the margin, is not free, with one exception: in SPATIAL, what lies
+     * wholly at or below the lowest point of an upright object does not count for a drive without a height, so that a robot may
+     * drive on a floor. A fraction is smaller than it could be by up to 2<sup>-30</sup> of the sizes and coordinates, and along
+     * something at such a distance it may end early. A fraction can be used: a drive for that part of the time is free.
+     *
+     * @param drives    nine numbers each: X, Y, Z and heading of the first pose, as in {@link #freePoses}, the four numbers of a
+     *                  twist, and for how many seconds
+     * @param fractions takes one number for each drive: the fraction of its time that is free, 1 if all of it is
+     * @return how many drives are free
+     */
+    int driveFractions(String name, double[] drives, Avoidance avoid, double[] fractions);
+
+    /**
+     * Finds for many poses of a moveable object how far it would be from all others, or how deep in one of them. Nothing is
+     * moved. A positive number is what {@link Geometry#getProximity} would return there. Where the object would touch
+     * something, it is 0 or minus the depth in the one object in which it is deepest, as proven: the upper end of
+     * {@link robosim.geometry.collision.SignedDistance}. The margin of {@code avoid} does not matter.
+     *
+     * @param poses as in {@link #freePoses}; what the object stands on counts here unless it is ignored
+     * @param max   range, world units; may be infinite
+     * @param out   takes one number for each pose, {@code +Infinity} if nothing is within {@code max}; or, if it has exactly ten
+     *              for each, also the nearest or deepest point on the object, that on the other one, and the unit direction
+     *              from there, three numbers each: the gradient of the first number. They are zeros if nothing is within {@code max}
+     * @return how many numbers are positive
+     */
+    int clearances(String name, double[] poses, double max, Avoidance avoid, double[] out);
 }

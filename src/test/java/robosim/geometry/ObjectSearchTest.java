@@ -2,6 +2,7 @@ package robosim.geometry;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -12,6 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.collision.Budget;
+import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.collision.SignedDistance;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -151,12 +155,32 @@ class ObjectSearchTest {
             if (from.name() == null || !from.name().equals(each.name())) {
                 double distance = distance(world, from, each);
                 if (distance <= max) {
-                    all.add(new NearObject(each, distance));
+                    all.add(new NearObject(
+                            each,
+                            distance,
+                            ContactQuery.signedDistance(from, each, world.dimension(), Budget.UNLIMITED)));
                 }
             }
         }
         all.sort(Comparator.comparingDouble(NearObject::distance)); // stable: the one added first wins a tie
         return all.subList(0, Math.min(count, all.size()));
+    }
+
+    /** Objects and distances to the bit; of a grid only the near cells are measured, in as many steps. */
+    private static void same(List<NearObject> found, List<NearObject> expected) {
+        assertThat(found)
+                .extracting(NearObject::object)
+                .isEqualTo(expected.stream().map(NearObject::object).toList());
+        for (int k = 0; k < found.size(); k++) {
+            assertThat(found.get(k).distance()).isEqualTo(expected.get(k).distance());
+            SignedDistance signed = found.get(k).signed();
+            assertThat(signed.high()).isEqualTo(expected.get(k).signed().high(), within(1e-12));
+            boolean isGrid = found.get(k).object() instanceof GridObject;
+            assertThat(signed.low())
+                    .isEqualTo(isGrid ? signed.low() : expected.get(k).signed().low());
+            assertThat(signed.onB())
+                    .isEqualTo(isGrid ? signed.onB() : expected.get(k).signed().onB());
+        }
     }
 
     @ParameterizedTest
@@ -170,14 +194,14 @@ class ObjectSearchTest {
                     double max = k % 3 == 0 ? Double.POSITIVE_INFINITY : 3 * random.nextDouble();
                     Point from = somewhere(random);
                     List<NearObject> expected = nearest(world, new SphereObject(from, 0), count, max);
-                    assertThat(world.search().nearest(from, count, max)).isEqualTo(expected);
+                    same(world.search().nearest(from, count, max), expected);
                     Geometry copy = world.snapshot().toGeometry();
-                    assertThat(copy.search().nearest(from, count, max)).isEqualTo(expected);
+                    same(copy.search().nearest(from, count, max), expected);
                     world.placeObject("robot 1", from, 10 * k);
                 }
                 GeometryObject robot = world.getObject("robot 1");
                 List<NearObject> around = world.search().nearest("robot 1", count, 5);
-                assertThat(around).isEqualTo(nearest(world, robot, count, 5));
+                same(around, nearest(world, robot, count, 5));
                 assertThat(
                                 around.isEmpty()
                                         ? Double.POSITIVE_INFINITY

@@ -5,9 +5,11 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.TouchQuery;
+import robosim.geometry.engine.motion.ClearanceQuery;
 import robosim.geometry.engine.motion.FreePlaces;
 import robosim.geometry.engine.motion.FreeingSearch;
 import robosim.geometry.engine.motion.Motion;
+import robosim.geometry.engine.motion.PlaceBatches;
 import robosim.geometry.engine.motion.Placer;
 import robosim.geometry.engine.motion.Slide;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -52,6 +54,8 @@ public final class World {
     public final ProximityQuery proximity;
     private final Scratch scratch;
     private @Nullable FreePlaces places;
+    private @Nullable PlaceBatches batches;
+    private @Nullable ClearanceQuery clearance;
     private @Nullable Slide slide;
     private @Nullable TouchQuery touching;
     private @Nullable NearestQuery nearest;
@@ -118,6 +122,20 @@ public final class World {
     public FreePlaces places() {
         FreePlaces made = places == null ? new FreePlaces(registry, motion, scratch) : places;
         places = made;
+        return made;
+    }
+
+    /** Answers batches with a margin, with ignored objects, or with more than a bit. */
+    public PlaceBatches batches() {
+        PlaceBatches made = batches == null ? new PlaceBatches(registry, motion, places(), clearance()) : batches;
+        batches = made;
+        return made;
+    }
+
+    /** Measures how far an object is from others, with points. */
+    public ClearanceQuery clearance() {
+        ClearanceQuery made = clearance == null ? new ClearanceQuery(objects, scratch) : clearance;
+        clearance = made;
         return made;
     }
 

@@ -25,7 +25,7 @@ public final class Gaps {
     private Gaps() {}
 
     /** Convex: the hull of points, swollen by a radius to all sides or, where it is a disc, to the sides only. */
-    private record Body(List<Rational[]> points, Rational radius, boolean disc, boolean ball, boolean straight) {
+    record Body(List<Rational[]> points, Rational radius, boolean disc, boolean ball, boolean straight) {
         Rational low() {
             return points.stream()
                     .map(p -> p[1])
@@ -89,7 +89,7 @@ public final class Gaps {
         return object.kind() == Kind.CYLINDER && Math.abs(object.rotation()[4]) != 1;
     }
 
-    private static List<Body> bodies(GeometryObject object) {
+    static List<Body> bodies(GeometryObject object) {
         boolean straight =
                 object.kind() == Kind.CYLINDER || (object instanceof BoxObject && Math.abs(object.rotation()[4]) == 1);
         List<Body> bodies = new ArrayList<>();

@@ -42,6 +42,21 @@ final class Nearest {
     }
 
     Rational square() {
+        Foot nearest = nearest();
+        return Rational.of(nearest.square, nearest.weight.multiply(scale).pow(2));
+    }
+
+    /** The vector from the nearest point of b to that of a. */
+    Rational[] vector() {
+        Foot nearest = nearest();
+        Rational[] vector = new Rational[nearest.over.length];
+        for (int k = 0; k < vector.length; k++) {
+            vector[k] = Rational.of(nearest.over[k], nearest.weight.multiply(scale));
+        }
+        return vector;
+    }
+
+    private Foot nearest() {
         List<BigInteger[]> simplex = List.<BigInteger[]>of(minus(a.get(0), b.get(0)));
         Foot nearest = new Foot(simplex.get(0), BigInteger.ONE);
         while (true) {
@@ -49,8 +64,7 @@ final class Nearest {
             // Both sides times the square of the weight.
             if (nearest.square.signum() == 0
                     || dot(least, nearest.over).multiply(nearest.weight).compareTo(nearest.square) >= 0) {
-                return Rational.of(
-                        nearest.square, nearest.weight.multiply(scale).pow(2));
+                return nearest;
             }
             List<BigInteger[]> simplexBefore = simplex;
             Foot shortest = null;

@@ -1,16 +1,19 @@
 package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
+import robosim.geometry.engine.objects.IgnoredObjects;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /** A list of the objects whose bounds meet a box, each once. */
 public final class Candidates {
     private final BoxQuery query;
+    private final IgnoredObjects ignored;
     private int[] ids = new int[16];
     private int count;
 
     public Candidates(ObjectTable objects) {
         query = new BoxQuery(objects, this::add);
+        ignored = objects.ignored;
     }
 
     public int count() {
@@ -32,6 +35,9 @@ public final class Candidates {
     }
 
     private boolean add(LeafTable table, int id) {
+        if (ignored.has(id)) {
+            return false;
+        }
         if (count == ids.length) {
             ids = Arrays.copyOf(ids, 2 * count);
         }

@@ -504,6 +504,9 @@ public final class ObjectRegistry {
 
     /** Whether the leaves of the candidate touch those of an object. */
     private boolean touches(LeafTable at, int other) {
+        if (objects.ignored.has(other)) {
+            return false;
+        }
         if (dimension == Dimension.SPATIAL && !at.overlaps(other, box)) {
             return false;
         }

@@ -35,7 +35,7 @@ public final class FreePlaces {
     /** Made for the first edge, as many worlds are asked about none. */
     private @Nullable EdgeFastPath fastPath;
 
-    private final double[] place = new double[ObjectTable.PLACE];
+    final double[] place = new double[ObjectTable.PLACE];
 
     /** The heading of the place as it was given. */
     private double heading = Double.NaN;
@@ -74,13 +74,18 @@ public final class FreePlaces {
      * @return how many answers there are
      */
     public static int check(String argument, double[] numbers, int stride, long[] free) {
+        int count = check(argument, numbers, stride);
+        checkRoom(count, free);
+        return count;
+    }
+
+    /** Checks numbers; returns how many answers there are. */
+    public static int check(String argument, double[] numbers, int stride) {
         Checks.present(argument, numbers);
         if (numbers.length % stride != 0) {
             throw new IllegalArgumentException(
                     argument + " must have " + stride + " numbers each (got: " + numbers.length + " numbers)");
         }
-        int count = numbers.length / stride;
-        checkRoom(count, free);
         for (int k = 0; k < numbers.length; k++) {
             double number = numbers[k];
             boolean isHeading = k % POSE == POSE - 1;
@@ -91,7 +96,7 @@ public final class FreePlaces {
         if (stride == EDGE) {
             checkTurns(argument, numbers);
         }
-        return count;
+        return numbers.length / stride;
     }
 
     /** Checks that an array has room for so many bits. */
@@ -189,7 +194,8 @@ public final class FreePlaces {
         double dy = edges[at + POSE + 1] - place[1];
         double dz = edges[at + POSE + 2] - place[2];
         double degrees = edges[at + POSE + 3] - edges[at + 3];
-        int verdict = quick.find(view, id, place, dx, dy, dz, degrees);
+        boolean isAll = registry.objects.ignored.isEmpty();
+        int verdict = isAll ? quick.find(view, id, place, dx, dy, dz, degrees) : PlainCells.UNSURE;
         if (verdict == PlainCells.PAST) {
             return true;
         }
@@ -199,8 +205,13 @@ public final class FreePlaces {
         return (isPresent || isFreeHere(view, id)) && motion.allowsFrom(view, id, place, dx, dy, dz, degrees);
     }
 
+    /** Whether the place taken last is where the object is. */
+    boolean isPresent() {
+        return isPresent;
+    }
+
     /** Whether the place is in the world, and the object touches nothing there but what its contacts spare. */
-    private boolean isFreeHere(AccuracyView view, int id) {
+    boolean isFreeHere(AccuracyView view, int id) {
         return registry.fitsAt(id, place) && (!registry.collidesAt(view, id, place) || stands(view, id));
     }
 
@@ -216,7 +227,7 @@ public final class FreePlaces {
         return isFree;
     }
 
-    private void begin(int id) {
+    void begin(int id) {
         System.arraycopy(registry.objects.places(), registry.objects.place(id), present, 0, present.length);
         heading = Double.NaN;
         isStandingKnown = false;
@@ -226,7 +237,7 @@ public final class FreePlaces {
      * Makes {@link #place} a pose: the object as it is tipped now, turned about the vertical until its heading is that of the
      * pose.
      */
-    private void take(double[] poses, int at) {
+    void take(double[] poses, int at) {
         double degrees = poses[at + 3] + 0.0;
         if (degrees != heading) { // planners ask about many places with one heading
             heading = degrees;

@@ -303,6 +303,23 @@ public final class Motion {
                 && (byDegrees == 0 || isFree(0, 0, 0, MotionSegment.VERTICAL, byDegrees));
     }
 
+    /**
+     * Tries a displacement in the world's axes and then a turn about the vertical from another place than the mover's own,
+     * with a gap; {@link #fraction} and {@link #turnFraction} are what is free.
+     */
+    public boolean attemptFrom(
+            AccuracyView inView, int mover, double[] place, double[] displacement, double byDegrees, double gap) {
+        begin(inView, mover, gap, true, place, 0);
+        return attempt(displacement[0], displacement[1], displacement[2], 0, byDegrees, true);
+    }
+
+    /** Tries a move along the object's own axes, as {@link #attemptOwn}, while objects may be ignored. */
+    public boolean attemptOwnAvoiding(AccuracyView inView, int mover, Move move, double gap) {
+        begin(inView, mover, gap, true);
+        segment.takeOwnAxes();
+        return attempt(move.x(), move.y(), move.z(), move.rx(), move.ry(), false);
+    }
+
     private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd) {
         begin(inView, mover, gap, isToEnd, objects.places(), objects.place(mover));
     }

@@ -59,6 +59,9 @@ public final class ObjectTable {
     private long changes;
     private long changesOfStatics;
 
+    /** What does not count for the current query. */
+    public final IgnoredObjects ignored = new IgnoredObjects();
+
     public ObjectTable() {}
 
     /** The objects of a world that shares some of them. */

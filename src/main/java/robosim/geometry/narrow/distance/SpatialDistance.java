@@ -63,7 +63,7 @@ public final class SpatialDistance {
     }
 
     /** The gap between the heights of two upright leaves, to within a rounding; 0 if they touch. */
-    private static double gap(Leaf a, Leaf b) {
+    static double gap(Leaf a, Leaf b) {
         if (UprightLeaves.heightsTouch(a, b)) {
             return 0;
         }

@@ -32,6 +32,11 @@ public final class UprightLeaves {
         return Dyadic.signOfSum(base, -top, -down, -up) <= 0;
     }
 
+    /** Whether one leaf lies wholly above another, or on it: whether its minimum height is at least the other's maximum; exact. */
+    public static boolean isOnOrAbove(Leaf a, Leaf b) {
+        return Dyadic.signOfSum(middle(a), -top(b), -halfHeight(a), -halfHeight(b)) >= 0;
+    }
+
     /** The height of the centre of a box or cylinder; for an octagon, which has no half height, the minimum height. */
     public static double middle(Leaf leaf) {
         return isRange(leaf.kind) ? leaf.get(8) : leaf.get(1);

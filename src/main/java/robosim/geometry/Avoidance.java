@@ -1,0 +1,69 @@
+package robosim.geometry;
+
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import robosim.geometry.check.Checks;
+import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.IgnoredObjects;
+
+/**
+ * What a moving object keeps clear of, and by how much: a margin, and names of objects that do not count, such as the floor
+ * it stands on or a tool that it carries. A planner keeps one for each robot; together they are its matrix of allowed
+ * collisions.
+ *
+ * <pre>{@code
+ * Avoidance careful = Avoidance.margin(0.1);
+ * Avoidance standing = Avoidance.ignoring("floor", "ramp").withMargin(0.05);
+ * Avoidance.ALL.margin();                // 0.0: everything counts, touching is colliding
+ * }</pre>
+ *
+ * <p>A margin is what the object grows by on all sides, rounded at edges and corners, whatever its shape. It has the
+ * guarantees of a clearance ({@link Geometry#moveToContact}): a place keeps it if the distance that {@link
+ * Geometry#getProximity} returns there, and that from the world's bounds, are at least the margin.
+ *
+ * @param margin  world units; at least 0. With 0, touching is colliding
+ * @param ignored names of objects that do not count; each must be in the world that is asked
+ */
+public record Avoidance(double margin, Set<String> ignored) {
+    /** Everything counts, without a margin. */
+    public static final Avoidance ALL = new Avoidance(0, Set.of());
+
+    public Avoidance {
+        margin = Checks.clearance(margin) + 0.0;
+        for (String name : Checks.present("ignored", ignored)) {
+            Checks.present("ignored name", name);
+        }
+        ignored = Set.copyOf(ignored);
+    }
+
+    /** Everything counts, with a margin. */
+    public static Avoidance margin(double margin) {
+        return new Avoidance(margin, Set.of());
+    }
+
+    /** Some objects do not count. */
+    public static Avoidance ignoring(String... names) {
+        return ALL.andIgnoring(Set.of(names));
+    }
+
+    /** The same with another margin. */
+    public Avoidance withMargin(double other) {
+        return new Avoidance(other, ignored);
+    }
+
+    /** The same with more objects that do not count, such as all of a group or layer of the caller's. */
+    public Avoidance andIgnoring(Collection<String> names) {
+        Set<String> all = new LinkedHashSet<>(ignored);
+        all.addAll(Checks.present("names", names));
+        return new Avoidance(margin, all);
+    }
+
+    /** Leaves the ignored objects out of a world's queries, until its {@link IgnoredObjects#clear}. */
+    void begin(World world) {
+        world.objects.ignored.clear();
+        for (String name : ignored) {
+            world.objects.ignored.add(world.registry.known(name));
+        }
+    }
+}
