@@ -144,7 +144,7 @@ public final class WorldProver {
         double second = isBoth ? Math.max(0, 2 * share - 1) : share;
         if (move.ry() != 0) {
             Point axis = isOwn ? axis(there, 1) : new Point(0, 1, 0);
-            attempts.add(turn(there, self, axis, first * move.ry()));
+            attempts.add(turn(there, self, axis, within(first) * move.ry()));
         }
         if (move.rx() != 0 && (!isBoth || first == 1)) {
             GeometryObject turned = isOwn ? there.turned(0, move.ry()) : there;
@@ -155,10 +155,15 @@ public final class WorldProver {
                                     new Claim.Turn(there, self, axis, MOST_TANGENT, List.of()),
                                     null,
                                     "a turn about the world's X after another one is not proved")
-                            : turn(turned, self, axis, second * move.rx()));
+                            : turn(turned, self, axis, within(second) * move.rx()));
         }
         attempts.add(prover.clear(start.at(end), self));
         return attempts;
+    }
+
+    /** A blocked turn is proved free up to a little before what it comes to, where it all but touches. */
+    private static double within(double share) {
+        return share < 1 ? share * (1 - 0x1p-26) : 1;
     }
 
     private static Point axis(GeometryObject object, int column) {

@@ -83,6 +83,13 @@ final class NearSearch {
                 from[axis] -= at[k] * half * row[3 + 3 * axis + k];
             }
         }
+        if (row[15] > 0) {
+            double[] up = {row[4], row[7], row[10]};
+            double along = Rows.product(up, from);
+            for (int axis = 0; axis < 3; axis++) {
+                from[axis] -= along * up[axis];
+            }
+        }
         double radius = row[15] + row[16];
         double length = Rows.length(from);
         double scale = radius == 0 ? 0 : length > radius * INWARD ? radius / length * INWARD : 1;

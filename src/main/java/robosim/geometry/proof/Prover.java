@@ -23,6 +23,9 @@ public final class Prover {
     /** A claim is about points up to this much nearer, or farther, than a computed distance, of it and of sizes and places. */
     private static final double BRACKET = 0x1p-42;
 
+    /** The same where rims pass each other, whose planes are hard to find. */
+    private static final double WIDE_BRACKET = 0x1p-24;
+
     private final Scene scene;
     private final SceneRows rows;
     private final boolean isFlat;
@@ -159,13 +162,25 @@ public final class Prover {
     public Attempt cone(Point start, Point direction, double cosine, int self, double distance, int other) {
         double[] way = {direction.x(), isFlat ? 0 : direction.y(), direction.z()};
         double size = distance + Math.abs(start.x()) + Math.abs(start.y()) + Math.abs(start.z());
-        double low = Math.max(0, distance - 4 * BRACKET * size);
-        Claim.Cone claim = new Claim.Cone(start, direction, cosine, self, low, Double.POSITIVE_INFINITY, other);
+        Attempt attempt = cone(
+                new Claim.Cone(start, direction, cosine, self, distance, distance, other), way, 4 * BRACKET * size);
+        return attempt.isProved()
+                ? attempt
+                : cone(
+                        new Claim.Cone(start, direction, cosine, self, distance, distance, other),
+                        way,
+                        WIDE_BRACKET * size);
+    }
+
+    private Attempt cone(Claim.Cone c, double[] way, double error) {
+        double low = Math.max(0, c.low() - error);
+        Claim.Cone claim = new Claim.Cone(
+                c.start(), c.direction(), c.cosine(), c.self(), low, Double.POSITIVE_INFINITY, c.other());
         if (low == Double.POSITIVE_INFINITY) {
             return Attempt.failed(claim, "a proof needs a finite range");
         }
-        Course course = Course.cone(vector(start), way, cosine, low);
-        Free free = low > 0 ? new Free(course, self, Claim.ALL, 0, course.isTurn()) : new Free(course);
+        Course course = Course.cone(vector(c.start()), way, c.cosine(), low);
+        Free free = low > 0 ? new Free(course, c.self(), Claim.ALL, 0, false) : new Free(course);
         return free.attempt(claim, null, null, 0);
     }
 

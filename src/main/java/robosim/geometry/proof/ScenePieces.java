@@ -100,11 +100,11 @@ final class ScenePieces {
                 least = Math.min(least, side);
                 most = Math.max(most, side);
             }
-            if (least < 0 && most > 0) {
-                continue;
+            Vec n = t.r[1].minus(t.r[0]).cross(t.r[2].minus(t.r[0]));
+            if (least < 0 && most > 0 || n.isZero()) {
+                continue; // what has no area changes nothing
             }
             Flaw.unless(least == most && least != 0, "a ray passes an edge of a solid mesh");
-            Vec n = t.r[1].minus(t.r[0]).cross(t.r[2].minus(t.r[0]));
             int ahead = n.dot(t.r[0].minus(start)).sign() * n.dot(ray).sign();
             Flaw.unless(ahead != 0, "a ray begins on a solid mesh");
             count += ahead > 0 ? 1 : 0;

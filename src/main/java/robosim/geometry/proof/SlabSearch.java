@@ -13,7 +13,14 @@ final class SlabSearch {
     /** Most planes for one pair of pieces; ten are usually enough for half a turn. */
     private static final int MOST_SLABS = 200;
 
-    private static final int DEPTH = 20;
+    private static final int DEPTH = 44;
+
+    /** Gaps that are negative by less than this fraction of sizes and places are tried to be widened. */
+    private static final double NEARLY = 0x1p-6;
+
+    private static final double FIRST_STEP = 0x1p-8;
+    private static final double LAST_STEP = 0x1p-30;
+    private static final int MOST_STEPS = 150;
 
     private final Gjk gjk = new Gjk();
     private final GapSearch gaps = new GapSearch();
@@ -57,7 +64,7 @@ final class SlabSearch {
         if (!isSure && best.gap > margin - error && (isWeak || best.gap > -error)) {
             isSure = isExact(i, j, best.n, from, to, isWeak);
         }
-        if (!isSure && best.gap > margin - 1e4 * error) {
+        if (!isSure && best.gap > margin - (course.cosine > 0 ? 1e9 : 1e4) * error) {
             for (double[] n : across(i, j, from, to)) {
                 isSure = !isSure && gap(i, j, n, from, to) > margin - error && isExact(i, j, n, from, to, isWeak)
                         || isSure;
@@ -66,6 +73,9 @@ final class SlabSearch {
                     break;
                 }
             }
+        }
+        if (!isSure && !course.isStill() && best.gap > margin - NEARLY * (course.size(i) + Rows.size(scene.rows[j]))) {
+            isSure = polish(i, j, from, to, error, best);
         }
         if (isSure) {
             double[] n = best.n;
@@ -82,11 +92,9 @@ final class SlabSearch {
 
     /** The direction that the kernel has for what is still, or at a moment of a motion. */
     private boolean quick(int i, int j, double from, double to, double error, Best best) {
-        if (course.cosine > 0) {
-            return false;
-        }
         return kernel(i, j, from, from, to, error, best)
-                || to > from
+                || course.cosine == 0
+                        && to > from
                         && (kernel(i, j, to, from, to, error, best)
                                 || kernel(i, j, (from + to) / 2, from, to, error, best));
     }
@@ -141,6 +149,33 @@ final class SlabSearch {
         return (n[0] != 0 || n[1] != 0 || n[2] != 0) && offer(i, j, n, from, to, error, best);
     }
 
+    /** Turns the best direction by less and less, as long as the gap becomes wider. */
+    private boolean polish(int i, int j, double from, double to, double error, Best best) {
+        double step = FIRST_STEP;
+        double angle = 0;
+        for (int k = 0; k < MOST_STEPS && step > LAST_STEP; k++) {
+            double[] n = best.n;
+            double[] u =
+                    Rows.unit(Rows.cross(n, Math.abs(n[1]) < 0.7 ? new double[] {0, 1, 0} : new double[] {1, 0, 0}));
+            double[] v = isFlat ? u : Rows.cross(n, u);
+            double before = best.gap;
+            for (int side = 0; side < (isFlat ? 2 : 6); side++) {
+                double turn = isFlat ? side * Math.PI : angle + side * Math.PI / 3;
+                double cos = step * Math.cos(turn);
+                double sin = isFlat ? 0 : step * Math.sin(turn);
+                double[] next = {
+                    n[0] + cos * u[0] + sin * v[0], n[1] + cos * u[1] + sin * v[1], n[2] + cos * u[2] + sin * v[2]
+                };
+                if (offer(i, j, Rows.unit(next), from, to, error, best)) {
+                    return true;
+                }
+            }
+            angle += 0.7;
+            step *= best.gap > before ? 1.5 : 0.6;
+        }
+        return false;
+    }
+
     private boolean isOverlap(int i, int j, double moment) {
         Rows.leaf(course.at(i, moment), a);
         Rows.leaf(scene.rows[j], b);
@@ -149,6 +184,10 @@ final class SlabSearch {
 
     /** Normals of faces, and directions across two edges, or an edge and the way. */
     private List<double[]> across(int i, int j, double from, double to) {
+        List<double[]> all = new ArrayList<>();
+        if (course.cosine > 0) {
+            rims(i, scene.rows[j], all);
+        }
         List<double[]> mine = edges(course.at(i, (from + to) / 2));
         List<double[]> theirs = edges(scene.rows[j]);
         if (course.cosine == 0 && to > from && !course.isTurn()) {
@@ -157,7 +196,6 @@ final class SlabSearch {
         if (isFlat) {
             mine.add(new double[] {0, 1, 0});
         }
-        List<double[]> all = new ArrayList<>();
         mine.addAll(theirs);
         for (int k = 0; k < mine.size(); k++) {
             add(mine.get(k), all);
@@ -166,6 +204,30 @@ final class SlabSearch {
             }
         }
         return all;
+    }
+
+    /** Where an edge passes the far end of a cone: the direction across the edge and the rim of the cone at that distance. */
+    private void rims(int i, double[] row, List<double[]> all) {
+        double[] apex = course.rows[i];
+        double[][] corners = Rows.corners(row);
+        for (int k = 0; k < corners.length; k++) {
+            for (int m = k + 1; m < corners.length; m++) {
+                double[] e = new double[3];
+                double[] v = new double[3];
+                for (int axis = 0; axis < 3; axis++) {
+                    e[axis] = corners[m][axis] - corners[k][axis];
+                    v[axis] = corners[k][axis] - apex[axis];
+                }
+                double ee = Rows.product(e, e);
+                double ve = Rows.product(v, e);
+                double root = Math.sqrt(ve * ve - ee * (Rows.product(v, v) - course.end * course.end));
+                for (int sign = -1; sign <= 1 && root >= 0; sign += 2) {
+                    double s = (sign * root - ve) / ee;
+                    double[] p = {v[0] + s * e[0], v[1] + s * e[1], v[2] + s * e[2]};
+                    add(Rows.cross(Rows.cross(course.way, p), e), all);
+                }
+            }
+        }
     }
 
     private void add(double[] v, List<double[]> all) {
