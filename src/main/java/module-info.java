@@ -18,6 +18,7 @@ module robosim.geometry {
     exports robosim.geometry.material;
     exports robosim.geometry.model;
     exports robosim.geometry.net;
+    exports robosim.geometry.proof;
     exports robosim.geometry.protocol;
     exports robosim.geometry.protocol.motion;
     exports robosim.geometry.render;

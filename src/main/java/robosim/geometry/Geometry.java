@@ -94,6 +94,7 @@ public final class Geometry implements WorldQueries {
     private final AccuracyView view;
     private final double[] vector = new double[6];
     private @Nullable ObjectSearch search;
+    private @Nullable WorldProver prover;
     private WorkLimit workLimit = WorkLimit.none();
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
@@ -248,6 +249,13 @@ public final class Geometry implements WorldQueries {
     public ObjectSearch search() {
         ObjectSearch made = search == null ? new ObjectSearch(engine) : search;
         search = made;
+        return made;
+    }
+
+    /** Answers with proofs, which a {@link robosim.geometry.proof.ProofChecker} verifies; see {@code docs/proofs.md}. */
+    public WorldProver prove() {
+        WorldProver made = prover == null ? new WorldProver(this) : prover;
+        prover = made;
         return made;
     }
 

@@ -28,9 +28,9 @@ class ExportsTest {
     private static final String ROOT = "robosim.geometry";
 
     /** Most exported packages, and most public types in them, nested ones included. */
-    private static final int MOST_PACKAGES = 14;
+    private static final int MOST_PACKAGES = 15;
 
-    private static final int MOST_TYPES = 214;
+    private static final int MOST_TYPES = 245;
 
     /** Doors to what is internal, for other packages of the module; programs have no use for them. */
     private static final Set<String> DOORS = Set.of(

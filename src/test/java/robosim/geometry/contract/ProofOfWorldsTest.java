@@ -1,0 +1,92 @@
+package robosim.geometry.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.proof.Attempt;
+import robosim.geometry.proof.ProofChecker;
+
+/** Answers of random worlds, most of which are to be proved; a proof that is found always holds. */
+class ProofOfWorldsTest {
+    private final TreeMap<String, int[]> counts = new TreeMap<>();
+
+    private void check(Geometry world, List<Attempt> attempts, String what) {
+        ProofChecker checker = world.prove().checker();
+        for (Attempt attempt : attempts) {
+            String kind = what + " " + attempt.claim().getClass().getSimpleName();
+            int[] count = counts.computeIfAbsent(kind, k -> new int[2]);
+            count[0]++;
+            if (attempt.proof() == null) {
+                count[1]++;
+                if (System.getProperty("show") != null) {
+                    System.out.println(kind + " " + attempt.reason() + " " + attempt.claim());
+                }
+                continue;
+            }
+            ProofChecker.Result result = checker.check(attempt.proof());
+            assertThat(result.reason())
+                    .as(attempt.proof() + " " + world.objects())
+                    .isEmpty();
+        }
+    }
+
+    private void run(Dimension dimension, boolean upright, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        RandomObjects objects = new RandomObjects(random, 6);
+        for (int k = 0; k < Effort.cases(160); k++) {
+            Geometry world = new Geometry(40, 40, 40, dimension, Accuracy.EXACT);
+            for (int n = 0; n < 20; n++) {
+                world.addObject(upright ? objects.upright() : objects.next());
+            }
+            GeometryObject robot = objects.primitive();
+            robot = upright ? objects.upright() : robot;
+            if (!world.addObject(robot.moveable("robot"))) {
+                continue;
+            }
+            check(world, List.of(world.prove().apart("robot")), "apart");
+            check(world, List.of(world.prove().proximity("robot", 20)), "proximity");
+            Point d = objects.direction();
+            check(
+                    world,
+                    world.prove().move("robot", new Move(d.x() * 3, upright ? 0 : d.y(), d.z() * 3, 0, 0)),
+                    "move");
+            double ry = random.nextDouble(-170, 170);
+            check(world, world.prove().move("robot", new Move(0, 0, 0, 0, ry)), "turn");
+            if (dimension == Dimension.SPATIAL) {
+                check(world, world.prove().move("robot", new Move(0, 0, 0, ry, 0)), "tip");
+            }
+            Ray ray = new Ray(
+                    objects.place(),
+                    dimension == Dimension.PLANAR ? new Point(d.x(), 0, d.z() == 0 && d.x() == 0 ? 1 : d.z()) : d);
+            check(world, List.of(world.prove().ray(ray, 30)), "ray");
+            check(world, List.of(world.prove().cone(ray, 30, random.nextDouble(1, 90))), "cone");
+        }
+        counts.forEach((kind, count) -> System.out.println(kind + ": " + count[0] + ", unproved " + count[1]));
+    }
+
+    @Test
+    void answersInSpaceAreProved() {
+        run(Dimension.SPATIAL, false, 1);
+    }
+
+    @Test
+    void answersOfUprightObjectsAreProved() {
+        run(Dimension.SPATIAL, true, 2);
+    }
+
+    @Test
+    void answersInThePlaneAreProved() {
+        run(Dimension.PLANAR, true, 3);
+    }
+}
