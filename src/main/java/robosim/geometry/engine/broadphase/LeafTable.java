@@ -3,8 +3,8 @@ package robosim.geometry.engine.broadphase;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.Forms;
-import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.LeafRanges;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.ArrayGrowth;
 import robosim.geometry.index.QuadCursor;
@@ -389,7 +389,9 @@ public final class LeafTable {
             if (id >= forms.length) {
                 forms = Arrays.copyOf(forms, shapes.length);
             }
-            form = accuracy == Accuracy.EXACT ? new ObjectLeaves(objects.value(id), accuracy) : made.of(objects.value(id));
+            form = accuracy == Accuracy.EXACT
+                    ? new ObjectLeaves(objects.value(id), accuracy)
+                    : made.of(objects.value(id));
             forms[id] = form;
         }
         return form;

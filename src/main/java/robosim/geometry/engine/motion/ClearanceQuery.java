@@ -4,8 +4,8 @@ import java.util.Arrays;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.NearestSearch;
-import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.IgnoredObjects;
+import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Point;
@@ -152,7 +152,9 @@ public final class ClearanceQuery {
             for (int i = 0; i < own.size(); i++) {
                 boolean isUpright =
                         own.kind(i).isVerticalPrism() && table.leaves().kind(j).isVerticalPrism();
-                if (isUpright ? !UprightLeaves.isOnOrAbove(one.set(own, i), two.set(table.leaves(), j)) : top > box[1]) {
+                if (isUpright
+                        ? !UprightLeaves.isOnOrAbove(one.set(own, i), two.set(table.leaves(), j))
+                        : top > box[1]) {
                     return false;
                 }
             }
