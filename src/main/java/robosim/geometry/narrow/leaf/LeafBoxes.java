@@ -14,7 +14,7 @@ public final class LeafBoxes {
     /** A node of the tree that has more is divided. */
     private static final int IN_NODE = 4;
 
-    private double[] boxes = new double[6 * FEW];
+    private double[] boxes = new double[0];
     private int size;
     private boolean isFlat;
     private boolean isBuilt;
@@ -25,7 +25,7 @@ public final class LeafBoxes {
     /** The bounds of the nodes; those below node k are 2 k + 1 and 2 k + 2. */
     private double[] nodes = new double[0];
 
-    private int[] found = new int[FEW];
+    private int[] found = new int[0];
     private int count;
 
     // What is asked for.
@@ -120,7 +120,7 @@ public final class LeafBoxes {
 
     private void add(int leaf) {
         if (count == found.length) {
-            found = Arrays.copyOf(found, 2 * count);
+            found = Arrays.copyOf(found, Math.max(FEW, 2 * count));
         }
         found[count++] = leaf;
     }
