@@ -40,6 +40,7 @@ final class Snippet {
             import robosim.geometry.dynamics.*;
             import robosim.geometry.model.*;
             import robosim.geometry.net.*;
+            import robosim.geometry.proof.*;
             import robosim.geometry.protocol.*;
             import robosim.geometry.scenario.*;
             import robosim.geometry.render.*;
