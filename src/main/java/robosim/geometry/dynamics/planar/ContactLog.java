@@ -246,6 +246,29 @@ public final class ContactLog {
         notes = 0;
     }
 
+    /**
+     * Takes back what was told to act on a body all through a time, as far as it does not: along the normal that is most like
+     * the one it was told with.
+     *
+     * @param by newton seconds, at least 0
+     */
+    public void takeBack(int id, int object, double[] along, int at, double by) {
+        GeometryObject own = objects.value(id);
+        double closest = TURNED;
+        int found = -1;
+        for (int entry = find(key(id, object)); entry >= 0; entry = next[entry]) {
+            double same = dot(latest, 3 * entry, along, at);
+            same = body[entry] == own ? same : -same;
+            if (same > closest) {
+                closest = same;
+                found = entry;
+            }
+        }
+        if (found >= 0) {
+            impulse[found] -= by;
+        }
+    }
+
     /** Whether two may touch along several normals at once: two convex objects do not. */
     private boolean hasFaces(int id, int object) {
         return object < 0

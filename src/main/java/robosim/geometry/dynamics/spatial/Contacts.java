@@ -37,6 +37,25 @@ final class Contacts {
         count = 0;
     }
 
+    /** Adds one of others. */
+    void add(Contacts of, int k) {
+        int n = 3 * k;
+        double[] p = of.point;
+        double[] along = of.normal;
+        add(
+                of.body[k],
+                of.other[k],
+                of.object[k],
+                p[n],
+                p[n + 1],
+                p[n + 2],
+                along[n],
+                along[n + 1],
+                along[n + 2],
+                of.apart[k]);
+        lasting[count - 1] = of.lasting[k];
+    }
+
     void add(
             int ofBody,
             int otherBody,
@@ -70,6 +89,7 @@ final class Contacts {
     void keep(double share) {
         for (int k = 0; k < count && share < 1; k++) {
             impulse[k] -= (1 - share) * lasting[k];
+            lasting[k] *= share;
         }
     }
 

@@ -21,6 +21,9 @@ final class EnergyBudget {
     private double[] before = new double[0];
     private double[] moving = new double[0];
     private double[] risen = new double[0];
+    private double[] lends = new double[0];
+    private double[] lent = new double[0];
+    private double[] mostLent = new double[0];
     private boolean[] isPressed = new boolean[0];
     private boolean[] isHeld = new boolean[0];
 
@@ -38,6 +41,8 @@ final class EnergyBudget {
             body.isHeld = false;
             body.work = 0;
             body.lastWork = 0;
+            body.lends = 0;
+            body.mostLent = 0;
             body.turnInertia();
             if (!body.isAsleep) {
                 body.limit(seconds);
@@ -80,6 +85,7 @@ final class EnergyBudget {
             }
         }
         sum();
+        lend();
         for (int b = 0; b < bodies.size(); b++) {
             RigidBody body = bodies.get(b);
             int group = body.group;
@@ -105,6 +111,30 @@ final class EnergyBudget {
         }
     }
 
+    /** Lends groups what solutions that are not exact have added, and takes it back from what they lose. */
+    private void lend() {
+        for (int b = 0; b < bodies.size(); b++) {
+            lends[b] = 0;
+            lent[b] = 0;
+            mostLent[b] = 0;
+        }
+        for (int b = 0; b < bodies.size(); b++) {
+            RigidBody body = bodies.get(b);
+            lends[body.group] += body.lends;
+            lent[body.group] += body.lent;
+            mostLent[body.group] += body.mostLent;
+            body.lent = 0;
+        }
+        for (int group = 0; group < bodies.size(); group++) {
+            double excess = moving[group] + risen[group] - before[group];
+            double by = Math.max(-lent[group], Math.min(excess, Math.min(lends[group], mostLent[group] - lent[group])));
+            if (isHeld[group]) {
+                before[group] += Math.max(0, by);
+                bodies.get(group).lent = lent[group] + by;
+            }
+        }
+    }
+
     /** Takes from a body what its group has too much. */
     private void brake(RigidBody body, int group) {
         double excess = moving[group] + risen[group] - before[group];
@@ -121,6 +151,9 @@ final class EnergyBudget {
             before = new double[count];
             moving = new double[count];
             risen = new double[count];
+            lends = new double[count];
+            lent = new double[count];
+            mostLent = new double[count];
             isPressed = new boolean[count];
             isHeld = new boolean[count];
         }

@@ -52,17 +52,26 @@ final class Integrator {
     private final ContactDetection detection;
     private final SequentialImpulses impulses;
     private final Contacts contacts;
-    private final Runnable tell;
+    private final ContactTeller tell;
+
+    /** What acts on bodies from things that stand still until a part of a slice ends, or until they collide. */
+    private final Contacts acting = new Contacts();
+
     private final double[] d = new double[3];
     private final double[] angle = new double[3];
     private final double[] middle = new double[ObjectTable.PLACE];
     private final double[] spare = new double[6];
 
-    /**
-     * For some bodies.
-     *
-     * @param tell runs after each collision, when its contacts and impulses are known
-     */
+    /** Takes what contacts give. */
+    interface ContactTeller {
+        /** Tells all contacts and impulses, after each collision. */
+        void tell();
+
+        /** Takes back that a contact, one of some, gives a body so many newton seconds. */
+        void takeBack(Contacts of, int k, double impulse);
+    }
+
+    /** For some bodies. */
     Integrator(
             List<RigidBody> bodies,
             double[] gravity,
@@ -70,7 +79,7 @@ final class Integrator {
             ContactDetection detection,
             SequentialImpulses impulses,
             Contacts contacts,
-            Runnable tell) {
+            ContactTeller tell) {
         this.bodies = bodies;
         this.gravity = gravity;
         this.way = way;
@@ -113,6 +122,33 @@ final class Integrator {
                 body.lastWork *= share;
             }
         }
+    }
+
+    /** Notes what goes on acting from things that stand still: on one body, or on all where that is below 0. */
+    void act(int only, double seconds) {
+        if (only < 0) {
+            acting.clear();
+        }
+        for (int k = 0; k < contacts.count; k++) {
+            int other = contacts.other[k];
+            if (contacts.lasting[k] > 0 && (other < 0 || bodies.get(other).isAsleep)) {
+                acting.add(contacts, k);
+                acting.lasting[acting.count - 1] /= seconds;
+            }
+        }
+    }
+
+    /** Ends that for a body, which collides before the end. */
+    private void endActing(int b, double rest) {
+        int kept = 0;
+        for (int k = 0; k < acting.count; k++) {
+            if (acting.body[k] == b) {
+                tell.takeBack(acting, k, acting.lasting[k] * rest);
+            } else {
+                acting.copy(k, kept++);
+            }
+        }
+        acting.count = kept;
     }
 
     /** Carries a body through a slice unless that has been done. */
@@ -341,6 +377,7 @@ final class Integrator {
         RigidBody body = bodies.get(b);
         body.work -= body.lastWork;
         body.lastWork = 0;
+        endActing(b, rest);
         contacts.clear();
         detection.gather(b, true);
         for (int k = 0; k < contacts.count; k++) {
@@ -358,7 +395,8 @@ final class Integrator {
         body.release();
         fallOn(body, rest);
         impulses.solve(contacts, b, true, rest, gap, surfaces);
-        tell.run();
+        act(b, rest);
+        tell.tell();
     }
 
     /** Moves a body away from what it has come nearer to than gaps are: no direction would separate the two on any way. */

@@ -44,6 +44,12 @@ final class RigidBody implements Cloneable {
 
     double lastWork;
 
+    /** What contacts may lend its group in this slice, joules, the most that they may have lent, and what they have. */
+    double lends;
+
+    double mostLent;
+    double lent;
+
     /** Where it is, laid out as in the table of objects. */
     double[] place = new double[ObjectTable.PLACE];
 
@@ -268,6 +274,7 @@ final class RigidBody implements Cloneable {
 
     void sleep() {
         isAsleep = true;
+        lent = 0;
         Arrays.fill(v, 0);
         Arrays.fill(u, 0);
         Arrays.fill(given, 0);

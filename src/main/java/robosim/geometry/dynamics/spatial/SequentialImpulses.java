@@ -25,6 +25,9 @@ final class SequentialImpulses {
     /** Impulses that change a velocity by less than so many m/s no longer count. */
     private static final double SMALL = 1e-9;
 
+    /** Speeds at contacts that are off by at most so many m/s may come of solutions that are not exact. */
+    private static final double INEXACT = 1e-6;
+
     private final List<RigidBody> bodies;
 
     private double[] target = new double[0];
@@ -44,7 +47,10 @@ final class SequentialImpulses {
     private int[] wheel = new int[0];
 
     private double[] slides = new double[0];
-    private final double[] arm = new double[3];
+
+    /** From the centres of both bodies to the point, three numbers each. */
+    private double[] arms = new double[0];
+
     private final Traction traction;
 
     SequentialImpulses(List<RigidBody> bodies, Traction traction) {
@@ -108,7 +114,23 @@ final class SequentialImpulses {
             }
         }
         if (atEnd) {
+            lend(contacts, seconds);
             traction.finish();
+        }
+    }
+
+    /**
+     * Notes what impulses do over the little by which solutions are not exact, and the most that they would over a gap: bodies
+     * stay within it, so that what it lends comes back.
+     */
+    private void lend(Contacts c, double seconds) {
+        for (int k = 0; k < c.count; k++) {
+            if (!isOff[k] && pushed[k] > 0 && target[k] <= 0) {
+                double mean = 0.5 * (speed(c, k, c.normal, 3 * k, false) + speed(c, k, c.normal, 3 * k, true));
+                RigidBody body = bodies.get(c.body[k]);
+                body.lends += pushed[k] * Math.max(0, Math.min(mean, 0.5 * INEXACT));
+                body.mostLent += pushed[k] / seconds * TurningSweep.GAP;
+            }
         }
     }
 
@@ -181,6 +203,7 @@ final class SequentialImpulses {
             wheel = new int[room];
             rubbed = new double[2 * room];
             tangents = new double[6 * room];
+            arms = new double[6 * room];
             ease = new double[2 * room];
             isOff = new boolean[room];
         }
@@ -191,6 +214,7 @@ final class SequentialImpulses {
         wheel[k] = -1;
         rubbed[2 * k] = 0;
         rubbed[2 * k + 1] = 0;
+        reach(c, k);
         int own = bodies.get(c.body[k]).id;
         int other = c.object[k];
         double before = speed(c, k, c.normal, 3 * k, false);
@@ -211,6 +235,12 @@ final class SequentialImpulses {
             target[k] = -(apart - 2 * gap) / seconds;
         } else {
             target[k] = apart < gap / 4 ? (gap / 4 - apart) / seconds : 0;
+        }
+        if (atEnd && before > INEXACT) {
+            // What separates now and is caught up with comes back at most as fast as it goes: then no impulse in
+            // between
+            // does work.
+            target[k] = Math.min(target[k], -before);
         }
         makeTangents(c, k);
         ease[2 * k] = 1 / lightness(c, k, c.normal, 3 * k);
@@ -250,38 +280,44 @@ final class SequentialImpulses {
 
     /** The speed at which the body leaves the other one along a direction. */
     private double speed(Contacts c, int k, double[] along, int at, boolean atEnd) {
-        double sum = speed(c.body[k], c, k, along, at, atEnd);
-        return isMoved(c.other[k]) ? sum - speed(c.other[k], c, k, along, at, atEnd) : sum;
+        double sum = speed(velocity(c.body[k], atEnd), 6 * k, along, at);
+        return isMoved(c.other[k]) ? sum - speed(velocity(c.other[k], atEnd), 6 * k + 3, along, at) : sum;
     }
 
-    private double speed(int b, Contacts c, int k, double[] along, int at, boolean atEnd) {
-        double[] v = velocity(b, atEnd);
-        reach(b, c, k);
-        double x = v[0] + (v[4] * arm[2] - v[5] * arm[1]);
-        double y = v[1] + (v[5] * arm[0] - v[3] * arm[2]);
-        double z = v[2] + (v[3] * arm[1] - v[4] * arm[0]);
+    private double speed(double[] v, int arm, double[] along, int at) {
+        double[] r = arms;
+        double x = v[0] + (v[4] * r[arm + 2] - v[5] * r[arm + 1]);
+        double y = v[1] + (v[5] * r[arm] - v[3] * r[arm + 2]);
+        double z = v[2] + (v[3] * r[arm + 1] - v[4] * r[arm]);
         return x * along[at] + y * along[at + 1] + z * along[at + 2];
     }
 
-    private void reach(int b, Contacts c, int k) {
+    /** Works out the arms of a contact. */
+    private void reach(Contacts c, int k) {
+        reach(c, k, c.body[k], 6 * k);
+        if (isMoved(c.other[k])) {
+            reach(c, k, c.other[k], 6 * k + 3);
+        }
+    }
+
+    private void reach(Contacts c, int k, int b, int at) {
         double[] place = bodies.get(b).place;
-        arm[0] = c.point[3 * k] - place[0];
-        arm[1] = c.point[3 * k + 1] - place[1];
-        arm[2] = c.point[3 * k + 2] - place[2];
+        for (int axis = 0; axis < 3; axis++) {
+            arms[at + axis] = c.point[3 * k + axis] - place[axis];
+        }
     }
 
     /** By how much a unit of impulse along a direction changes the speed. */
     private double lightness(Contacts c, int k, double[] along, int at) {
-        double sum = isMoved(c.body[k]) ? lightness(c.body[k], c, k, along, at) : 0;
-        return isMoved(c.other[k]) ? sum + lightness(c.other[k], c, k, along, at) : sum;
+        double sum = isMoved(c.body[k]) ? lightness(bodies.get(c.body[k]), 6 * k, along, at) : 0;
+        return isMoved(c.other[k]) ? sum + lightness(bodies.get(c.other[k]), 6 * k + 3, along, at) : sum;
     }
 
-    private double lightness(int b, Contacts c, int k, double[] along, int at) {
-        RigidBody body = bodies.get(b);
-        reach(b, c, k);
-        double x = arm[1] * along[at + 2] - arm[2] * along[at + 1];
-        double y = arm[2] * along[at] - arm[0] * along[at + 2];
-        double z = arm[0] * along[at + 1] - arm[1] * along[at];
+    private double lightness(RigidBody body, int arm, double[] along, int at) {
+        double[] r = arms;
+        double x = r[arm + 1] * along[at + 2] - r[arm + 2] * along[at + 1];
+        double y = r[arm + 2] * along[at] - r[arm] * along[at + 2];
+        double z = r[arm] * along[at + 1] - r[arm + 1] * along[at];
         double[] i = body.inverse;
         return 1 / body.mass
                 + x * (i[0] * x + i[1] * y + i[2] * z)
@@ -338,29 +374,30 @@ final class SequentialImpulses {
     private void give(Contacts c, int k, double[] along, int at, double impulse, boolean atEnd) {
         if (impulse != 0) {
             boolean isShared = isMoved(c.other[k]);
-            give(c.body[k], c, k, along, at, impulse, velocity(c.body[k], atEnd));
+            RigidBody own = bodies.get(c.body[k]);
+            give(own, 6 * k, along, at, impulse, atEnd ? own.u : own.v);
             if (isShared) {
-                give(c.other[k], c, k, along, at, -impulse, velocity(c.other[k], atEnd));
-            }
-            if (isShared && atEnd) {
-                give(c.body[k], c, k, along, at, impulse, bodies.get(c.body[k]).given);
-                give(c.other[k], c, k, along, at, -impulse, bodies.get(c.other[k]).given);
+                RigidBody other = bodies.get(c.other[k]);
+                give(other, 6 * k + 3, along, at, -impulse, atEnd ? other.u : other.v);
+                if (atEnd) {
+                    give(own, 6 * k, along, at, impulse, own.given);
+                    give(other, 6 * k + 3, along, at, -impulse, other.given);
+                }
             }
         }
     }
 
-    private void give(int b, Contacts c, int k, double[] along, int at, double impulse, double[] v) {
-        RigidBody body = bodies.get(b);
-        reach(b, c, k);
+    private void give(RigidBody body, int arm, double[] along, int at, double impulse, double[] v) {
+        double[] r = arms;
         double x = impulse * along[at];
         double y = impulse * along[at + 1];
         double z = impulse * along[at + 2];
         v[0] += x / body.mass;
         v[1] += y / body.mass;
         v[2] += z / body.mass;
-        double tx = arm[1] * z - arm[2] * y;
-        double ty = arm[2] * x - arm[0] * z;
-        double tz = arm[0] * y - arm[1] * x;
+        double tx = r[arm + 1] * z - r[arm + 2] * y;
+        double ty = r[arm + 2] * x - r[arm] * z;
+        double tz = r[arm] * y - r[arm + 1] * x;
         double[] i = body.inverse;
         v[3] += i[0] * tx + i[1] * ty + i[2] * tz;
         v[4] += i[3] * tx + i[4] * ty + i[5] * tz;

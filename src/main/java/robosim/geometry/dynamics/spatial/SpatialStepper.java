@@ -72,7 +72,7 @@ public final class SpatialStepper {
         impact = new SpatialTimeOfImpact(bodies, near);
         free = new FreeGroup(bodies, this.gravity, placer, detection);
         loosening = new RestGap(bodies, placer, way, detection, this.gravity);
-        carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, this::tell);
+        carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, new Teller());
     }
 
     /** Forgets all bodies. */
@@ -243,6 +243,7 @@ public final class SpatialStepper {
         contacts.keep(share);
         tell();
         double made = share * seconds;
+        carriage.act(-1, made);
         carriage.begin(share);
         sort();
         for (int k = 0; k < bodies.size(); k++) {
@@ -281,6 +282,18 @@ public final class SpatialStepper {
                 to--;
             }
             order[to] = b;
+        }
+    }
+
+    private final class Teller implements Integrator.ContactTeller {
+        @Override
+        public void tell() {
+            SpatialStepper.this.tell();
+        }
+
+        @Override
+        public void takeBack(Contacts of, int k, double impulse) {
+            now.takeBack(bodies.get(of.body[k]).id, of.object[k], of.normal, 3 * k, impulse);
         }
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
@@ -192,5 +193,106 @@ class SpatialMomentumTest {
                 }
             }
         }
+    }
+
+    /**
+     * A row of smooth cylinders on the floor, of which the first is driven against the others, by forces that change: all
+     * together get what the drive and walls give, whatever the masses, and each gets what its contacts report.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.001, 1", "0.02, 1", "0.001, 200", "0.01, 200", "0.03, 200"})
+    void aRowThatIsDrivenGetsWhatItsDriveGives(double seconds, double ratio) {
+        SplittableRandom random = new SplittableRandom(7);
+        int pressed = 0;
+        for (int run = 0; run < 4; run++) {
+            Geometry world = new Geometry(60, 8, 8);
+            world.addObject(new BoxObject(new Point(0, -0.5, 0), 50, 1, 6).named("floor"));
+            double restitution = random.nextBoolean() ? 0 : random.nextDouble();
+            Dynamics dynamics = new Dynamics(world, new Surface(restitution, 1, 1));
+            double edge = -10;
+            double height = random.nextDouble(0.3, 0.6);
+            double[] mass = new double[random.nextInt(2, 5)];
+            for (int k = 0; k < mass.length; k++) {
+                double size = random.nextDouble(0.4, 0.9);
+                edge += random.nextBoolean() ? 2e-8 : random.nextDouble(2e-8, 0.02);
+                Point at = new Point(edge + size / 2, height / 2 + 1.5e-8, 0);
+                GeometryObject object = new CylinderObject(at, size / 2, height).moveable(name(k));
+                assertThat(world.addObject(object)).isTrue();
+                edge += size;
+                mass[k] = StrictMath.pow(ratio, random.nextDouble());
+                Body body = Body.ofMass(object, mass[k]).withSurface(new Surface(restitution, 0, 0));
+                dynamics.add(name(k), k == 0 ? body.withFloorFriction(1) : body);
+            }
+            if (run % 2 == 1) {
+                double before = random.nextDouble(2e-8, 0.02);
+                assertThat(world.addObject(new BoxObject(new Point(edge + before + 0.5, 1.1, 0), 1, 2, 3)))
+                        .isTrue();
+            }
+            double force = 0;
+            for (int step = 0; step < 15; step++) {
+                if (step % 4 == 0) {
+                    force = mass[0] * random.nextDouble(step == 0 ? 2 : -1, 5); // no more than its friction
+                    dynamics.drive(name(0), new ForceDrive(force, 0, 0));
+                }
+                double[] before = momenta(dynamics, mass);
+                StepResult result = dynamics.step(seconds);
+                assertThat(result.stopped()).isEmpty();
+                double[] after = momenta(dynamics, mass);
+                double scale = Math.max(1e-2, force * seconds);
+                double given = force * seconds;
+                double change = 0;
+                for (int k = 0; k < mass.length; k++) {
+                    scale = Math.max(scale, Math.abs(before[k]));
+                    double impulse = impulse(result, name(k));
+                    pressed += impulse != 0 ? 1 : 0;
+                    given += impulse;
+                    change += after[k] - before[k];
+                    // Normals of one contact are told as one, although bodies that hit walls are tipped by some 1e-5.
+                    assertThat(after[k] - before[k])
+                            .as("run %d, step %d, body %d of %d", run, step, k, mass.length)
+                            .isCloseTo(impulse + (k == 0 ? force * seconds : 0), within(10 * BOUND * scale));
+                }
+                assertThat(change).as("run %d, step %d", run, step).isCloseTo(given, within(BOUND * scale));
+            }
+        }
+        assertThat(pressed).isGreaterThan(20);
+    }
+
+    private static double[] momenta(Dynamics dynamics, double[] mass) {
+        double[] all = new double[mass.length];
+        for (int k = 0; k < mass.length; k++) {
+            all[k] = mass[k] * dynamics.spatialVelocity(name(k)).x();
+        }
+        return all;
+    }
+
+    /** A body on the floor that hits a wall: the floor gives no more than what gravity takes. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0013, 0.02, 0.1})
+    void theFloorCarriesTheWeightAlsoWhereWallsAreHit(double seconds) {
+        Geometry world = new Geometry(60, 8, 8);
+        world.addObject(new BoxObject(new Point(0, -0.5, 0), 50, 1, 6).named("floor"));
+        assertThat(world.addObject(new BoxObject(new Point(2, 1 + 1e-6, 0), 1, 2, 6).named("wall")))
+                .isTrue();
+        Dynamics dynamics = new Dynamics(world, new Surface(1, 0, 0));
+        CylinderObject object = new CylinderObject(new Point(0, 0.2 + 1.5e-8, 0), 0.3, 0.4).moveable(name(0));
+        assertThat(world.addObject(object)).isTrue();
+        dynamics.add(name(0), Body.ofMass(object, 3).withSurface(new Surface(1, 0, 0)));
+        dynamics.setSpatialVelocity(name(0), new SpatialVelocity(7.0123, 0, 0, 0, 0, 0));
+        double walls = 0;
+        double rises = 0;
+        for (double time = 0; time < 0.4; time += seconds) {
+            StepResult result = dynamics.step(seconds);
+            double gained = 3 * dynamics.spatialVelocity(name(0)).y() - rises;
+            rises += gained;
+            for (BodyContact contact : result.contacts()) {
+                boolean isFloor = "floor".equals(contact.other());
+                walls += isFloor ? 0 : contact.impulse();
+                if (isFloor) {
+                    assertThat(contact.impulse()).isCloseTo(3 * Body.GRAVITY * seconds + gained, within(BOUND));
+                }
+            }
+        }
+        assertThat(walls).isCloseTo(2 * 3 * 7.0123, within(1e-7));
     }
 }
