@@ -3,6 +3,7 @@ package robosim.geometry.narrow.sweep;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafScratch;
+import robosim.geometry.narrow.leaf.Turn;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
@@ -38,6 +39,21 @@ public final class SweepScratch {
     double polytopes(AxisBody.Mode mode, Leaf a, double dx, double dy, double dz, Leaf b) {
         double time = sweep().axes.needing(need != Need.TIME, latest).time(mode, a, dx, dy, dz, b);
         return Double.isNaN(time) && need != Need.SURE_VERDICT ? ExactAxes.time(mode, a, dx, dy, dz, b) : time;
+    }
+
+    /** Begins to turn the triangles of a mesh; in the plane about the vertical. */
+    public void turnTriangles(Turn turn, boolean inPlane) {
+        sweep().sieve.begin(turn, inPlane);
+    }
+
+    /** Takes the next triangle that turns. */
+    public void turnTriangle(double[] corners) {
+        sweep().sieve.mover(corners);
+    }
+
+    /** Whether the triangle that turns clearly keeps off one at rest; most that do are found. */
+    public boolean isClearOf(double[] corners, double[] moving) {
+        return sweep().sieve.isClear(corners, moving);
     }
 
     public SweepWorkspace sweep() {

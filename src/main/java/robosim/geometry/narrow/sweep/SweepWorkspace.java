@@ -13,4 +13,5 @@ final class SweepWorkspace {
     final VerticalTurn vertical = new VerticalTurn();
     final TurnBody body = new TurnBody();
     final TurnAdvancement turning = new TurnAdvancement();
+    final TurnSieve sieve = new TurnSieve();
 }
