@@ -53,13 +53,12 @@ public final class Overlap {
         if (!isOne) {
             boxes.setAll(a, 0, a.size(), dimension == Dimension.PLANAR);
         }
-        double[] box = s.leaf.partBox;
         for (int j = first; j < first + count; j++) {
             int near = 1;
             if (!isOne) {
                 s.work.take();
-                b.bounds(j, box);
-                near = boxes.meeting(box, uncertain(box));
+                b.bounds(j, boxes.box);
+                near = boxes.meeting(uncertain(boxes.box));
             }
             for (int k = 0; k < near; k++) {
                 s.work.take();

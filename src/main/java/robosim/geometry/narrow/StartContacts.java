@@ -43,7 +43,6 @@ public final class StartContacts {
     /** The bounds of the mover's leaves at the start, where there are several. */
     private final LeafBoxes boxes = new LeafBoxes();
 
-    private final double[] box = new double[6];
     private boolean hasBoxes;
 
     private ContactPlanes[] planes = new ContactPlanes[4];
@@ -103,8 +102,8 @@ public final class StartContacts {
             hasBoxes = true;
             boxes.setAll(start, 0, start.size(), dimension == Dimension.PLANAR);
         }
-        b.bounds(j, box);
-        int near = boxes.meeting(box, Overlap.uncertain(box));
+        b.bounds(j, boxes.box);
+        int near = boxes.meeting(Overlap.uncertain(boxes.box));
         for (int k = 0; k < near; k++) {
             add(boxes.found(k), b, j);
         }

@@ -69,6 +69,9 @@ public final class Sweep {
     /** Whether doubles could not tell of some pair. */
     private boolean isUnsure;
 
+    /** Whether pairs of triangles that clearly keep off each other on a turn are left out. */
+    private boolean isSieved;
+
     private int leaf;
     private int own;
     private int ownPiece;
@@ -358,6 +361,10 @@ public final class Sweep {
         }
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
+        isSieved = kindB.isMesh() && turns && pairs == null && (dimension == Dimension.SPATIAL || turn.isLevel());
+        if (isSieved) {
+            s.sweep.turnTriangles(turn, dimension == Dimension.PLANAR);
+        }
         // A moving mesh: each triangle whose path may hit the obstacle.
         s.leaf.outer.startBox(a, i, reach(a, i));
         for (int t = s.leaf.outer.next(0); t >= 0; t = s.leaf.outer.next(0)) {
@@ -366,9 +373,11 @@ public final class Sweep {
             if (overlaps(swept, s.leaf.triangleBox)) {
                 own = t;
                 int before = otherPiece;
-                double share = kindB.hasPieces()
-                        ? againstPieces(s.leaf.faceA, b, j)
-                        : piece(s.leaf.faceA, obstacle.set(b, j), -1, least);
+                double share = kindB.isMesh()
+                        ? againstSwept(s.leaf.faceA, b, j)
+                        : kindB.isGrid()
+                                ? againstGrid(s.leaf.faceA, b, j)
+                                : piece(s.leaf.faceA, obstacle.set(b, j), -1, least);
                 boolean isFirst =
                         share < least || (share == least && ownPiece >= 0 && isLower(s.leaf.outer, t, ownPiece));
                 if (share != Double.POSITIVE_INFINITY && isFirst) {
@@ -526,15 +535,27 @@ public final class Sweep {
 
     private double againstMesh(Leaf leaf, LeafColumn mesh, int of) {
         bounds(leaf, swept);
+        isSieved = false;
+        return againstSwept(leaf, mesh, of);
+    }
+
+    /** The same with the bounds of the motion found. */
+    private double againstSwept(Leaf leaf, LeafColumn mesh, int of) {
         if (dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
             swept[4] = Double.POSITIVE_INFINITY;
+        }
+        if (isSieved) {
+            s.sweep.turnTriangle(leaf.row);
         }
         double least = Double.POSITIVE_INFINITY;
         int first = -1;
         s.leaf.inner.startBox(mesh, of, swept);
         for (int t = s.leaf.inner.next(0); t >= 0; t = s.leaf.inner.next(0)) {
             s.leaf.inner.corners(t, s.leaf.triangleB, 0);
+            if (isSieved && s.sweep.isClearOf(s.leaf.triangleB, leaf.row)) {
+                continue;
+            }
             double share = piece(leaf, s.leaf.faceB, t, least);
             if (share < least || (share == least && first >= 0 && isLower(s.leaf.inner, t, first))) {
                 least = share;

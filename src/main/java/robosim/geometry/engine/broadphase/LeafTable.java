@@ -51,13 +51,20 @@ public final class LeafTable {
      */
     private static final int FEW_MOVERS = 16;
 
+    /** The same for grids. */
+    private static final int FEW_GRIDS = 4;
+
     private int movers;
 
-    /** Grids, which are in no tree: one lies over most of a world, and finds for itself what is near. */
+    /**
+     * Grids that are in no tree: a few, as one mostly lies over all of a world and finds for itself what is near. More of them are in
+     * the tree of static objects.
+     */
     private int[] grids = new int[0];
 
     private int gridCount;
     private boolean hasMoversInTree;
+    private boolean hasGridsInTree;
 
     /** The longest sum of three sides of bounds that were taken in. */
     private double longest;
@@ -199,10 +206,34 @@ public final class LeafTable {
 
     private void takeGrid(int id) {
         shapes[id] = GRID;
+        if (hasGridsInTree) {
+            listStill(id);
+            return;
+        }
+        if (gridCount == FEW_GRIDS) {
+            hasGridsInTree = true;
+            for (int k = 0; k < gridCount; k++) {
+                listStill(grids[k]);
+            }
+            gridCount = 0;
+            listStill(id);
+            return;
+        }
         if (gridCount == grids.length) {
             grids = Arrays.copyOf(grids, gridCount + 1);
         }
         grids[gridCount++] = id;
+    }
+
+    /** Adds a static object to the tree; what is in it may be found by its size. */
+    private void listStill(int id) {
+        System.arraycopy(tree.boxes(), 6 * id, box, 0, 6);
+        longest = Math.max(longest, Distance.sides(box));
+        if (space == null) {
+            tree.list(id);
+        } else {
+            space.still.add(id, tree.boxes());
+        }
     }
 
     private void giveUpGrid(int id) {
@@ -273,7 +304,7 @@ public final class LeafTable {
         return space == null ? tree.size() == 0 : space.still.size() + space.moving.size() == 0;
     }
 
-    /** How many grids there are, none of which is in a tree. */
+    /** How many grids are in no tree. */
     int gridCount() {
         return gridCount;
     }
@@ -300,7 +331,7 @@ public final class LeafTable {
     }
 
     void remove(int id) {
-        if (shapes[id] == GRID) {
+        if (shapes[id] == GRID && !hasGridsInTree) {
             giveUpGrid(id);
         } else if (!objects.isMoveable(id)) {
             if (space == null) {

@@ -6,9 +6,11 @@ import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.MotionContact;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
@@ -25,6 +27,9 @@ final class BlockingContact {
     private final LeafColumn own = new LeafColumn(1);
     private final LeafColumn other = new LeafColumn(1);
     private final double[] around = new double[6];
+
+    /** The bounds of the mover's leaves, where there are several. */
+    private final LeafBoxes boxes = new LeafBoxes();
 
     /** The objects that share the least free share, in no order until one is chosen. */
     private int[] tied = new int[4];
@@ -91,6 +96,9 @@ final class BlockingContact {
         }
         all.begin(view.dimension, segment.sweep, own, other, rank(obstacle));
         at.bounds(0, at.size(), around);
+        if (at.size() > 1) {
+            boxes.setAll(at, 0, at.size(), view.dimension == Dimension.PLANAR);
+        }
         for (int k = 0; k < 3; k++) {
             around[k] -= all.reach();
             around[3 + k] += all.reach();
@@ -110,13 +118,28 @@ final class BlockingContact {
         return obstacle;
     }
 
+    /** Finds the mover's leaves that may be hit at once by another leaf. */
+    private int near(MotionContact all, LeafColumn at, LeafColumn others, int leaf) {
+        if (at.size() == 1) {
+            return 1;
+        }
+        others.bounds(leaf, boxes.box);
+        double slack = all.reach();
+        for (double bound : boxes.box) {
+            slack += 0x1p-40 * Math.abs(bound); // more than rounding may make of it
+        }
+        return boxes.meeting(slack);
+    }
+
     /** Adds what else of an object the mover touches. */
     private void compare(MotionContact all, LeafColumn at, LeafTable of, int id, boolean isFirst) {
         long rank = rank(id);
         int first = of.first(id);
         boolean isWhole = ownPiece < 0 && otherPiece < 0;
         for (int j = first; j < first + of.count(id); j++) {
-            for (int i = 0; i < at.size(); i++) {
+            int near = near(all, at, of.leaves(), j);
+            for (int k = 0; k < near; k++) {
+                int i = at.size() == 1 ? 0 : boxes.found(k);
                 boolean isKnown = isFirst && isWhole && i == ownLeaf && j == otherLeaf;
                 if (!isKnown) {
                     all.add(at, i, of.leaves(), j, rank);

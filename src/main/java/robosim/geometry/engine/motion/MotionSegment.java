@@ -83,8 +83,6 @@ public final class MotionSegment {
     /** More than a sweep of a leaf may stop early, and than a place may be rounded. */
     private double early;
 
-    private final double[] nearBox = new double[6];
-
     private AccuracyView view;
     private ObjectLeaves form;
     private double givenX;
@@ -397,11 +395,11 @@ public final class MotionSegment {
             if (turns()) {
                 turnBy(1);
             }
-            sweepLeaves(nearBox);
+            sweepLeaves(leavesSwept.box);
         }
-        other.bounds(leaf, nearBox);
-        double slack = early + EARLY * size(nearBox);
-        return distance > 0 ? leavesSwept.within(nearBox, distance + slack) : leavesSwept.meeting(nearBox, slack);
+        other.bounds(leaf, leavesSwept.box);
+        double slack = early + EARLY * size(leavesSwept.box);
+        return distance > 0 ? leavesSwept.within(distance + slack) : leavesSwept.meeting(slack);
     }
 
     /** The k-th of the leaves that may come near, in ascending order. */

@@ -69,7 +69,6 @@ final class TranslationFastPath {
     /** The bounds of the way of each leaf, where there are several. */
     private final LeafBoxes swept = new LeafBoxes();
 
-    private final double[] part = new double[6];
     private boolean hasSwept;
     private boolean isUnsure;
 
@@ -409,8 +408,8 @@ final class TranslationFastPath {
             hasSwept = true;
             swept.clear(count, view.dimension == Dimension.PLANAR);
             for (int k = 0; k < count; k++) {
-                sweep.bounds(own.leaves(), first + k, part);
-                swept.set(k, part);
+                sweep.bounds(own.leaves(), first + k, swept.box);
+                swept.set(k, swept.box);
             }
         }
     }
@@ -420,12 +419,12 @@ final class TranslationFastPath {
         if (!hasSwept) {
             return 1;
         }
-        theirs.bounds(leaf, part);
+        theirs.bounds(leaf, swept.box);
         double size = ownSize + Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
-        for (double bound : part) {
+        for (double bound : swept.box) {
             size += Math.abs(bound);
         }
-        return swept.meeting(part, EARLY * size);
+        return swept.meeting(EARLY * size);
     }
 
     private int near(int k) {

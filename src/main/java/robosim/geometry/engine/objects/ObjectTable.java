@@ -43,7 +43,7 @@ public final class ObjectTable {
     private double[] places = new double[0];
     private int[] movers = new int[4];
 
-    /** The String instances that name the moveable objects, in order of insertion. */
+    /** The String instances that name the moveable objects, in the order of their slots. */
     private @Nullable String[] moverNames = new String[4];
 
     private int moverCount;
@@ -286,16 +286,14 @@ public final class ObjectTable {
         size--;
     }
 
-    /** Removes a mover from the list of movers, which stays in order of insertion. */
+    /** Removes a mover from the list of movers, where the last one takes its slot. */
     private void removeMover(int slot) {
         moverCount--;
-        System.arraycopy(movers, slot + 1, movers, slot, moverCount - slot);
-        System.arraycopy(moverNames, slot + 1, moverNames, slot, moverCount - slot);
+        movers[slot] = movers[moverCount];
+        moverNames[slot] = moverNames[moverCount];
         moverNames[moverCount] = null;
-        System.arraycopy(places, (slot + 1) * PLACE, places, slot * PLACE, (moverCount - slot) * PLACE);
-        for (int k = slot; k < moverCount; k++) {
-            slots[movers[k]] = k;
-        }
+        System.arraycopy(places, moverCount * PLACE, places, slot * PLACE, PLACE);
+        slots[movers[slot]] = slot;
     }
 
     /** The ids of all objects, in the order in which they were added. */

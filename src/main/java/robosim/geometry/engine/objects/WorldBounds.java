@@ -111,6 +111,12 @@ public final class WorldBounds {
         if (kind.isGrid()) {
             return holdsGrid(column, leaf);
         }
+        if (kind.isMesh()) {
+            column.bounds(leaf, box);
+            if (clearlyHolds(box)) {
+                return true;
+            }
+        }
         double[] row = column.rows();
         int at = leaf * Leaf.STRIDE;
         for (int axis = 0; axis < 3; axis += step()) {

@@ -25,8 +25,6 @@ public final class ProximityQuery {
     /** The bounds of its leaves, where there are several. */
     private final LeafBoxes ownBoxes = new LeafBoxes();
 
-    private final double[] otherBox = new double[6];
-
     /** And its bounds. */
     private final double[] box = new double[6];
 
@@ -80,8 +78,8 @@ public final class ProximityQuery {
         if (own.size() == 1) {
             return 1;
         }
-        table.leaves().bounds(leaf, otherBox);
-        return ownBoxes.within(otherBox, far);
+        table.leaves().bounds(leaf, ownBoxes.box);
+        return ownBoxes.within(far);
     }
 
     static double sides(LeafTable table, int other) {

@@ -1,7 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
-import robosim.geometry.index.ArrayGrowth;
 
 /**
  * The bounds of the leaves of a column, asked which of them meet a box or come near it: one by one if there are few, else by a
@@ -14,22 +13,23 @@ public final class LeafBoxes {
     /** A node of the tree that has more is divided. */
     private static final int IN_NODE = 4;
 
-    private double[] boxes = new double[0];
+    private double[] boxes = {};
     private int size;
     private boolean isFlat;
     private boolean isBuilt;
 
     /** The leaves, so that each node of the tree has those of a range. */
-    private int[] order = new int[0];
+    private int[] order = {};
 
     /** The bounds of the nodes; those below node k are 2 k + 1 and 2 k + 2. */
-    private double[] nodes = new double[0];
+    private double[] nodes = {};
 
-    private int[] found = new int[0];
+    private int[] found = {};
     private int count;
 
-    // What is asked for.
-    private final double[] box = new double[6];
+    /** What is asked about: minimum x, y and z, then maximum. A question may change it. */
+    public final double[] box = new double[6];
+
     private double square;
 
     /**
@@ -42,7 +42,7 @@ public final class LeafBoxes {
         isFlat = ignoresHeights;
         isBuilt = false;
         if (6 * leaves > boxes.length) {
-            boxes = new double[6 * ArrayGrowth.of(leaves)];
+            boxes = new double[6 * Math.max(FEW, leaves + (leaves >> 1))];
         }
     }
 
@@ -71,22 +71,21 @@ public final class LeafBoxes {
     }
 
     /**
-     * Finds the leaves whose bounds meet a box that is widened by a slack; see {@link #found}.
+     * Finds the leaves whose bounds meet the {@link #box} widened by a slack; see {@link #found}.
      *
      * @return how many there are
      */
-    public int meeting(double[] of, double slack) {
+    public int meeting(double slack) {
         for (int k = 0; k < 3; k++) {
-            box[k] = of[k] - slack;
-            box[3 + k] = of[3 + k] + slack;
+            box[k] -= slack;
+            box[3 + k] += slack;
         }
         square = 0;
         return find();
     }
 
-    /** Finds the leaves whose bounds may be at most so far from a box, rounding allowed for. */
-    public int within(double[] of, double distance) {
-        System.arraycopy(of, 0, box, 0, 6);
+    /** Finds the leaves whose bounds may be at most so far from the {@link #box}, rounding allowed for. */
+    public int within(double distance) {
         square = distance * distance * (1 + 0x1p-40) + Double.MIN_NORMAL;
         return find();
     }
@@ -161,7 +160,7 @@ public final class LeafBoxes {
 
     private void build() {
         if (order.length < size) {
-            order = new int[ArrayGrowth.of(size)];
+            order = new int[size + (size >> 1)];
             nodes = new double[12 * Integer.highestOneBit(order.length)];
         }
         for (int k = 0; k < size; k++) {

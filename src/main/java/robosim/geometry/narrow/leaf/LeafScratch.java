@@ -28,8 +28,6 @@ public final class LeafScratch {
         return made;
     }
 
-    public final double[] partBox = new double[6];
-
     /** Walks a grid for a leaf of a kind: another one than for its cells where that is a grid, too. */
     public GridWalk cells(LeafKind kind) {
         GridWalk walk = kind.isGrid() ? cellsOfGrid : cells;

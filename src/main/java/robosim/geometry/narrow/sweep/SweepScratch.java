@@ -3,6 +3,7 @@ package robosim.geometry.narrow.sweep;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafScratch;
+import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.sat.AxisBody;
@@ -42,6 +43,21 @@ public final class SweepScratch {
         return Double.isNaN(time) && need != Need.SURE_VERDICT ? ExactAxes.time(mode, a, dx, dy, dz, b) : time;
     }
 
+    /** Begins to turn the triangles of a mesh; in the plane about the vertical. */
+    public void turnTriangles(PivotTurn turn, boolean inPlane) {
+        sweep().sieve.begin(turn, inPlane);
+    }
+
+    /** Takes the next triangle that turns. */
+    public void turnTriangle(double[] corners) {
+        sweep().sieve.mover(corners);
+    }
+
+    /** Whether the triangle that turns clearly keeps off one at rest; most that do are found. */
+    public boolean isClearOf(double[] corners, double[] moving) {
+        return sweep().sieve.isClear(corners, moving);
+    }
+
     public Kernels sweep() {
         if (sweep == null) {
             sweep = new Kernels();
@@ -59,5 +75,6 @@ public final class SweepScratch {
         final VerticalTurn vertical = new VerticalTurn();
         final TurningLeaf body = new TurningLeaf();
         final TurnAdvancement turning = new TurnAdvancement();
+        final TurnSieve sieve = new TurnSieve();
     }
 }

@@ -75,7 +75,7 @@ class MeshPairsTest {
         return Math.max(t[axis], Math.max(t[3 + axis], t[6 + axis]));
     }
 
-    private static MeshObject placed(MeshObject mesh, int way, SplittableRandom random) {
+    static MeshObject placed(MeshObject mesh, int way, SplittableRandom random) {
         return switch (way) {
             case 0 -> mesh;
             case 1 -> mesh.turned(90, -90);
@@ -85,7 +85,7 @@ class MeshPairsTest {
     }
 
     /** Moved so that a corner of it lies on a corner of the other one, or beside it, and the rest mostly on the far side. */
-    private static MeshObject brought(
+    static MeshObject brought(
             MeshObject mesh, double[][] rows, int trial, MeshRayTest.Family family, SplittableRandom random) {
         double[][] own = MeshRayTest.rows(LocalLeaves.placed(mesh));
         int axis = trial % 3;
