@@ -62,6 +62,22 @@ class ExampleProgramsTest {
                 .getDocumentElement();
     }
 
+    /** Both find a path, and the pictures show the robot along it. */
+    @Test
+    void plannersFindTheirWay(@TempDir Path folder) throws Exception {
+        String said = run("Planner", folder.toString(), "1");
+        for (String robot : List.of("car", "drone")) {
+            int poses = Integer.parseInt(
+                    match(robot + ": (\\d+) poses, \\d+ drives swept", said).group(1));
+            int drawn = picture(folder.resolve(robot + ".svg"))
+                    .getElementsByTagName("rect")
+                    .getLength();
+            assertThat(poses).isGreaterThan(20);
+            assertThat(drawn).isGreaterThan(poses);
+        }
+        assertThat(said).endsWith("exit 0");
+    }
+
     @Test
     void embeddingTakesTenLines() throws Exception {
         String said = run("EmbedInTenLines");

@@ -8,6 +8,7 @@ import robosim.geometry.engine.objects.IgnoredObjects;
 import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.narrow.Distance;
@@ -32,6 +33,9 @@ public final class ClearanceQuery {
 
     /** More than the rounding of bounds, as a share of the heights. */
     private static final double FLUSH = 0x1p-40;
+
+    /** More than what a square may lose by underflow. */
+    private static final double UNDERFLOW = 0x1p-1000;
 
     private final Leaf one = new Leaf();
     private final Leaf two = new Leaf();
@@ -120,6 +124,9 @@ public final class ClearanceQuery {
         }
         boolean isCoarse = view.accuracy != Accuracy.EXACT;
         double sizes = Distance.sides(box) + sides(table, other);
+        if (boxGap(table, other) > Distance.reach(reach, sizes)) {
+            return reach;
+        }
         int first = table.first(other);
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < own.size(); i++) {
@@ -168,6 +175,18 @@ public final class ClearanceQuery {
         return (b[k + 3] - b[k]) + (b[k + 4] - b[k + 1]) + (b[k + 5] - b[k + 2]);
     }
 
+    /** A lower bound of the distance of another object: that of their bounds. */
+    private double boxGap(LeafTable table, int other) {
+        double[] b = table.bounds();
+        int k = table.boundsAt(other);
+        double squared = 0;
+        for (int axis = 0; axis < 3; axis += view.dimension == Dimension.PLANAR ? 2 : 1) {
+            double gap = Math.max(box[axis] - b[k + 3 + axis], b[k + axis] - box[3 + axis]);
+            squared += gap > 0 ? gap * gap : 0;
+        }
+        return squared < UNDERFLOW ? 0 : Math.sqrt(squared) * (1 - 0x1p-50);
+    }
+
     private void touch(int other) {
         for (int k = 0; k < touchedCount; k++) {
             if (touched[k] == other) {
@@ -209,12 +228,17 @@ public final class ClearanceQuery {
      * deepest; +Infinity beyond the limit.
      */
     public double signed(int id, double limit) {
-        double least = distance(id, limit);
-        if (least == Double.POSITIVE_INFINITY) {
-            return least;
-        }
-        if (least > 0) {
+        double least = signedAlone(id, limit);
+        if (least > 0 && least < Double.POSITIVE_INFINITY) {
             measure(nearest, least);
+        }
+        return least;
+    }
+
+    /** The same without points and direction, except for an object that touches another one. */
+    double signedAlone(int id, double limit) {
+        double least = distance(id, limit);
+        if (least > 0) {
             return least;
         }
         double depth = Double.POSITIVE_INFINITY;

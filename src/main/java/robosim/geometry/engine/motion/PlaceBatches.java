@@ -68,7 +68,7 @@ public final class PlaceBatches {
             registry.work.take();
             places.take(poses, FreePlaces.POSE * k);
             clearance.at(view, id, places.place);
-            double found = clearance.signed(id, max);
+            double found = isFull ? clearance.signed(id, max) : clearance.signedAlone(id, max);
             out[numbers * k] = found;
             clear += found > 0 ? 1 : 0;
             for (int n = 1; n < numbers; n++) {
