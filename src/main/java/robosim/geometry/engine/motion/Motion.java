@@ -82,6 +82,7 @@ public final class Motion {
     /** Whether the last motion was found free by {@link #straight}, which knows its end. */
     private boolean isStraight;
 
+    private final TurnFastPath turning;
     private final StartContacts standing;
     private final BlockingContact stop;
     private final Distance distance;
@@ -137,6 +138,7 @@ public final class Motion {
         segment = new MotionSegment(scratch);
         enclosure = new EnclosureSweep(segment);
         exit = new BoundsExit(worldBounds, segment);
+        turning = new TurnFastPath(registry);
         standing = new StartContacts(scratch);
         distance = new Distance(scratch);
         stop = new BlockingContact(objects, candidates, segment, scratch, distance);
@@ -274,22 +276,15 @@ public final class Motion {
 
     /** Whether a turn about the vertical through the centre is free, and no more. */
     public boolean allowsTurn(AccuracyView inView, int mover, double byDegrees) {
-        if (turnsInItself(inView, mover)) {
+        if (turning.isFree(inView, mover)) {
             isStraight = false;
             id = mover;
             System.arraycopy(objects.places(), objects.place(mover), segment.end, 0, ObjectTable.PLACE);
             Attitude.turnVertically(segment.end, ObjectTable.ROTATION, byDegrees);
             return true;
         }
-        begin(inView, mover, 0, false);
+        begin(turning.deciding(inView, mover), mover, 0, false);
         return isFree(0, 0, 0, MotionSegment.VERTICAL, byDegrees);
-    }
-
-    /** Whether a turn about the vertical takes an object to the same points, to the bit: one upright disc about its centre. */
-    private boolean turnsInItself(AccuracyView inView, int mover) {
-        return objects.value(mover).kind().isRound()
-                && inView.accuracy == Accuracy.EXACT
-                && Attitude.isUpright(objects.places(), objects.place(mover) + ObjectTable.ROTATION);
     }
 
     /**

@@ -42,6 +42,9 @@ final class TranslationFastPath {
     /** More than a sweep may stop early, as a share of the coordinates. */
     private static final double EARLY = 0x1p-19;
 
+    /** More than rounding changes a share of the way. */
+    private static final double SHARE = 0x1p-40;
+
     /** More than the least float. */
     private static final double LEAST = 0x1p-140;
 
@@ -123,7 +126,7 @@ final class TranslationFastPath {
         if (!begin(inView, mover, x, y, z) || (dx == 0 && dy == 0 && dz == 0)) {
             return UNKNOWN;
         }
-        if (!worldBounds.clearlyHolds(box) && !endsInside()) {
+        if (!worldBounds.clearlyHolds(box) && !staysLow() && !endsInside()) {
             return BLOCKED;
         }
         int count = query.gather(view, box, id);
@@ -187,17 +190,67 @@ final class TranslationFastPath {
         if (isGrid(table, other)) {
             return UNKNOWN;
         }
-        if (isDiscs(table, other) && quickly(table, other, true) == DiscSweepFilter.MET) {
+        if (areBoxesPast(table, other)) {
+            return FREE;
+        }
+        int known = view.accuracy == Accuracy.SPHERE ? betweenBalls(table, other, 0) : DiscSweepFilter.UNSURE;
+        if (known == DiscSweepFilter.MET) {
             return BLOCKED;
         }
         if (passesWidely(table, other)) {
             return FREE;
         }
-        if (!passes(table, other)) {
+        if (known != DiscSweepFilter.CLEAR && !passes(table, other)) {
             return refusal();
         }
         TranslationFastPath exact = shapes();
         return exact != null && exact.exactly(exact.view.table(other), other) == FREE ? FREE : UNKNOWN;
+    }
+
+    /** Whether the bounds of two enclosures are apart, and stay so by more than the objects in them need. */
+    private boolean areBoxesPast(LeafTable table, int other) {
+        double[] b = own.bounds();
+        double[] c = table.bounds();
+        int at = own.boundsAt(id);
+        int to = table.boundsAt(other);
+        double enter = 0;
+        double leave = 1;
+        for (int k = 0; k < 3; k += view.dimension == Dimension.PLANAR ? 2 : 1) {
+            double by = k == 0 ? dx : k == 1 ? dy : dz;
+            // Between these displacements the two overlap along the axis.
+            double least = c[to + k] - b[at + 3 + k] - 2 * margin;
+            double most = c[to + 3 + k] - b[at + k] + 2 * margin;
+            if (by == 0) {
+                if (least > 0 || most < 0) {
+                    return true;
+                }
+            } else {
+                enter = Math.max(enter, (by > 0 ? least : most) / by - SHARE);
+                leave = Math.min(leave, (by > 0 ? most : least) / by + SHARE);
+            }
+        }
+        return enter > leave;
+    }
+
+    /**
+     * What doubles can tell of two balls.
+     *
+     * @param more by how much one is wider; if it is above 0, balls that overlap are not told to be past each other
+     */
+    private int betweenBalls(LeafTable table, int other, double more) {
+        int leaf = table.first(other);
+        double[] a = own.leaves().rows(own.first(id));
+        double[] b = table.leaves().rows(leaf);
+        int at = own.leaves().at(own.first(id));
+        int to = table.leaves().at(leaf);
+        boolean isFlat = view.dimension == Dimension.PLANAR;
+        double x = b[to] - a[at];
+        double y = isFlat ? 0 : b[to + 1] - a[at + 1];
+        double z = b[to + 2] - a[at + 2];
+        double reach = a[at + 3] + b[to + 3];
+        return more > 0 && x * x + y * y + z * z < reach * reach
+                ? DiscSweepFilter.UNSURE
+                : DiscSweepFilter.pastBall(x, y, z, dx, isFlat ? 0 : dy, dz, reach, more);
     }
 
     /**
@@ -205,6 +258,9 @@ final class TranslationFastPath {
      * stays so.
      */
     private boolean passesWidely(LeafTable table, int other) {
+        if (view.accuracy == Accuracy.SPHERE) {
+            return betweenBalls(table, other, margin) == DiscSweepFilter.CLEAR;
+        }
         if (!hasWide) {
             hasWide = true;
             wide.clear();
@@ -429,6 +485,11 @@ final class TranslationFastPath {
 
     private int near(int k) {
         return hasSwept ? swept.found(k) : 0;
+    }
+
+    /** Whether an enclosure moves horizontally, by which the object in it goes through neither floor nor ceiling. */
+    private boolean staysLow() {
+        return isCoarse && dy == 0 && worldBounds.clearlyHoldsSides(box);
     }
 
     private boolean endsInside() {

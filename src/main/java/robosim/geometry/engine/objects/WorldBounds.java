@@ -95,6 +95,13 @@ public final class WorldBounds {
         return true;
     }
 
+    /** The same along X and Z alone, for what stays at the heights at which it is. */
+    public boolean clearlyHoldsSides(double[] box) {
+        double mostX = half[0] * (1 - 0x1p-30);
+        double mostZ = half[2] * (1 - 0x1p-30);
+        return -box[0] < mostX && box[3] < mostX && -box[2] < mostZ && box[5] < mostZ;
+    }
+
     /** Whether a box, six numbers, is inside to within rounding, touching allowed. */
     public boolean nearlyHolds(double[] box) {
         for (int axis = 0; axis < 3; axis += step()) {

@@ -29,7 +29,41 @@ public final class DiscSweepFilter {
     /** Squares of motions shorter than this could lose too much to underflow. */
     private static final double SHORT = 0x1p-900;
 
+    // The same for three coordinates: a product and a sum more in each square, and in the product of q and d.
+    private static final double FILTER_BALLS = FilterBound.bound(16 * 0x1p-53);
+    private static final double FILTER_AHEAD_OF_BALLS = FilterBound.bound(6 * 0x1p-53);
+
     private DiscSweepFilter() {}
+
+    /**
+     * Whether a ball can move by (dx, dy, dz) past another one, whose centre is at offset (qx, qy, qz).
+     *
+     * @param reach the sum of the radii
+     * @param slack the error of the sum of the radii in either direction, apart from its rounding
+     */
+    public static int pastBall(
+            double qx, double qy, double qz, double dx, double dy, double dz, double reach, double slack) {
+        double hull = reach + slack;
+        double core = reach - slack;
+        double off = qx * qx + qy * qy + qz * qz;
+        double way = dx * dx + dy * dy + dz * dz;
+        double doubt = FILTER_BALLS * (hull * hull + off + way);
+        if (!(way > SHORT)) {
+            return UNSURE;
+        }
+        double ahead = qx * dx + qy * dy + qz * dz;
+        if (off > hull * hull + doubt) {
+            double share = Math.max(0, Math.min(1, ahead / way));
+            double ex = qx - share * dx;
+            double ey = qy - share * dy;
+            double ez = qz - share * dz;
+            double least = ex * ex + ey * ey + ez * ez;
+            return least > hull * hull + doubt ? CLEAR : least < core * core - doubt ? MET : UNSURE;
+        }
+        double doubtAhead = FILTER_AHEAD_OF_BALLS * (Math.abs(qx * dx) + Math.abs(qy * dy) + Math.abs(qz * dz)) + SHORT;
+        boolean isCertain = core > 0 && off < core * core - doubt && Math.abs(ahead) > doubtAhead;
+        return !isCertain ? UNSURE : ahead > 0 ? MET : CLEAR;
+    }
 
     /**
      * Whether the contents of one disc can move by (dx, dz) past the contents of another disc, whose centre is at

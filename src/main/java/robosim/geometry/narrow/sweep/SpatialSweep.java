@@ -6,6 +6,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.leaf.UprightLeaves;
 import robosim.geometry.narrow.overlap.HeightIntervals;
+import robosim.geometry.narrow.planar.DiscSweepFilter;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /** The motion of one leaf against another at rest, in space. */
@@ -59,6 +60,19 @@ public final class SpatialSweep {
         };
         if (b.kind == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, dy, b)) {
             return Double.POSITIVE_INFINITY;
+        }
+        if (b.kind == LeafKind.SPHERE) {
+            double qx = b.get(0) - a.get(0);
+            double qy = b.get(1) - a.get(1);
+            double qz = b.get(2) - a.get(2);
+            double reach = a.get(3) + b.get(3);
+            int sure = DiscSweepFilter.pastBall(qx, qy, qz, dx, dy, dz, reach, 0);
+            if (sure == DiscSweepFilter.CLEAR) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (sure == DiscSweepFilter.MET && qx * qx + qy * qy + qz * qz < reach * reach) {
+                return 0; // they overlap, and it goes deeper
+            }
         }
         TranslationAdvancement held = s.sweep().move;
         double time = exact
