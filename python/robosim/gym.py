@@ -23,7 +23,7 @@ from gymnasium import spaces
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from .client import (Json, Module, NotDone, ProtocolFault, RequestError, _with_its_files, body, box, command, cylinder, drive_settings,
+from .client import (Json, Module, NotDone, ProtocolFault, RequestError, _with_its_files, body, box, cylinder, drive_settings,
                      fan, pinhole, sense)
 from .launching import Server, serve
 
@@ -128,7 +128,7 @@ class _Episodes:
         self._line = _Line(self._module)
         self._opening = self._made(options, task)
         self._sensors = self._sensed(options)
-        self._command = command(options.robot)
+        self._head = f'{{"type":"step","seconds":{options.seconds!r},"bodies":[],"commands":[{{"objectName":{json.dumps(options.robot)}'
         self._has_right = options.drive in ("omnidirectional", "velocity", "force")
         self.actions: List[List[float]] = []
         self.start: Json = {}
@@ -243,12 +243,11 @@ class _Episodes:
         shares = [min(1.0, max(-1.0, float(share))) for share in action]
         self.actions.append(shares)
         options = self.options
-        told = self._command
-        told["forward"] = shares[0] * options.max_speed
-        told["turnRadians"] = shares[-1] * options.max_turn
-        if self._has_right:
-            told["right"] = shares[1] * options.max_speed
-        self._line.send(_bytes({"type": "step", "seconds": options.seconds, "bodies": [], "commands": [told]}) + self._sensors)
+        right = shares[1] * options.max_speed if self._has_right else 0.0
+        forward, turn = shares[0] * options.max_speed, shares[-1] * options.max_turn
+        # By hand, as every step of every world sends one: the repr of a number is its JSON.
+        told = f'{self._head},"forward":{forward!r},"right":{right!r},"turnRadians":{turn!r}}}]}}\n'
+        self._line.send(told.encode() + self._sensors)
 
     def finish(self) -> Tuple[Dict[str, Any], float, bool, bool, Json]:
         """The observation, the reward, whether the episode is over or cut off, and what else is known."""
