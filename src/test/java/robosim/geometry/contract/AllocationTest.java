@@ -2,8 +2,10 @@ package robosim.geometry.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.IntFunction;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -131,8 +133,35 @@ class AllocationTest {
         });
     }
 
+    /** Of many groups alike the members are laid out once. */
+    @ParameterizedTest
+    @EnumSource
+    void objectsAlikeAreLaidOutOnce(Dimension dimension) {
+        List<GeometryObject> parts = new ArrayList<>();
+        for (int k = 0; k < 10; k++) {
+            parts.add(new BoxObject(new Point(0.1 * k, 0, 0), 0.1, 0.2, 0.1));
+        }
+        ObjectGroup group = new ObjectGroup(parts);
+        long alike = added(dimension, k -> group);
+        long apart = added(dimension, k -> new ObjectGroup(parts));
+        assertThat(alike).isLessThan(apart * 3 / 4);
+    }
+
     private static final List<String> ROBOTS =
             List.of("round a", "square a", "round b", "square b", "round c", "square c", "round d", "square d");
+
+    /** Bytes that the addition of moveable objects takes. */
+    private static long added(Dimension dimension, IntFunction<GeometryObject> shape) {
+        List<GeometryObject> values = new ArrayList<>();
+        for (int k = 0; k < 200; k++) {
+            Point place = new Point(4 * (k % 20) - 40, 0, 4 * (k / 20) - 20);
+            values.add(shape.apply(k).moveable("object " + k).movedTo(place));
+        }
+        return Allocated.everyTime(() -> {
+            Geometry world = new Geometry(SIDE, 20, SIDE, dimension, Accuracy.EXACT);
+            values.forEach(world::addObjectUnchecked);
+        });
+    }
 
     private static String robot(int k) {
         return ROBOTS.get(k & 7);

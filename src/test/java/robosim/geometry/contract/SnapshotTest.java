@@ -34,6 +34,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
 
 /** Worlds made of a snapshot answer to the bit as the one it is of, share what stands still, and keep changes to themselves. */
 @Tag("slow")
@@ -219,6 +220,31 @@ class SnapshotTest {
                 .isLessThan(50_000);
         assertThat(Allocated.once(() -> large.toGeometries(100))).isLessThan(100 * 41_000);
         assertThat(Allocated.once(() -> grid(20_000))).isGreaterThan(20_000 * 100);
+    }
+
+    /** A second snapshot shares what stands still with the first, until any of that comes or goes. */
+    @Test
+    void whatStandsStillIsTakenInOnce() {
+        Geometry world = grid(20_000);
+        Ray ray = new Ray(new Point(300, 0, 0), new Point(-1, 0, 0));
+        Snapshot first = world.snapshot();
+        world.simpleMove("robot 3", 0, 0, 5);
+        assertThat(Allocated.once(() -> world.snapshot())).isLessThan(50_000);
+        Geometry moved = world.snapshot().toGeometry();
+        assertThat(moved.getObject("robot 3")).isEqualTo(world.getObject("robot 3"));
+        assertThat(first.toGeometry().getObject("robot 3")).isNotEqualTo(moved.getObject("robot 3"));
+        double before = moved.getRayDistance(ray, 0, 400, 0);
+
+        world.addObjectUnchecked(new BoxObject(new Point(200, 0, 0), 1, 1, 1).named("post"));
+        Snapshot with = world.snapshot();
+        assertThat(with.size()).isEqualTo(first.size() + 1);
+        assertThat(with.toGeometry().getRayDistance(ray, 0, 400, 0)).isEqualTo(99.5);
+        world.removeObject("post");
+        world.addObjectUnchecked(new BoxObject(new Point(220, 0, 0), 1, 1, 1).named("post"));
+        assertThat(world.snapshot().toGeometry().getRayDistance(ray, 0, 400, 0)).isEqualTo(79.5);
+        world.removeObject("post");
+        assertThat(world.snapshot().toGeometry().getRayDistance(ray, 0, 400, 0)).isEqualTo(before);
+        assertThat(first.toGeometry().getRayDistance(ray, 0, 400, 0)).isEqualTo(before);
     }
 
     private static Geometry grid(int count) {

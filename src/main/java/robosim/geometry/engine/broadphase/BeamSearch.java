@@ -155,7 +155,7 @@ public abstract class BeamSearch {
         double slack = slack(own) + 0x1p-44 * Math.abs(beam.oy);
         double reach = limit;
         double within = loose(reach, slack);
-        for (int k = 0; k < around.count() && around.distance(k) <= within; k++) {
+        for (int k = 0; around.has(k, within); k++) {
             int id = around.id(k);
             if (around.mayTouch(k, cone) && id != ignored) {
                 LeafTable table = view.table(id);
@@ -165,7 +165,9 @@ public abstract class BeamSearch {
                 }
             }
         }
-        if (!(within <= around.complete())) {
+        double complete = around.complete();
+        if (within >= complete && complete < Double.POSITIVE_INFINITY) {
+            around.close();
             done = around.box();
             try {
                 search(view, reach, ignored);

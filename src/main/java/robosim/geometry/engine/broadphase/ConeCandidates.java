@@ -1,13 +1,14 @@
 package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 
 /**
  * The objects nearest to a place, found once for all cones that begin there, each with the cones that may meet it: those that
- * look, as seen from above, where it stands.
+ * look, as seen from above, where it stands. They are found nearest first, and no farther than a cone looks.
  */
 public final class ConeCandidates {
     /** The most cones: one for each bit of a long. */
@@ -16,14 +17,11 @@ public final class ConeCandidates {
     /** The most objects that are kept; a cone that looks past them is searched alone. */
     private static final int MOST_FOUND = 32;
 
-    /** Where fewer are found, the next time it is looked farther. */
-    private static final int FEW = 12;
+    /** Where more are in no tree, nothing is shared. */
+    private static final int MOST_BESIDE = 20;
 
-    /** How often it is looked less far before that is given up; the next time goes on there. */
-    private static final int TRIES = 4;
-
-    /** By how much. */
-    private static final double WIDER = 1.25;
+    /** If most cones looked past what was found, so often all are searched alone. */
+    private static final int REST = 15;
 
     /** Parts of a turn, each with the cones that look there. */
     private static final int PARTS = 64;
@@ -42,20 +40,51 @@ public final class ConeCandidates {
     private final double[] distances = new double[MOST_FOUND];
     private final long[] cones = new long[MOST_FOUND];
     private int count;
-    private double complete;
 
-    /** How far it is looked to each side, which is learnt from how many objects are found. */
-    private double radius = Double.POSITIVE_INFINITY;
+    /** No more are found for these cones. */
+    private boolean isClosed;
 
-    private final BoxQuery query;
+    /** How far it is looked. */
+    private double limit;
+
+    // Where more objects come from: of each the next one, and a lower bound of how far all that are left there are.
+    private LeafTable own;
+    private int ownNext;
+    private double ownFrom;
+    private @Nullable LeafTable shared;
+    private int sharedNext;
+    private double sharedFrom;
+
+    /** The objects that are in no tree, nearest first. */
+    private final int[] beside = new int[MOST_BESIDE];
+
+    private final double[] besideFrom = new double[MOST_BESIDE + 1];
+    private int besideCount;
+    private int besideNext;
+
+    private final ObjectTable objects;
     private final double[] box = new double[6];
 
-    /** Whether there are more objects than can be kept. */
-    private boolean isFull;
+    private int coneCount;
+
+    /** How many of the cones looked past what was found. */
+    private int past;
+
+    private int rest;
 
     /** For a world of objects. */
+    @SuppressWarnings("NullAway.Init") // it is opened with a view
     public ConeCandidates(ObjectTable objects) {
-        query = new BoxQuery(objects, this::add);
+        this.objects = objects;
+    }
+
+    /** Whether cones are likely to share anything, as the last ones did. */
+    public boolean isWorthwhile() {
+        if (2 * past > coneCount) {
+            past = 0;
+            rest = REST;
+        }
+        return rest-- <= 0;
     }
 
     /** Forgets all, and takes a place. */
@@ -63,7 +92,9 @@ public final class ConeCandidates {
         ox = x;
         oy = y;
         oz = z;
-        count = 0;
+        coneCount = 0;
+        past = 0;
+        rest = 0;
         Arrays.fill(looking, 0);
     }
 
@@ -81,6 +112,7 @@ public final class ConeCandidates {
             looking[part] |= 1L << cone;
         }
         looking[to] |= 1L << cone;
+        coneCount++;
     }
 
     /** Adds a cone that looks all ways as seen from above. */
@@ -88,6 +120,7 @@ public final class ConeCandidates {
         for (int part = 0; part < PARTS; part++) {
             looking[part] |= 1L << cone;
         }
+        coneCount++;
     }
 
     /** Whether the cones look at most of what is around. */
@@ -100,66 +133,140 @@ public final class ConeCandidates {
     }
 
     /**
-     * Finds the objects around.
+     * Begins to find the objects around.
      *
-     * @param limit how far the cones look
-     * @return false where there are too many even near by
+     * @param most how far the cones look
+     * @return false where too many are in no tree
      */
-    public boolean open(AccuracyView view, double limit) {
-        radius = Math.min(radius, view.own.extent);
-        isFull = true;
-        for (int k = 0; k < TRIES && isFull; k++) {
-            gather(view, Math.min(radius, limit));
-        }
-        if (count < FEW && radius < limit) {
-            radius *= WIDER;
-        }
-        return !isFull;
-    }
-
-    private void gather(AccuracyView view, double within) {
-        around(0, ox, within);
-        around(1, oy, within);
-        around(2, oz, within);
+    public boolean open(AccuracyView view, double most) {
+        own = view.own;
+        shared = view.shared;
+        LeafTable others = view.shared;
+        limit = most + PAD * (most + own.extent + Math.abs(ox) + Math.abs(oy) + Math.abs(oz));
         count = 0;
-        isFull = false;
-        complete = within;
-        query.each(view, box, -1);
-        if (isFull) {
-            radius = within / WIDER;
+        isClosed = false;
+        besideCount = 0;
+        besideNext = 0;
+        for (int k = 0; k < own.moversBesideTree(); k++) {
+            addBeside(own, objects.mover(k));
         }
-    }
-
-    private void around(int axis, double middle, double within) {
-        // Rounded outward, so that nothing within is left out.
-        box[axis] = Math.nextDown(middle - within);
-        box[axis + 3] = Math.nextUp(middle + within);
-    }
-
-    /** Keeps an object at its place in the order of distances. */
-    private boolean add(LeafTable table, int id) {
-        if (count == MOST_FOUND) {
-            isFull = true;
-            return true;
+        addGrids(own);
+        if (others != null) {
+            addGrids(others);
         }
-        long seeing = lookingAt(table.bounds(), table.boundsAt(id));
-        if (seeing == 0) {
+        if (besideCount > MOST_BESIDE) {
             return false;
         }
-        double distance = distance(table, id);
-        int at = count++;
-        for (; at > 0 && distances[at - 1] > distance; at--) {
-            ids[at] = ids[at - 1];
-            distances[at] = distances[at - 1];
-            cones[at] = cones[at - 1];
+        besideFrom[besideCount] = Double.POSITIVE_INFINITY;
+        start(own);
+        takeOwn();
+        sharedFrom = Double.POSITIVE_INFINITY;
+        if (others != null) {
+            start(others);
+            takeShared(others);
         }
-        ids[at] = id;
-        distances[at] = distance;
-        cones[at] = seeing;
-        return false;
+        return true;
     }
 
-    /** A lower bound of how far the bounds of an object are, up to the radius. */
+    private void addGrids(LeafTable table) {
+        for (int k = 0; k < table.gridCount(); k++) {
+            addBeside(table, table.grid(k));
+        }
+    }
+
+    /** Keeps an object that is in no tree at its place in the order of distances. */
+    private void addBeside(LeafTable table, int id) {
+        if (besideCount < MOST_BESIDE) {
+            double distance = distance(table, id);
+            int at = besideCount;
+            for (; at > 0 && besideFrom[at - 1] > distance; at--) {
+                beside[at] = beside[at - 1];
+                besideFrom[at] = besideFrom[at - 1];
+            }
+            beside[at] = id;
+            besideFrom[at] = distance;
+        }
+        besideCount++;
+    }
+
+    private void start(LeafTable table) {
+        SpaceIndex space = table.space;
+        if (space == null) {
+            table.cursor.startPoint(ox, oz, limit);
+        } else {
+            space.nearest.around(ox, oy, oz);
+            space.nearest.start(space.still, space.moving);
+        }
+    }
+
+    private int next(LeafTable table) {
+        SpaceIndex space = table.space;
+        return space == null ? table.cursor.next(limit) : space.nearest.next(limit);
+    }
+
+    /** A lower bound of how far the last object is that the table gave, and of those that follow. */
+    private static double from(LeafTable table, int local) {
+        if (local < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        SpaceIndex space = table.space;
+        return (space == null ? table.cursor.entry() : space.nearest.entry()) * (1 - PAD);
+    }
+
+    private void takeOwn() {
+        ownNext = next(own);
+        ownFrom = from(own, ownNext);
+    }
+
+    private void takeShared(LeafTable others) {
+        sharedNext = next(others);
+        sharedFrom = from(others, sharedNext);
+    }
+
+    /** Whether there is an object of a number in the order of distances that may be within a reach. */
+    boolean has(int number, double reach) {
+        while (number >= count) {
+            double from = complete();
+            if (!(from <= reach) || count == MOST_FOUND || isClosed) {
+                return false;
+            }
+            take(from);
+        }
+        return distances[number] <= reach;
+    }
+
+    /** Takes the next object, unless no cone looks there. */
+    private void take(double from) {
+        LeafTable others = shared;
+        if (besideFrom[besideNext] == from) {
+            int id = beside[besideNext++];
+            add(others != null && ObjectTable.isShared(id) ? others : own, id, from);
+        } else if (others == null || ownFrom == from) {
+            add(own, ownNext | own.mark, from);
+            takeOwn();
+        } else {
+            add(others, sharedNext | others.mark, from);
+            takeShared(others);
+        }
+    }
+
+    private void add(LeafTable table, int id, double from) {
+        long seeing = lookingAt(table.bounds(), table.boundsAt(id));
+        if (seeing != 0) {
+            ids[count] = id;
+            distances[count] = from;
+            cones[count] = seeing;
+            count++;
+        }
+    }
+
+    /** A cone looks past what was found, and is searched alone; what is found later would be in the way of that. */
+    void close() {
+        isClosed = true;
+        past++;
+    }
+
+    /** A lower bound of how far the bounds of an object are. */
     private double distance(LeafTable table, int id) {
         double[] b = table.bounds();
         int k = table.boundsAt(id);
@@ -169,28 +276,28 @@ public final class ConeCandidates {
         return VectorMath.anyLength(dx, dy, dz) * (1 - PAD);
     }
 
-    /** How many objects were found. */
-    int count() {
-        return count;
-    }
-
     /** Up to where no object is left out. */
     double complete() {
-        return complete;
+        return Math.min(besideFrom[besideNext], Math.min(ownFrom, sharedFrom));
     }
 
     /** All objects that meet this box were found. */
     double[] box() {
+        // Its corners are not as far as that.
+        double half = 0.57 * complete() - PAD * (Math.abs(ox) + Math.abs(oy) + Math.abs(oz));
+        around(0, ox, half);
+        around(1, oy, half);
+        around(2, oz, half);
         return box;
+    }
+
+    private void around(int axis, double middle, double half) {
+        box[axis] = middle - half;
+        box[axis + 3] = middle + half;
     }
 
     int id(int number) {
         return ids[number];
-    }
-
-    /** A lower bound of how far an object is. */
-    double distance(int number) {
-        return distances[number];
     }
 
     /** Whether a cone may meet an object. */

@@ -1,6 +1,8 @@
 package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.Forms;
 import robosim.geometry.engine.objects.LeafRanges;
@@ -12,6 +14,7 @@ import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -74,6 +77,37 @@ public final class LeafTable {
 
     /** The forms of objects that need not be here. */
     private final Forms made;
+
+    /** The forms at EXACT by what they are of: all that are alike have one. Forgotten when a moveable object goes. */
+    private final Map<Shape, ObjectLeaves> shared = new HashMap<>();
+
+    /**
+     * What the leaves of an object depend on, wherever it stands: the sizes of a primitive, or the very triangles or members,
+     * which all its placements share.
+     */
+    private record Shape(GeometryObject.Kind kind, boolean isSolid, Object of) {
+        static Shape of(GeometryObject object) {
+            if (object instanceof MeshObject mesh) {
+                return new Shape(mesh.kind(), mesh.isSolid(), mesh.triangles());
+            }
+            return new Shape(
+                    object.kind(), true, object instanceof ObjectGroup group ? group.members() : object.roundedBox());
+        }
+
+        @Override
+        @SuppressWarnings("ReferenceEquality") // equal triangles and members take long to compare
+        public boolean equals(@Nullable Object other) {
+            return other instanceof Shape that
+                    && kind == that.kind
+                    && isSolid == that.isSolid
+                    && (of == that.of || (kind.isSized() && of.equals(that.of)));
+        }
+
+        @Override
+        public int hashCode() {
+            return 31 * kind.ordinal() + (kind.isSized() ? of.hashCode() : System.identityHashCode(of));
+        }
+    }
 
     /** What is known of each object beforehand: a sum of the bits below. */
     private byte[] shapes;
@@ -341,6 +375,7 @@ public final class LeafTable {
             }
         } else {
             movers--;
+            shared.clear();
             if (space == null) {
                 tree.remove(id);
             } else if (hasMoversInTree) {
@@ -420,9 +455,10 @@ public final class LeafTable {
             if (id >= forms.length) {
                 forms = Arrays.copyOf(forms, shapes.length);
             }
+            GeometryObject object = objects.value(id);
             form = accuracy == Accuracy.EXACT
-                    ? new ObjectLeaves(objects.value(id), accuracy)
-                    : made.of(objects.value(id));
+                    ? shared.computeIfAbsent(Shape.of(object), shape -> new ObjectLeaves(object, accuracy))
+                    : made.of(object);
             forms[id] = form;
         }
         return form;

@@ -26,7 +26,7 @@ public final class PatternSensor {
     /** Fewer rays are answered one by one just as fast. */
     private static final int FEW = 4;
 
-    /** The same in a world without heights. */
+    /** The same in a world without heights, where cones are always answered one by one: its quadtree finds them as soon. */
     private static final int FEW_IN_PLANE = 8;
 
     private static final double[] NONE = new double[0];
@@ -221,8 +221,8 @@ public final class PatternSensor {
      * far to be searched together are parted.
      */
     private void answer(AccuracyView view, int from, int to) {
-        boolean isInPlane = view.dimension == Dimension.PLANAR && width == 0;
-        if (to - from < (isInPlane ? FEW_IN_PLANE : FEW)) {
+        boolean isFlat = view.dimension == Dimension.PLANAR;
+        if (to - from < (isFlat ? FEW_IN_PLANE : FEW) || (width > 0 && isFlat)) {
             answerOneByOne(view, from, to, null);
             return;
         }
@@ -270,6 +270,9 @@ public final class PatternSensor {
         if (around == null) {
             around = new ConeCandidates(objects);
             surroundings = around;
+        }
+        if (!around.isWorthwhile()) {
+            return null;
         }
         for (int k = from; k < to; k++) {
             beam(view, k);

@@ -19,6 +19,9 @@ public final class NearestCursor {
     private double y;
     private double z;
 
+    /** The square of the distance of the last object's bounds. */
+    private double square;
+
     /** Links by the squares of the distances of their bounds. */
     private final EntryQueue queue = new EntryQueue();
 
@@ -51,13 +54,20 @@ public final class NearestCursor {
     public int next(double limit) {
         double most = limit * limit * UP + Double.MIN_NORMAL;
         while (!queue.isEmpty() && queue.leastKey() <= most) {
+            double key = queue.leastKey();
             int link = queue.pop();
             if (link < 0) {
+                square = key;
                 return link & ~(Integer.MIN_VALUE | SECOND);
             }
             open((link & SECOND) == 0 ? first : second, link & ~SECOND, link & SECOND, most);
         }
         return -1;
+    }
+
+    /** A lower bound of how far the last object is, and all that follow. */
+    public double entry() {
+        return square < Double.MIN_NORMAL ? 0 : Math.sqrt(square) / UP;
     }
 
     private void open(Hierarchy tree, int node, int mark, double most) {
@@ -68,10 +78,10 @@ public final class NearestCursor {
             double dx = Math.max(0, Math.max(n[k] - x, x - n[k + 3]));
             double dy = Math.max(0, Math.max(n[k + 1] - y, y - n[k + 4]));
             double dz = Math.max(0, Math.max(n[k + 2] - z, z - n[k + 5]));
-            double square = dx * dx + dy * dy + dz * dz;
+            double far = dx * dx + dy * dy + dz * dz;
             // A child that is missing is infinitely far.
-            if (square <= most && square < Double.POSITIVE_INFINITY) {
-                queue.push(square, Float.floatToRawIntBits(n[link]) | mark);
+            if (far <= most && far < Double.POSITIVE_INFINITY) {
+                queue.push(far, Float.floatToRawIntBits(n[link]) | mark);
             }
         }
     }

@@ -41,6 +41,11 @@ public final class MeshBeamSearch {
     private final double[] keys = new double[BoxTree.MAX_DEPTH + 2];
 
     private final double[] directions = new double[20];
+
+    /** The same in a tree's units, for a line: what its nodes' numbers are multiplied by. */
+    private final double[] inTree = new double[8];
+
+    private float[] nodes = new float[0];
     private boolean isPlanar;
     private boolean isLine;
 
@@ -142,6 +147,9 @@ public final class MeshBeamSearch {
     /** Puts the triangles that may be nearest within a limit, at least 0, to the judge; all of these that are. */
     public void find(TriangleMesh mesh, double limit, MeshRay.Judge judge) {
         BoxTree tree = mesh.tree();
+        if (isPlanar && isLine) {
+            takeToTree(tree);
+        }
         double[] corners = mesh.leafCorners();
         double reach = limit;
         int depth = 0;
@@ -176,8 +184,45 @@ public final class MeshBeamSearch {
         }
     }
 
+    /** Takes the directions of a line to the tree's units. */
+    private void takeToTree(BoxTree tree) {
+        nodes = tree.numbers();
+        double unit = 1 / tree.scale(); // a power of two
+        for (int direction = AHEAD; direction <= LEFT; direction += LEFT) {
+            double sum = directions[direction + 3];
+            for (int axis = 0; axis < 3; axis++) {
+                sum += directions[direction + axis] * tree.origin(axis);
+                inTree[direction + axis] = directions[direction + axis] * unit;
+            }
+            inTree[direction + 3] = sum;
+        }
+    }
+
+    /** The key of a node for a line, from the node's own numbers. */
+    private double lineKey(int node) {
+        float[] n = nodes;
+        double[] d = inTree;
+        int at = BoxTree.STRIDE * node;
+        double x = n[at];
+        double y = n[at + 1];
+        double z = n[at + 2];
+        double hx = n[at + BoxTree.HALF];
+        double hy = n[at + BoxTree.HALF + 1];
+        double hz = n[at + BoxTree.HALF + 2];
+        double aside = d[LEFT] * x + d[LEFT + 1] * y + d[LEFT + 2] * z + d[LEFT + 3];
+        double across = Math.abs(d[LEFT]) * hx + Math.abs(d[LEFT + 1]) * hy + Math.abs(d[LEFT + 2]) * hz;
+        double ahead = d[AHEAD] * x + d[AHEAD + 1] * y + d[AHEAD + 2] * z + d[AHEAD + 3];
+        double along = Math.abs(d[AHEAD]) * hx + Math.abs(d[AHEAD + 1]) * hy + Math.abs(d[AHEAD + 2]) * hz;
+        return Math.abs(aside) - across > pad || ahead + along < -pad
+                ? Double.POSITIVE_INFINITY
+                : notBelow0(ahead - along - pad);
+    }
+
     /** A lower bound of the distance of everything in a node; infinite if that is certainly outside the beam. */
     private double boxKey(BoxTree tree, int node) {
+        if (isPlanar && isLine) {
+            return lineKey(node);
+        }
         double mx = tree.middle(node, 0);
         double my = tree.middle(node, 1);
         double mz = tree.middle(node, 2);
@@ -188,9 +233,6 @@ public final class MeshBeamSearch {
     }
 
     private double planarKey(double mx, double my, double mz, double hx, double hy, double hz) {
-        if (isLine) {
-            return lineKey(mx, my, mz, hx, hy, hz);
-        }
         if (middle(LEFT, mx, my, mz) - half(LEFT, hx, hy, hz) > pad
                 || middle(RIGHT, mx, my, mz) - half(RIGHT, hx, hy, hz) > pad) {
             return Double.POSITIVE_INFINITY;
@@ -217,16 +259,6 @@ public final class MeshBeamSearch {
                 + Math.abs(gx * d[EAST + 2] + gz * d[SOUTH + 2]) * hz;
         double radial = distance - radius - pad;
         return notBelow0(radial > key ? radial : key);
-    }
-
-    /** The same for a line, the two sides of which are one. */
-    private double lineKey(double mx, double my, double mz, double hx, double hy, double hz) {
-        if (Math.abs(middle(LEFT, mx, my, mz)) - half(LEFT, hx, hy, hz) > pad) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double ahead = middle(AHEAD, mx, my, mz);
-        double along = half(AHEAD, hx, hy, hz);
-        return ahead + along < -pad ? Double.POSITIVE_INFINITY : notBelow0(ahead - along - pad);
     }
 
     private double middle(int direction, double x, double y, double z) {
