@@ -35,7 +35,7 @@ final class ContactSearch {
         Vec by = isFlat ? shift.level() : shift;
         double[] d = {at * way.x(), isFlat ? 0 : at * way.y(), at * way.z()};
         double[] moved = moved(first.stored, d);
-        if (gap(moved, second.stored) > FAR * (Rows.size(moved) + Rows.size(second.stored))) {
+        if (gap(moved, second.stored) > 0) {
             return null;
         }
         for (Contact candidate : candidates(i, moved, j, second.stored, d)) {

@@ -274,9 +274,7 @@ public final class ProofChecker {
     private Piece theirs(Witness w, int self, int other) {
         int piece = contact(w).theirs();
         int object = pieces.objectOf(piece);
-        require(
-                other == Claim.ALL ? object != self || self == Claim.ALL : object == other,
-                "the contact is not on object " + other);
+        require((other == Claim.ALL || object == other) && object != self, "the contact is not on object " + other);
         return pieces.piece(piece);
     }
 

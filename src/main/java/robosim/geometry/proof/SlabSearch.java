@@ -74,7 +74,10 @@ final class SlabSearch {
                 }
             }
         }
-        if (!isSure && !course.isStill() && best.gap > margin - NEARLY * (course.size(i) + Rows.size(scene.rows[j]))) {
+        if (!isSure
+                && !course.isTurn()
+                && !course.isStill()
+                && best.gap > margin - NEARLY * (course.size(i) + Rows.size(scene.rows[j]))) {
             isSure = polish(i, j, from, to, error, best);
         }
         if (isSure) {
