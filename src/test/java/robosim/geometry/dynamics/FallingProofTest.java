@@ -236,6 +236,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("8d88f2327930f1cf");
+        assertThat(Long.toHexString(digest)).isEqualTo("8e09a57aea9cfb2c");
     }
 }

@@ -35,6 +35,10 @@ final class SpatialTimeOfImpact {
     private final double[] wayB = new double[3];
     private final double[] turnA = new double[3];
     private final double[] turnB = new double[3];
+    private final double[] far = new double[3];
+    private final double[] apart = new double[3];
+    private final double[] spin = new double[3];
+    private final double[] across = new double[3];
 
     SpatialTimeOfImpact(List<RigidBody> bodies, NearbyPieces near) {
         this.bodies = bodies;
@@ -42,15 +46,16 @@ final class SpatialTimeOfImpact {
     }
 
     /** The least share of a slice after which two bodies meet, each going on from its velocity at the start to that at the end. */
-    double first(double seconds) {
+    double first(Clusters cluster, double seconds) {
         double first = NEVER;
-        for (int a = 0; a < bodies.size(); a++) {
-            RigidBody one = bodies.get(a);
+        for (int k = 0; k < cluster.count; k++) {
+            RigidBody one = bodies.get(cluster.member[k]);
             if (!one.isAsleep) {
                 motion(one, seconds, wayA, turnA);
-                for (int b = a + 1; b < bodies.size(); b++) {
-                    if (!bodies.get(b).isAsleep) {
-                        first = Math.min(first, impact(one, bodies.get(b), seconds, first));
+                for (int m = k + 1; m < cluster.count; m++) {
+                    RigidBody other = bodies.get(cluster.member[m]);
+                    if (!other.isAsleep) {
+                        first = Math.min(first, impact(one, other, seconds, first));
                     }
                 }
             }
@@ -100,7 +105,6 @@ final class SpatialTimeOfImpact {
     }
 
     private double advance(RigidBody a, RigidBody b, double from, double before) {
-        double turns = a.reach * RigidBody.length(turnA, 0) + b.reach * RigidBody.length(turnB, 0);
         double share = from;
         for (int step = 0; step < MOST_STEPS; step++) {
             place(a, wayA, turnA, share, placeA, leafA);
@@ -108,21 +112,53 @@ final class SpatialTimeOfImpact {
             if (!meeting.measure(leafA.kind(0), leafA.rows(), 0, leafB.kind(0), leafB.rows(), 0)) {
                 return share == 0 ? NEVER : share;
             }
-            double closing = turns;
-            closing -= (wayA[0] - wayB[0]) * meeting.nx;
-            closing -= (wayA[1] - wayB[1]) * meeting.ny;
-            closing -= (wayA[2] - wayB[2]) * meeting.nz;
+            double closing = closing(a, b, before - share);
             double gap = meeting.apart - MET;
-            if (gap <= CLOSE) {
+            if (gap <= CLOSE && closing > 0) {
                 // Those that touch have been resolved when the slice began.
                 return share == 0 ? NEVER : share;
             }
-            share += gap / closing;
+            share += Math.max(0, gap) / closing;
             if (!(closing > 0) || share >= before) {
                 return NEVER;
             }
         }
         return share;
+    }
+
+    /**
+     * How fast two bodies may close in for a share of the slice, along the direction that separates them as it turns with one of
+     * them: for bodies that turn together, only what they move relative to each other counts. With the displacement V, the turn
+     * w of that body and x from its centre to the other one, the other moves by V - w x x, which changes by
+     * w x (w x x) - 2 w x V.
+     */
+    private double closing(RigidBody a, RigidBody b, double rest) {
+        boolean isA = b.isBall || (!a.isBall && a.reach >= b.reach);
+        RigidBody other = isA ? b : a;
+        double[] w = isA ? turnA : turnB;
+        double[] turn = isA ? turnB : turnA;
+        double sign = isA ? -1 : 1;
+        for (int axis = 0; axis < 3; axis++) {
+            far[axis] = sign * (placeA[axis] - placeB[axis]);
+            apart[axis] = sign * (wayA[axis] - wayB[axis]);
+            spin[axis] = turn[axis] - w[axis];
+        }
+        cross(w, far, across);
+        for (int axis = 0; axis < 3; axis++) {
+            far[axis] = across[axis] - 2 * apart[axis];
+            apart[axis] -= across[axis];
+        }
+        cross(w, far, across);
+        double opens = sign * (apart[0] * meeting.nx + apart[1] * meeting.ny + apart[2] * meeting.nz);
+        double more = sign * (across[0] * meeting.nx + across[1] * meeting.ny + across[2] * meeting.nz);
+        double turns = other.isBall ? 0 : other.reach * RigidBody.length(spin, 0);
+        return turns - opens + 0.5 * rest * Math.max(0, -more);
+    }
+
+    private static void cross(double[] a, double[] b, double[] out) {
+        out[0] = a[1] * b[2] - a[2] * b[1];
+        out[1] = a[2] * b[0] - a[0] * b[2];
+        out[2] = a[0] * b[1] - a[1] * b[0];
     }
 
     private void place(

@@ -9,7 +9,8 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  * Carries a body straight on while it turns, as far as that is free.
  *
  * <p>What does not turn, or turns in itself as a sphere does, is carried by swept moves. Of anything else no point is farther
- * from the chord between its places before and after than {@code reach * angle^2 / 8}: the sagitta of its arc. So if one
+ * from the chord between its places before and after than {@code reach * angle^2 / 8}: the sagitta of its arc; and along the axis
+ * of the turn not at all. So if one
  * direction separates both poses from a piece by more than that, the motion between them is free. Where a body rests, it is
  * first lifted by that much along the contact, by a swept move, then turned, and then let down by another one. The world
  * decides in the end whether the body is free where it has come to, exactly.
@@ -48,8 +49,10 @@ final class TurningSweep {
     private final RotationVectors turner = new RotationVectors();
     private final double[] up = new double[3];
 
-    // A part of the way: the angle, the displacement, and the reach of the body.
+    // A part of the way: the angle, its axis, the displacement, and the reach of the body.
     private double part;
+
+    private final double[] about = new double[3];
 
     private double displaced;
     private double reach;
@@ -173,6 +176,9 @@ final class TurningSweep {
         near.leaf(body, body.place, before);
         near.leaf(body, place, after);
         part = turned * share;
+        for (int axis = 0; axis < 3; axis++) {
+            about[axis] = angle[axis] / turned;
+        }
         double sagitta = body.reach * part * part / 8 * (1 + 1e-9);
         double moved = (RigidBody.length(d, 0) + body.reach * turned) * share;
         displaced = RigidBody.length(d, 0) * share;
@@ -204,9 +210,10 @@ final class TurningSweep {
             needs[k] = sagitta;
             turning = 0;
             if (!isPast(k, sagitta, moved)) {
-                if (turning > 0 || !(room > -2 * sagitta - 2 * GAP)) {
+                double need = needs[k];
+                if (turning > 0 || !(room > -2 * need - 2 * GAP)) {
                     // Along the direction that is known, the most that may be free.
-                    double share = (begins[k] - 2 * sagitta - GAP) / (begins[k] - ends[k]);
+                    double share = (begins[k] - 2 * need - GAP) / (begins[k] - ends[k]);
                     share = turning > 0 ? 0.9 * Math.sqrt(turning) : share;
                     hope = room == Double.NEGATIVE_INFINITY && turning == 0
                             ? 0.25
@@ -292,8 +299,8 @@ final class TurningSweep {
         }
         room = Double.NEGATIVE_INFINITY;
         if (near.isKnown[k]) {
-            take(k, begin(k), end(k));
-            if (room > sagitta) {
+            take(k, begin(k), end(k), need(k, sagitta));
+            if (room > needs[k]) {
                 return true;
             }
         }
@@ -305,23 +312,23 @@ final class TurningSweep {
             }
             near.apart[k] = meeting.apart + passed;
             near.most[k] = meeting.most;
-            adopt(k);
+            adopt(k, sagitta);
             first[3 * k] = meeting.nx;
             first[3 * k + 1] = meeting.ny;
             first[3 * k + 2] = meeting.nz;
             isNear[k] = meeting.apart <= moved;
-            if (!isNear[k] || room > sagitta) {
+            if (!isNear[k] || room > needs[k]) {
                 return true;
             }
         }
         // No direction separates them by more than they are apart.
         if (near.most[k] > sagitta && overlaps(after, k)) {
-            adopt(k);
-            if (room <= sagitta) {
+            adopt(k, sagitta);
+            if (room <= needs[k]) {
                 return isPastTurning(k);
             }
         }
-        return room > sagitta;
+        return room > needs[k];
     }
 
     /** Whether a direction that turns from the one before to the one after does; else {@link #turning} tells by how much. */
@@ -340,15 +347,28 @@ final class TurningSweep {
         double least = Math.min(begin, end);
         if (least > need) {
             isTurning[k] = true;
-            needs[k] = need;
-            take(k, begin, end);
+            take(k, begin, end, need);
             return true;
         }
         turning = least > 0 ? least / need : 0;
         return false;
     }
 
-    private void take(int k, double begin, double end) {
+    /**
+     * What the direction of a piece has to separate by: a point leaves its chord only across the axis of the turn, so by less
+     * along what lies near the axis. But a body does not come nearer to anything than it has to.
+     */
+    private double need(int k, double sagitta) {
+        double[] n = near.direction;
+        double x = n[3 * k + 1] * about[2] - n[3 * k + 2] * about[1];
+        double y = n[3 * k + 2] * about[0] - n[3 * k] * about[2];
+        double z = n[3 * k] * about[1] - n[3 * k + 1] * about[0];
+        double sine = Math.sqrt(x * x + y * y + z * z) * (1 + 1e-9) + 1e-12;
+        return Math.min(sagitta, Math.max(sagitta * sine, GAP / 8));
+    }
+
+    private void take(int k, double begin, double end, double need) {
+        needs[k] = need;
         begins[k] = begin;
         ends[k] = end;
         room = Math.min(begin, end);
@@ -356,7 +376,7 @@ final class TurningSweep {
     }
 
     /** Takes over the direction that was measured last, if it separates by more than the one that is known. */
-    private void adopt(int k) {
+    private void adopt(int k, double sagitta) {
         double[] n = near.direction;
         double x = n[3 * k];
         double y = n[3 * k + 1];
@@ -366,9 +386,10 @@ final class TurningSweep {
         n[3 * k + 2] = meeting.nz;
         double begin = begin(k);
         double end = end(k);
-        if (Math.min(begin, end) > room) {
+        double need = need(k, sagitta);
+        if (Math.min(begin, end) - need > room - needs[k]) {
             near.isKnown[k] = true;
-            take(k, begin, end);
+            take(k, begin, end, need);
         } else {
             n[3 * k] = x;
             n[3 * k + 1] = y;
