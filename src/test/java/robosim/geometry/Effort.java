@@ -19,6 +19,11 @@ public final class Effort {
         return Math.max(least, cases(full));
     }
 
+    /** So many cases in a full run of those that take long, and the square of the share in others: a sixteenth in an ordinary build. */
+    public static int costly(int full, int least) {
+        return Math.max(least, (int) Math.round(full * TIMES * Math.min(1, TIMES)));
+    }
+
     /** The step through the numbers below a count: 1 in a full run, else odd, so that evens and odds are both asked. */
     public static int stride(int full) {
         return TIMES >= 1 ? 1 : Math.min(full, (int) Math.round(1 / TIMES) | 1);

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -34,6 +32,7 @@ import org.junit.jupiter.api.Test;
  * knows; and how large rooms and circles of classes may be.
  */
 @Tag("slow")
+@Tag("sources")
 class DirectionsTest {
     private static final String ROOT = "robosim.geometry";
     private static final Path SOURCES = Path.of("src/main/java");
@@ -76,9 +75,7 @@ class DirectionsTest {
             Map.entry("org.opentest4j.", Set.of("junit")),
             Map.entry("picocli.", Set.of("cli")));
 
-    private static final JavaClasses CLASSES = new ClassFileImporter()
-            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-            .importPackages(ROOT);
+    private static final JavaClasses CLASSES = Imported.CLASSES;
 
     private static Map<String, List<String>> table() {
         Matcher block = Pattern.compile("<!-- rooms -->\\s*```\\n(.*?)```", Pattern.DOTALL)

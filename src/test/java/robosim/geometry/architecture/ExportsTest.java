@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaCodeUnit;
 import com.tngtech.archunit.core.domain.JavaModifier;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -24,6 +22,7 @@ import org.junit.jupiter.api.Test;
 
 /** What the module exports: few packages, few types, and no type that users cannot name. */
 @Tag("slow")
+@Tag("sources")
 class ExportsTest {
     private static final String ROOT = "robosim.geometry";
 
@@ -63,10 +62,9 @@ class ExportsTest {
     }
 
     private static List<JavaClass> types() {
-        return new ClassFileImporter()
-                .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages(ROOT).stream()
-                        .filter(type -> EXPORTED.contains(type.getPackageName()) && isVisible(type))
-                        .toList();
+        return Imported.CLASSES.stream()
+                .filter(type -> EXPORTED.contains(type.getPackageName()) && isVisible(type))
+                .toList();
     }
 
     private static boolean isVisible(JavaClass type) {

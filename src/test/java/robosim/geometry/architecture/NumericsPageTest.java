@@ -11,9 +11,11 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** docs/numerics.md names files, constants and tests that there are, and repeats the values that the constants have. */
+@Tag("sources")
 class NumericsPageTest {
     private static final Path PAGE = Path.of("docs", "numerics.md");
     private static final Pattern LINK = Pattern.compile("\\]\\((\\.\\./[^)#]+)\\)");

@@ -4,16 +4,14 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
-import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaMethodCall;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** What may differ between JVMs is left to {@link StrictMath} wherever an answer comes from. */
 @Tag("slow")
+@Tag("sources")
 class SameBitsTest {
     /** The methods of {@link Math} whose results the specification does not fix to the bit, or did not always. */
     private static final Set<String> LOOSE = Set.of(
@@ -45,15 +43,12 @@ class SameBitsTest {
 
     @Test
     void answersDoNotDependOnTheJvmsMathematics() {
-        JavaClasses classes = new ClassFileImporter()
-                .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-                .importPackages("robosim.geometry");
-        assertThat(classes).hasSizeGreaterThan(100);
+        assertThat(Imported.CLASSES).hasSizeGreaterThan(100);
         noClasses()
                 .that()
                 .resideOutsideOfPackages("..viewer..", "..cli..")
                 .should()
                 .callMethodWhere(CALLS_LOOSE_MATH)
-                .check(classes);
+                .check(Imported.CLASSES);
     }
 }

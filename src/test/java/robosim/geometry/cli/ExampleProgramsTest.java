@@ -2,6 +2,7 @@ package robosim.geometry.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -30,18 +31,26 @@ import robosim.geometry.world.WorldReader;
 @Tag("clock")
 @Timeout(120)
 class ExampleProgramsTest {
-    /** What a program printed, and its exit code at the end. */
+    @TempDir
+    private static Path compiled;
+
+    /** What a program printed that was run as its header says, and its exit code at the end. */
     private static String run(String name, String... arguments) throws IOException, InterruptedException {
         Path source = Examples.FOLDER.resolve(name + ".java");
         String command = "java -cp target/classes " + source;
         assertThat(Files.readString(source)).as("the header of %s", source).contains(command);
+        return started(Program.home().toString(), source.toString(), arguments);
+    }
+
+    private static String started(String classes, String program, String... arguments)
+            throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:TieredStopAtLevel=1",
                 "-XX:+UseSerialGC",
                 "-cp",
-                Program.home().toString(),
-                source.toString()));
+                classes,
+                program));
         words.addAll(List.of(arguments));
         Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -145,11 +154,21 @@ class ExampleProgramsTest {
         }
     }
 
+    /** The first as the header says; it is compiled but once for the others. */
     @ParameterizedTest
-    @ValueSource(strings = {"mouse 1", "mouse 2", "mouse 3", "mouse 4", "cart"})
+    @ValueSource(strings = {"mouse 3", "mouse 1", "mouse 2", "mouse 4", "cart"})
     void theMazeIsLeft(String robot, @TempDir Path folder) throws Exception {
         Path file = folder.resolve("maze.svg");
-        String said = run("MazeSolver", robot, file.toString());
+        String said;
+        if (robot.equals("mouse 3")) {
+            said = run("MazeSolver", robot, file.toString());
+        } else {
+            if (!Files.exists(compiled.resolve("MazeSolver.class"))) {
+                Path source = Examples.FOLDER.resolve("MazeSolver.java");
+                assertThat(Examples.compile(List.of(source), compiled)).isEmpty();
+            }
+            said = started(Program.home() + File.pathSeparator + compiled, "MazeSolver", robot, file.toString());
+        }
         Matcher told = match("left the maze at .* after (\\d+) drives .* has (\\d+) drives", said);
         int drives = Integer.parseInt(told.group(1));
         int found = Integer.parseInt(told.group(2));

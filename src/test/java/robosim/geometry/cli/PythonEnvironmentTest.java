@@ -343,25 +343,58 @@ class PythonEnvironmentTest {
                 Arguments.of("<box width='1'", "this is no well-formed XML"));
     }
 
+    /** The program, once for each world, in one process: the folder, the address of the module, the worlds. */
+    private static final String EACH = """
+            import contextlib, io, os, runpy, sys, traceback
+            program, place, *worlds = sys.argv[1:]
+            sys.path.insert(0, os.path.dirname(program))
+            for world in worlds:
+                sys.argv = [program, "--world", world, "--connect", place, "--steps", "1"]
+                said, code = io.StringIO(), 0
+                with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+                    try:
+                        runpy.run_path(program, run_name="__main__")
+                    except SystemExit as end:
+                        code = end.code or 0
+                    except BaseException:
+                        traceback.print_exc()
+                print(code, said.getvalue(), sep="\\n", end="\\f")
+            """;
+
     /** A module is there: what is told is the world's fault, and not that of a connection. */
-    @ParameterizedTest
-    @MethodSource("faults")
-    void aFaultyWorldIsToldWithItsLine(String object, String told, @TempDir Path folder) throws Exception {
-        Path world = folder.resolve("faulty.xml");
-        Files.writeString(
-                world,
-                "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20' unit='m'>\n" + object + "\n"
-                        + ROBOT + "</world>");
+    @Test
+    void aFaultyWorldIsToldWithItsLine(@TempDir Path folder) throws Exception {
+        List<Arguments> faults = faults();
+        List<String> command = new ArrayList<>(List.of(
+                "python3", "-c", EACH, Examples.FOLDER.resolve("environment.py").toString()));
         try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
-            Process process =
-                    start("--world", world.toString(), "--connect", "127.0.0.1:" + server.port(), "--steps", "1");
-            String text = rest(output(process));
-            boolean done = told.startsWith("1 step ");
-            assertThat(text).contains(told).doesNotContain("Traceback");
-            if (!done) {
-                assertThat(text).startsWith("Not done: " + folder).hasLineCount(1);
+            command.add("127.0.0.1:" + server.port());
+            for (int k = 0; k < faults.size(); k++) {
+                Path world = Files.writeString(
+                        folder.resolve("faulty" + k + ".xml"),
+                        "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20' unit='m'>\n"
+                                + faults.get(k).get()[0] + "\n" + ROBOT + "</world>");
+                command.add(world.toString());
             }
-            assertThat(process.waitFor()).isEqualTo(done ? ExitCodes.FINE : ExitCodes.UNUSABLE);
+            String[] said = rest(output(new ProcessBuilder(command)
+                            .redirectErrorStream(true)
+                            .start()))
+                    .split("\f");
+            assertThat(said).hasSameSizeAs(faults);
+            for (int k = 0; k < said.length; k++) {
+                String what = String.valueOf(faults.get(k).get()[0]);
+                String told = String.valueOf(faults.get(k).get()[1]);
+                int line = said[k].indexOf('\n');
+                String text = said[k].substring(line + 1);
+                boolean done = told.startsWith("1 step ");
+                assertThat(text).as(what).contains(told).doesNotContain("Traceback");
+                if (!done) {
+                    assertThat(text).as(what).startsWith("Not done: " + folder).hasLineCount(1);
+                }
+                assertThat(said[k].substring(0, line))
+                        .as(what)
+                        .isEqualTo("" + (done ? ExitCodes.FINE : ExitCodes.UNUSABLE));
+            }
         }
     }
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Allocated;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.Snapshot;
@@ -33,7 +34,7 @@ import robosim.geometry.model.Twist;
 /** What a robot asks in each step of a simulation leaves nothing for the garbage collector, on any JDK. */
 @Tag("slow")
 class AllocationTest {
-    private static final int CALLS = 4000;
+    private static final int CALLS = Effort.cases(4000);
     private static final double SIDE = 200;
 
     private final SplittableRandom random = new SplittableRandom(41);

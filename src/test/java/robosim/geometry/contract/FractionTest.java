@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,7 +38,7 @@ class FractionTest {
     private RandomObjects objects = new RandomObjects(random, 3);
     private final Map<Regime, Integer> counts = new EnumMap<>(Regime.class);
     private Snapshot start = new Geometry().snapshot();
-    private String scene = "";
+    private Supplier<String> scene = () -> "";
     private int edges;
     private int poses;
 
@@ -52,7 +53,7 @@ class FractionTest {
         for (Regime regime : Regime.values()) {
             counts.put(regime, 0);
         }
-        int cases = Effort.cases(full);
+        int cases = Effort.costly(full, 120);
         for (int k = 0; k < cases; k++) {
             Geometry world = world(dimension, accuracy);
             for (int step = 0; step < 6; step++) {
@@ -61,8 +62,14 @@ class FractionTest {
                 Move move = move(dimension == Dimension.PLANAR && isGlobal);
                 MoveResult result = isGlobal ? world.moveGlobal("r", move) : world.move("r", move);
                 if (!result.allowed()) {
-                    scene = "%s %s, %s by %s, %s -> %s"
-                            .formatted(dimension, accuracy, isGlobal ? "global" : "own", move, world.objects(), result);
+                    scene = () -> "%s %s, %s by %s, %s -> %s"
+                            .formatted(
+                                    dimension,
+                                    accuracy,
+                                    isGlobal ? "global" : "own",
+                                    move,
+                                    start.toGeometry().objects(),
+                                    result);
                     check(move, result, isGlobal);
                     world.moveToContact("r", new Move(move.x(), move.y(), move.z(), 0, 0), 0);
                 }
@@ -99,7 +106,7 @@ class FractionTest {
             if (closing > 0.01 && more <= 1) {
                 count++;
                 assertThat(world.moveGlobal("r", new Move(more * by.x(), more * by.y(), more * by.z(), 0, 0)))
-                        .as("%s by %s of %s, %s", world.objects(), more, by, result)
+                        .as(() -> "%s by %s of %s, %s".formatted(world.objects(), more, by, result))
                         .extracting(MoveResult::allowed)
                         .isEqualTo(false);
             }
@@ -151,9 +158,9 @@ class FractionTest {
                 if (!result.allowed()) {
                     blocked++;
                     Move part = part(move, result);
-                    String text = "%s, step %d: %s of %s".formatted(world.objects(), step, part, move);
+                    String at = "step " + step;
                     assertThat(isGlobal ? world.moveGlobal("r", part) : world.move("r", part))
-                            .as(text)
+                            .as(() -> "%s, %s: %s of %s".formatted(world.objects(), at, part, move))
                             .extracting(MoveResult::allowed)
                             .isEqualTo(true);
                 }
@@ -273,6 +280,6 @@ class FractionTest {
     }
 
     private void accepted(String call, boolean isAccepted) {
-        assertThat(isAccepted).as(call + ": " + scene).isTrue();
+        assertThat(isAccepted).as(() -> call + ": " + scene.get()).isTrue();
     }
 }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
@@ -190,7 +191,7 @@ class StandingTest {
         SplittableRandom random = new SplittableRandom(11);
         for (Mover mover : Mover.values()) {
             Geometry world = world(floor, mover.at(0.125, 0, 0.25));
-            for (int step = 0; step < 30; step++) {
+            for (int step = 0; step < Effort.cases(30, 15); step++) {
                 Point c = world.getObject("robot").center();
                 double x = random.nextDouble(-6, 6) - c.x();
                 double z = random.nextDouble(-6, 6) - c.z();
@@ -218,7 +219,7 @@ class StandingTest {
         for (Mover mover : Mover.values()) {
             Geometry world = world(floor, mover.at(0.125, 0, 0.25));
             int made = 0;
-            for (int step = 0; step < 30; step++) {
+            for (int step = 0; step < Effort.cases(30, 15); step++) {
                 Point before = world.getObject("robot").center();
                 double x = random.nextDouble(-1, 1);
                 double z = mover == Mover.WHEEL ? 0 : random.nextDouble(-1, 1);
@@ -292,7 +293,7 @@ class StandingTest {
     @EnumSource(Mover.class)
     void aRobotOnAMeshStopsBeforeItsWall(Mover mover) {
         SplittableRandom random = new SplittableRandom(13);
-        for (int k = 0; k < 40; k++) {
+        for (int k = 0; k < Effort.cases(40); k++) {
             Geometry world = new Geometry(SIZE, SIZE, SIZE);
             add(world, mesh(true));
             add(world, mover.at(random.nextDouble(-3, 3), 0, random.nextDouble(-3, 3)));

@@ -12,9 +12,11 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Every work that the code cites by its authors and year is among the glossary's sources. */
+@Tag("sources")
 class CitationsTest {
     private static final Pattern SOURCE = Pattern.compile("^- ([^:]*?) (\\d{4}):", Pattern.MULTILINE);
 

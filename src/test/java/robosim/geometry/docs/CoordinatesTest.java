@@ -10,11 +10,13 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.protocol.json.JsonLines;
 
 /** Whoever copies coordinates from a page or an example gets those of the pom. */
+@Tag("sources")
 class CoordinatesTest {
     private static final Pattern JAR =
             Pattern.compile("robosim-geometry-(\\d[\\w.]*(?:-rc\\.\\d+|-SNAPSHOT)?)(?:-app)?\\.jar");

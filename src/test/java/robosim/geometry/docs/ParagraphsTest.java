@@ -9,10 +9,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Pages are read on a screen, by somebody who looks for one thing: no paragraph is long, and an example comes early. */
+@Tag("sources")
 class ParagraphsTest {
     /** A paragraph has fewer words than this. */
     private static final int WORDS = 80;

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.awt.Component;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
@@ -24,6 +22,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Snapshot;
+import robosim.geometry.architecture.Imported;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
 import robosim.geometry.model.BoxObject;
@@ -44,11 +43,10 @@ class SerialClassesTest {
 
     private static List<Class<?>> serializable() {
         List<Class<?>> found = new ArrayList<>();
-        for (JavaClass type : new ClassFileImporter()
-                .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-                .importPackages("robosim.geometry")) {
-            if (type.isAssignableTo(Serializable.class) && !type.isInterface()) {
-                found.add(type.reflect());
+        for (JavaClass type : Imported.CLASSES) {
+            Class<?> loaded = type.reflect();
+            if (Serializable.class.isAssignableFrom(loaded) && !loaded.isInterface()) {
+                found.add(loaded);
             }
         }
         return found;
