@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.function.IntSupplier;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.worlds.ViewCommand;
 import robosim.geometry.world.xml.WorldSchema;
 
 /** The entry point of the command line; {@code --help} lists the commands. */
@@ -39,10 +38,7 @@ public final class Main {
      * @param arguments the command and its arguments
      */
     public static void main(String[] arguments) {
-        // Only one command, view, needs a display.
-        if (arguments.length == 0 || !arguments[0].equals(ViewCommand.NAME)) {
-            System.setProperty("java.awt.headless", "true");
-        }
+        System.setProperty("java.awt.headless", "true"); // pictures need no display
         int code = code(
                 () -> {
                     if (Arrays.stream(arguments).anyMatch(argument -> argument.endsWith(".xml"))) {

@@ -1,7 +1,6 @@
 package robosim.geometry.export;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,12 +18,6 @@ import robosim.geometry.viewer.scene.Scene;
 
 /** A recording as the bytes that the page decodes; {@code data.js} reads what is written here, in the same order. */
 final class PageData {
-    /** Refused moves that name what was in the way: nothing known, the border of the world, an object from here on. */
-    private static final int UNKNOWN = 0;
-
-    private static final int BORDER = 1;
-    private static final int OBSTACLES = 2;
-
     private static final int GOAL = 0x1e7a34;
 
     private final StateHistory film;
@@ -224,27 +217,16 @@ final class PageData {
 
     /** What happened from one frame to before another. */
     private void writeLife(int begin, int end, Frame.Setting setting, List<Scene.Thing> movers) {
-        Map<String, Integer> places = new HashMap<>();
+        PagePlaces places = new PagePlaces(movers, setting.statics());
         List<Track> tracks = new ArrayList<>();
         List<List<Scans.Scan>> heard = new ArrayList<>();
         List<Pose> now = new ArrayList<>();
         for (Scene.Thing mover : movers) {
-            places.put(String.valueOf(mover.object().name()), tracks.size());
             Track track = new Track();
             track.add(begin, mover.object().pose());
             tracks.add(track);
             heard.add(new ArrayList<>());
             now.add(mover.object().pose());
-        }
-        Map<GeometryObject, Integer> nameless = new HashMap<>();
-        for (int k = 0; k < setting.statics().size(); k++) {
-            GeometryObject object = setting.statics().get(k).object();
-            String name = object.name();
-            if (name == null) {
-                nameless.putIfAbsent(object, movers.size() + k);
-            } else {
-                places.put(name, movers.size() + k);
-            }
         }
         PackedStream bumps = new PackedStream();
         int count = 0;
@@ -252,25 +234,25 @@ final class PageData {
         for (int n = begin; n < end; n++) {
             Frame frame = film.frame(n);
             for (Map.Entry<String, Pose> placed : frame.placed().entrySet()) {
-                int mover = places.getOrDefault(placed.getKey(), movers.size());
-                if (mover < movers.size() && n > begin) {
+                int mover = places.mover(placed.getKey());
+                if (mover >= 0 && n > begin) {
                     tracks.get(mover).add(n, placed.getValue());
                     now.set(mover, placed.getValue());
                 }
             }
             for (Map.Entry<String, List<Scene.Ping>> pings : frame.heard().entrySet()) {
-                int mover = places.getOrDefault(pings.getKey(), movers.size());
-                if (mover < movers.size()) {
+                int mover = places.mover(pings.getKey());
+                if (mover >= 0) {
                     heard.get(mover).add(new Scans.Scan(n, now.get(mover), pings.getValue()));
                 }
             }
             for (Frame.Bump bump : frame.bumps()) {
-                Integer mover = places.get(String.valueOf(bump.mover().name()));
-                if (mover != null && mover < movers.size()) {
+                int mover = places.mover(String.valueOf(bump.mover().name()));
+                if (mover >= 0) {
                     bumps.count(n - before);
                     bumps.count(mover);
                     bumps.count(PageQuantization.turn(bump.heading()));
-                    writeObstacle(bump, places, nameless, bumps);
+                    bumps.count(places.obstacle(bump));
                     before = n;
                     count++;
                 }
@@ -284,21 +266,5 @@ final class PageData {
         }
         out.chapters.count(count);
         out.chapters.append(bumps.toBytes());
-    }
-
-    private static void writeObstacle(
-            Frame.Bump bump, Map<String, Integer> places, Map<GeometryObject, Integer> nameless, PackedStream to) {
-        if (bump.result() == null) {
-            to.count(UNKNOWN);
-            return;
-        }
-        GeometryObject obstacle = bump.result().obstacle();
-        if (obstacle == null) {
-            to.count(BORDER);
-            return;
-        }
-        String name = obstacle.name();
-        Integer number = name == null ? nameless.get(obstacle) : places.get(name);
-        to.count(number == null ? UNKNOWN : OBSTACLES + number);
     }
 }

@@ -31,6 +31,10 @@ public final class PageWriter {
     private static final List<String> SCRIPTS =
             List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "controls.js");
 
+    /** That of a page with a server. */
+    private static final List<String> LIVE_SCRIPTS =
+            List.of("data.js", "math.js", "shapes.js", "light.js", "view.js", "live.js", "controls.js");
+
     private final StateHistory film;
     private String title = "";
     private String subtitle = "";
@@ -116,17 +120,47 @@ public final class PageWriter {
         return data.coarse();
     }
 
+    /** The page as a text. */
+    public String page() throws IOException {
+        return page(title, start, bytes());
+    }
+
+    /** The compressed data of the page, for a page that is {@linkplain #live live}. */
+    public byte[] data() {
+        return deflated(bytes());
+    }
+
+    private byte[] bytes() {
+        return new PageData(film, from, to, new PageData.Labels(title, subtitle, unit), goals).toBytes();
+    }
+
+    /**
+     * A page without data, which asks its server for it and follows what happens then.
+     *
+     * @param settings what {@code live.js} is told about the server, as JSON
+     */
+    public static String live(String title, String settings) throws IOException {
+        return page(title, "", LIVE_SCRIPTS, settings)
+                .replace("; img-src", "; connect-src 'self'; img-src")
+                .replace("%DATA%", "");
+    }
+
     static String page(String title, String start, byte[] data) throws IOException {
+        return page(title, start, SCRIPTS, "")
+                .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
+    }
+
+    private static String page(String title, String start, List<String> scripts, String settings) throws IOException {
         StringBuilder script = new StringBuilder();
-        for (String name : SCRIPTS) {
+        for (String name : scripts) {
             script.append(dense(resource(name)));
         }
         return resource("page.html")
-                .replace("%TITLE%", title.replace("&", "&amp;").replace("<", "&lt;"))
                 .replace("%STYLE%", resource("page.css"))
                 .replace("%SCRIPT%", script)
                 .replace("%START%", start)
-                .replace("%DATA%", Base64.getEncoder().encodeToString(deflated(data)));
+                .replace("%TITLE%", title.replace("&", "&amp;").replace("<", "&lt;"))
+                .replace("%LIVE%", settings.replace("<", "\\u003c"));
     }
 
     /** A program without the blanks beside its punctuation, other than in its strings; shaders are templates. */

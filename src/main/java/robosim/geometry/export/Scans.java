@@ -18,20 +18,20 @@ final class Scans {
      * A sensor on its object: its direction from forward and its opening angle, in steps of a turn, its range, and its
      * place in the object's own frame.
      */
-    private record Sensor(int bearing, int width, double range, Point place) {
-        /** Where a measurement started, in the frame of the object that made it. */
-        static Point place(Point start, Pose pose) {
-            Point c = pose.center();
-            double x = start.x() - c.x();
-            double y = start.y() - c.y();
-            double z = start.z() - c.z();
-            return new Point(along(pose, 0, x, y, z), along(pose, 1, x, y, z), along(pose, 2, x, y, z));
-        }
+    private record Sensor(int bearing, int width, double range, Point place) {}
 
-        private static double along(Pose pose, int axis, double x, double y, double z) {
-            double along = pose.rotation(axis) * x + pose.rotation(3 + axis) * y + pose.rotation(6 + axis) * z;
-            return Math.rint(along * STEPS) / STEPS + 0.0;
-        }
+    /** Where a measurement started, in the frame of the object that made it. */
+    static Point place(Point start, Pose pose) {
+        Point c = pose.center();
+        double x = start.x() - c.x();
+        double y = start.y() - c.y();
+        double z = start.z() - c.z();
+        return new Point(along(pose, 0, x, y, z), along(pose, 1, x, y, z), along(pose, 2, x, y, z));
+    }
+
+    private static double along(Pose pose, int axis, double x, double y, double z) {
+        double along = pose.rotation(axis) * x + pose.rotation(3 + axis) * y + pose.rotation(6 + axis) * z;
+        return Math.rint(along * STEPS) / STEPS + 0.0;
     }
 
     private final PageQuantization quanta;
@@ -84,7 +84,7 @@ final class Scans {
                     PageQuantization.turn(ping.heading() - scan.pose.heading()),
                     width,
                     ping.range(),
-                    Sensor.place(ping.start(), scan.pose)));
+                    place(ping.start(), scan.pose)));
         }
         Integer number = arrangements.get(sensors);
         if (number == null) {

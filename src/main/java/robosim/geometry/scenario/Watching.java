@@ -1,6 +1,7 @@
 package robosim.geometry.scenario;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -8,6 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -45,6 +47,9 @@ import robosim.geometry.protocol.batch.WorldRequest;
  * }</pre>
  */
 public final class Watching implements Function<String, SessionListener>, AutoCloseable {
+    /** After the name of a connection, before its number of steps. */
+    private static final String AS_IT_IS = ", as it is after ";
+
     private final ScenarioHeader header;
     private final long beginning = System.nanoTime();
 
@@ -94,6 +99,22 @@ public final class Watching implements Function<String, SessionListener>, AutoCl
      */
     public static ScenarioReader dial(String host, int port) throws IOException {
         return ScenarioReader.of(WatchClient.dial(host, port), host + ":" + port);
+    }
+
+    /**
+     * The lines of one more watcher, without a socket, for a viewer in the same program. Reading waits for the next ones, and
+     * throws where this watcher has fallen too far behind; closing the stream ends it.
+     */
+    public InputStream lines() {
+        AtomicBoolean isOver = new AtomicBoolean();
+        return new WatcherStream(join(() -> isOver.set(true)), isOver::get);
+    }
+
+    /** The connection of which a step is the beginning, as its notes tell; null for any other step. */
+    public static @Nullable String connection(List<String> notes) {
+        String first = Checks.list("notes", notes).isEmpty() ? "" : notes.get(0);
+        int end = first.indexOf(AS_IT_IS);
+        return end < 0 ? null : first.substring(0, end);
     }
 
     /** Hangs up on all watchers and stops to listen. */
@@ -281,7 +302,7 @@ public final class Watching implements Function<String, SessionListener>, AutoCl
                 String own = object.name();
                 present.add(own == null ? object : moved.getOrDefault(own, object));
             }
-            List<String> notes = List.of(name + ", as it is after " + steps + (steps == 1 ? " step" : " steps"));
+            List<String> notes = List.of(name + AS_IT_IS + steps + (steps == 1 ? " step" : " steps"));
             return new Step(0, notes, new InitBundle(present, settings), null, timing(System.nanoTime(), 0));
         }
 

@@ -212,8 +212,9 @@ function describe(data, chapter, k) {
 }
 
 /** The bytes of the recording from the page's text. */
-async function unpack(text) {
-  const packed = Uint8Array.from(atob(text.trim()), c => c.charCodeAt(0));
+const unpack = text => inflated(Uint8Array.from(atob(text.trim()), c => c.charCodeAt(0)));
+
+async function inflated(packed) {
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

@@ -14,14 +14,11 @@ class View {
     const gl = this.gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
     if (!gl) throw new Error('This browser or its graphics driver has no WebGL 2.');
     this.canvas = canvas;
-    this.data = data;
     this.solid = program(gl, INSTANCE, SOLID);
     this.shadow = program(gl, INSTANCE, NOTHING);
     this.floor = program(gl, FLOOR_POINTS, FLOOR);
     this.stroke = program(gl, STROKE_POINTS, PLAIN);
     this.haze = program(gl, HAZE_POINTS, PLAIN);
-    this.surfaces = {};
-    data.objects.forEach(o => { o.pieces = pieces(o); o.bounds = boundsOf(data, o); o.paint = o.color.map(toLinear); });
     const square = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, square);
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]), gl.STATIC_DRAW);
@@ -35,13 +32,32 @@ class View {
     this.strokes = new Gathered(gl, 11, [[1, 3], [2, 3], [3, 4], [4, 1]], ends);
     this.beams = new Gathered(gl, 7, [[0, 3], [1, 4]], null);
     this.makeShadows();
+    this.shown = { sonars: true, trails: true, refused: true, dark: false };
+    this.rulers = [];
+    this.chapter = null;
+    this.surfaces = {};
+    this.load(data);
+  }
+
+  /** Shows other data, in place of what is shown. */
+  load(data) {
+    this.freeBatches();
+    for (const s of Object.values(this.surfaces)) { this.gl.deleteBuffer(s.points); this.gl.deleteBuffer(s.index); }
+    this.surfaces = {};
+    this.data = data;
+    data.objects.forEach(o => { o.pieces = pieces(o); o.bounds = boundsOf(data, o); o.paint = o.color.map(toLinear); });
     this.reach = Math.max(data.space[0], data.space[2], 1e-6);
     this.floorAt = -data.space[1] / 2;
     this.chapter = null;
-    this.shown = { sonars: true, trails: true, dark: false };
     this.hidden = -1;
     this.selected = -1;
     this.setChapter(0);
+  }
+
+  freeBatches() {
+    for (const old of this.chapter ? [this.statics, this.movers, this.goals] : []) {
+      old.list.forEach(b => { this.gl.deleteBuffer(b.buffer); this.gl.deleteVertexArray(b.array); });
+    }
   }
 
   makeShadows() {
@@ -96,9 +112,7 @@ class View {
   setChapter(k) {
     const chapter = this.data.chapters[k];
     if (!chapter || chapter === this.chapter) return;
-    for (const old of this.chapter ? [this.statics, this.movers, this.goals] : []) {
-      old.list.forEach(b => { this.gl.deleteBuffer(b.buffer); this.gl.deleteVertexArray(b.array); });
-    }
+    this.freeBatches();
     this.chapter = chapter;
     this.statics = this.batches(chapter.statics, false);
     this.movers = this.batches(chapter.movers, true);
@@ -138,7 +152,7 @@ class View {
   markRefused(frame) {
     this.red.forEach(k => this.instances(k).forEach(({ batch, index }) => batch.tint(index, 0)));
     this.red = [];
-    for (const b of this.recent(frame)) {
+    for (const b of this.shown.refused ? this.recent(frame) : []) {
       if (b.obstacle < 2) continue;
       const k = b.obstacle - 2;
       this.instances(k).forEach(({ batch, index }) => batch.tint(index, 0.7 * (1 - (frame - b.frame) / FRESH)));
@@ -161,7 +175,8 @@ class View {
     corner.forEach((c, k) => this.line(c, corner[(k + 1) % 4], bordered ? [0.6, 0.01, 0.04] : edge, 1, bordered ? 4 : 2));
     if (this.shown.trails) chapter.tracks.forEach((t, k) => this.trail(t, k, up));
     if (this.shown.sonars) chapter.scans.forEach((s, k) => this.scan(s, k, whole));
-    for (const b of chapter.bumps) if (b.frame <= whole && b.frame > whole - TRAIL && b.mover !== this.hidden) this.cross(b, whole, up);
+    if (this.shown.refused) for (const b of chapter.bumps) if (b.frame <= whole && b.frame > whole - TRAIL && b.mover !== this.hidden) this.cross(b, whole, up);
+    for (const [a, b] of this.rulers) this.line(a, b, this.shown.dark ? [0.9, 0.7, 0.1] : [0.35, 0.2, 0], 1, 3);
     if (this.selected >= 0) this.ring(this.selected, this.shown.dark ? [0.9, 0.9, 0.9] : [0.02, 0.02, 0.02], up);
   }
 
@@ -170,7 +185,7 @@ class View {
     const color = this.data.objects[this.chapter.movers[k]].paint, flat = Math.abs(track.poses[1] - track.poses[7 * last + 1]) < 1e-9;
     let from = null;
     for (let j = first; j <= last + 1; j++) {
-      const p = j > last ? this.poses[k] : track.poses.subarray(7 * j, 7 * j + 3), to = [p[0], flat ? up : p[1], p[2]];
+      const p = j > last ? this.poses[k] : [track.poses[7 * j], track.poses[7 * j + 1], track.poses[7 * j + 2]], to = [p[0], flat ? up : p[1], p[2]];
       if (from && (from[0] !== to[0] || from[2] !== to[2] || from[1] !== to[1]))
         this.line(from, to, color, 0.15 + 0.6 * clamp((track.frames[Math.min(j, last)] - this.frame + TRAIL) / TRAIL, 0, 1), 2);
       from = to;
@@ -244,13 +259,14 @@ class View {
     return product(parallel(2 * radius, 2 * radius, 0, 4 * radius), lookAt(times(sun, 2 * radius), [0, 0, 0], [0, 0, -1]));
   }
 
-  /** Draws the moment from a camera: its eye, and its matrix. */
-  draw(eye, camera) {
+  /** Draws the moment from a camera, its eye and its matrix, into a part of the canvas: left, bottom, width and height in pixels. */
+  draw(eye, camera, part) {
     const { gl, canvas } = this, look = LOOKS[this.shown.dark ? 'dark' : 'light'];
     this.camera = camera;
     this.gather();
     const sunCamera = this.sunCamera(), solids = this.statics.list.concat(this.movers.list);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadowTarget);
+    gl.disable(gl.SCISSOR_TEST);
     gl.viewport(0, 0, this.shadowSize, this.shadowSize);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
@@ -262,7 +278,10 @@ class View {
     solids.forEach(b => b.draw(this.shadow));
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(0, 0, canvas.width, canvas.height);
+    const [left, bottom, wide, high] = part || [0, 0, canvas.width, canvas.height];
+    gl.viewport(left, bottom, wide, high);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(left, bottom, wide, high);
     const encode = v => v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055;
     gl.clearColor(...look.paper.map(encode), 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -282,7 +301,7 @@ class View {
     this.beams.draw();
     use(gl, this.solid, { ...common, alpha: 0.4, ground: look.ground, push: 0 });
     this.goals.list.forEach(b => b.draw(this.solid));
-    use(gl, this.stroke, { camera, eye, screen: [canvas.width / 2, canvas.height / 2] });
+    use(gl, this.stroke, { camera, eye, screen: [wide / 2, high / 2] });
     this.strokes.draw();
     gl.depthMask(true);
     gl.disable(gl.BLEND);

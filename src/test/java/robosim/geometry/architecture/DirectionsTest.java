@@ -57,18 +57,18 @@ class DirectionsTest {
 
     /** Rooms whose use of a library or of a part of the JDK is theirs alone. */
     private static final Map<String, Set<String>> ONLY_IN = Map.ofEntries(
-            Map.entry("java.net.", Set.of("net", "cli", "junit")),
+            Map.entry("java.net.", Set.of("net", "cli", "junit", "viewer")),
             Map.entry("javax.net.", Set.of("net")),
             Map.entry("java.lang.management.", Set.of("net")),
             Map.entry("javax.management.", Set.of("net")),
-            Map.entry("com.sun.net.httpserver.", Set.of("cli")),
+            Map.entry("com.sun.net.httpserver.", Set.of("cli", "viewer")),
             Map.entry("java.util.logging.", Set.of("cli")),
             Map.entry("javax.xml.", Set.of("world", "viewer")),
             Map.entry("org.xml.", Set.of("world", "viewer", "sensor")),
             Map.entry("javax.imageio.", Set.of("world", "viewer")),
             Map.entry("java.awt.image.", Set.of("world", "viewer")),
             Map.entry("java.awt.", Set.of("viewer")),
-            Map.entry("javax.swing.", Set.of("viewer")),
+            Map.entry("javax.swing.", Set.of()),
             Map.entry("com.fasterxml.jackson.", Set.of("protocol")),
             Map.entry("org.snakeyaml.", Set.of("world")),
             Map.entry("org.junit.", Set.of("junit")),
@@ -287,7 +287,8 @@ class DirectionsTest {
                         || (target.startsWith("org.snakeyaml.engine.")
                                 && type.getName().startsWith(ROOT + ".world.rosmap.MapSettings"))
                         || (target.startsWith("com.sun.net.httpserver.")
-                                && type.getName().equals(ROOT + ".cli.network.AdminPort"))
+                                && (type.getName().equals(ROOT + ".cli.network.AdminPort")
+                                        || type.getName().equals(ROOT + ".viewer.web.PageServer")))
                         || (target.startsWith("picocli.") && house(type).equals("cli"));
                 if (!known) {
                     wrong.add(type.getName() + " -> " + target);

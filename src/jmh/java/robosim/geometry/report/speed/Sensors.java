@@ -46,7 +46,6 @@ final class Sensors implements Study {
             double done = k;
             SensorScene scene = SensorScene.of(SensorScene.NAMES.get(k));
             scene(scene, form, sink, share -> progress.at((done + share) / parts));
-            SensorWindow.run(scene, form, sink);
             SensorPeers.run(scene, form, sink);
         }
         SensorNoise.run(form, sink, share -> progress.at((parts - 1 + share) / parts));

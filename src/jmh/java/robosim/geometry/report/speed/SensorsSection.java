@@ -46,7 +46,7 @@ final class SensorsSection {
                 2,
                 430));
         table(results, page);
-        window(results, page);
+        page(results, page);
         peers(results, page);
     }
 
@@ -157,26 +157,7 @@ final class SensorsSection {
         return own.isEmpty() || bare.isEmpty() ? Words.NONE : Words.ratio(own.getAsDouble() / bare.getAsDouble());
     }
 
-    private static void window(Results results, Page page) {
-        List<List<String>> rows = new ArrayList<>();
-        for (String scene : SensorScene.NAMES) {
-            OptionalDouble frames = results.value(STUDY, MODULE, scene, SensorWindow.QUERY, SensorWindow.FRAMES);
-            if (frames.isPresent()) {
-                rows.add(List.of(
-                        scene,
-                        Words.digits(frames.getAsDouble()),
-                        Words.digits(results.value(STUDY, MODULE, scene, SensorWindow.QUERY, SensorWindow.SLOWEST)
-                                .orElseThrow()),
-                        Words.count(results.value(STUDY, MODULE, scene, SensorWindow.QUERY, SensorWindow.SIDE)
-                                .orElseThrow())));
-            }
-        }
-        page.paragraph(
-                "The window in three dimensions while a mouse drags, 1024 x 768 on two threads, without a display: each"
-                        + " picture is ordered, awaited and drawn into an image. 15 a second must be reached, 30 are aimed at. Its"
-                        + " squares are made so large that a picture is there within a set time.");
-        page.table(
-                List.of("scene", "pictures a second", "99 % are there within, ms", "side of a square, pixels"), rows);
+    private static void page(Results results, Page page) {
         results.value(STUDY, Subject.exact(Dimension.PLANAR), "1000 objects", Sensors.PAGE, Sensors.BYTES)
                 .ifPresent(bytes -> page.paragraph("A page of 1,000 objects, 20 of which move, and 3,000 steps has "
                         + Words.count(bytes) + " bytes; 5 MB must be reached, 2 MB are aimed at."));

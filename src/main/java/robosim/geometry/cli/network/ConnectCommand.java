@@ -73,6 +73,7 @@ public final class ConnectCommand implements Callable<Integer> {
         GeometryClient client = new GeometryClient(host, port, watched.options());
         common.keepFresh(client::renew);
         FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, () -> {
+            watched.release();
             client.close();
             watched.close();
         });

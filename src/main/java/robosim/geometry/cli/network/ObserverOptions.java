@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
@@ -23,6 +26,11 @@ import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Watching;
 import robosim.geometry.scenario.source.StepReader;
+import robosim.geometry.viewer.playback.Colours;
+import robosim.geometry.viewer.web.LiveFilm;
+import robosim.geometry.viewer.web.LiveSource;
+import robosim.geometry.viewer.web.PageServer;
+import robosim.geometry.viewer.web.SessionControl;
 
 /** How {@code serve} and {@code connect} record their sessions, and let them be watched. */
 public final class ObserverOptions {
@@ -51,8 +59,20 @@ public final class ObserverOptions {
             names = "--watch",
             paramLabel = "PORT",
             description = "open a second, read-only port on this machine that reports what happens, for"
-                    + " `view --watch`; 0 for any free port")
+                    + " `view HOST:PORT`; 0 for any free port")
     private @Nullable Integer port;
+
+    @Option(
+            names = "--view",
+            paramLabel = "[ADDRESS:]PORT",
+            description = "serve a page that shows the session, at an address with a secret, which is printed: on this"
+                    + " machine, or on ADDRESS, such as 0.0.0.0 in a container; port 0 for any free port")
+    private @Nullable String view;
+
+    @Option(
+            names = "--control",
+            description = "let the page of --view pause, step, slow and reset the session, and drag its robots")
+    private boolean isControlled;
 
     /** Records into a folder, which is created if it does not exist; or into a log for other programs. */
     NetOptions recordedInFolder(NetOptions options) {
@@ -120,31 +140,101 @@ public final class ObserverOptions {
     }
 
     /**
-     * What watchers dial, null if there is none, and the options that report to it. Closing it stops to listen.
+     * What shows sessions, and the options that report to it.
+     *
+     * @param control what may hold sessions; null if nothing may
      */
-    record Watch(NetOptions options, @Nullable Watching watching) implements AutoCloseable {
+    record Watch(
+            NetOptions options,
+            List<AutoCloseable> open,
+            @Nullable SessionControl control) implements AutoCloseable {
+        /** Lets all sessions go on. */
+        void release() {
+            if (control != null) {
+                control.close();
+            }
+        }
+
         @Override
         public void close() {
-            if (watching != null) {
-                watching.close();
+            for (AutoCloseable each : open) {
+                try {
+                    each.close();
+                } catch (Exception e) {
+                    throw new IllegalStateException("what shows sessions could not be closed", e);
+                }
             }
         }
     }
 
-    /** Starts to listen if watching was asked for. */
+    /** Starts to listen if watching or viewing was asked for. */
     Watch watched(NetOptions options) {
-        if (port == null) {
-            return new Watch(options, null);
+        Arguments.refuse(isControlled && view == null, "--control is for a page; add --view PORT", "none");
+        if (port == null && view == null) {
+            return new Watch(options, List.of(), null);
         }
-        Arguments.port(port, 0);
         Watching watching = new Watching(options.session());
-        InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), watching.listen(port));
+        List<AutoCloseable> open = new ArrayList<>();
+        LiveFilm film = new LiveFilm("RoboSim", "");
+        SessionControl control = isControlled ? new SessionControl(film) : null;
+        Function<String, SessionListener> listeners = both(options.listeners(), watching);
         PrintWriter out = spec.commandLine().getOut();
-        out.println("Watch on " + address);
+        if (view != null) {
+            open.addAll(viewed(view, watching, film, control));
+            // Before the others, which are told what it asks for.
+            listeners = control == null ? listeners : both(control, listeners);
+        }
+        open.add(watching);
+        if (port != null) {
+            Arguments.port(port, 0);
+            out.println("Watch on " + new InetSocketAddress(InetAddress.getLoopbackAddress(), watching.listen(port)));
+        }
         out.flush();
-        Function<String, SessionListener> others = options.listeners();
-        NetOptions told =
-                options.withListeners(connection -> others.apply(connection).and(watching.apply(connection)));
-        return new Watch(told, watching);
+        return new Watch(options.withListeners(listeners), open, control);
+    }
+
+    private static Function<String, SessionListener> both(
+            Function<String, SessionListener> first, Function<String, SessionListener> second) {
+        return connection -> first.apply(connection).and(second.apply(connection));
+    }
+
+    private List<AutoCloseable> viewed(
+            String place, Watching watching, LiveFilm film, @Nullable SessionControl control) {
+        PageServer server;
+        try {
+            server = PageServer.live(address(place), film, control);
+        } catch (IOException e) {
+            throw new UsageException("--view cannot be served (got: " + place + "): " + e.getMessage(), e);
+        } catch (NoClassDefFoundError e) {
+            throw new UsageException("--view needs the JDK's module jdk.httpserver (got: a Java without it)", e);
+        }
+        spec.commandLine().getOut().println("View on " + server.page());
+        LiveSource source = new LiveSource(
+                film,
+                () -> StepReader.of(ScenarioReader.of(watching.lines(), "the server")),
+                Colours.NONE,
+                connection -> {
+                    if (control != null) {
+                        control.show(connection);
+                    }
+                });
+        return List.of(server, source);
+    }
+
+    /** The address of a page: a port of this machine, or one of an address of it. */
+    private static InetSocketAddress address(String place) {
+        int colon = place.lastIndexOf(':');
+        String number = place.substring(colon + 1);
+        Arguments.refuse(!number.matches("\\d{1,5}"), "--view must be PORT or ADDRESS:PORT, such as 8080", place);
+        int at = Integer.parseInt(number);
+        Arguments.port(at, 0);
+        try {
+            InetAddress address = colon < 0
+                    ? InetAddress.getLoopbackAddress()
+                    : InetAddress.getByName(place.substring(0, colon).replaceAll("^\\[|]$", ""));
+            return new InetSocketAddress(address, at);
+        } catch (UnknownHostException e) {
+            throw new UsageException("--view must name an address of this machine (got: " + place + ")", e);
+        }
     }
 }

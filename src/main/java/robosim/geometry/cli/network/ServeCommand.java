@@ -42,6 +42,7 @@ import robosim.geometry.world.WorldException;
             "  robosim-geometry serve 5555 --world worlds/rooms.xml",
             "  robosim-geometry serve 5555 --record recordings --figures 60",
             "  robosim-geometry serve 5555 --watch 5556",
+            "  robosim-geometry serve 5555 --view 8080 --control",
             "  robosim-geometry serve 5555 --admin 5580 --drain 60 --log json"
         })
 public final class ServeCommand implements Callable<Integer> {
@@ -146,6 +147,7 @@ public final class ServeCommand implements Callable<Integer> {
             if (drain > 0) {
                 NextSignal.runs(server::close);
             }
+            watched.release();
             server.drain(Duration.ofSeconds(drain));
             loading.close();
             watched.close();

@@ -1,10 +1,15 @@
 package robosim.geometry.cli.worlds;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -12,52 +17,57 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.check.NumberText;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
-import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.export.PageFilms;
+import robosim.geometry.export.PageWriter;
 import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.scenario.source.WatchReader;
-import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
-import robosim.geometry.viewer.window.Viewer;
+import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.viewer.web.LiveFilm;
+import robosim.geometry.viewer.web.LiveSource;
+import robosim.geometry.viewer.web.PageServer;
+import robosim.geometry.viewer.web.WorldControl;
 import robosim.geometry.world.World;
 
-/** Shows a world, a recording or a session in a window. */
+/** Shows a world, a recording or a session in a browser. */
 @Command(
         name = ViewCommand.NAME,
         description = {
-            "Shows a world, a recording or a running session in a window, from above or in three dimensions.",
-            "Keys there: V for the plan, three dimensions or both, C for more cameras, R for what a robot sees, I K J L O U"
-                    + " to fly, F to see everything, Space to play or pause; docs/viewer.md has them all."
+            "Shows a world, a recording or a running session in a browser, from above and in three dimensions, until it is"
+                    + " ended (Ctrl+C).",
+            "The page is served on this machine alone, at an address with a secret; ? in it shows all keys."
         },
-        exitCodeList = {ExitCodes.DONE, ExitCodes.UNUSABLE + ":not shown: there is no display, or no such file"},
+        exitCodeList = {ExitCodes.DONE, ExitCodes.UNUSABLE + ":not shown: no such file, or nothing to watch"},
         footer = {
             "  robosim-geometry view worlds/rooms.xml",
             "  robosim-geometry view recordings/session.scenario.jsonl",
             "  robosim-geometry view target/demo --world worlds/rooms.xml",
-            "  robosim-geometry view --watch localhost:5556"
+            "  robosim-geometry view localhost:5556",
+            "  robosim-geometry view worlds/rooms.xml --no-browser --port 8080"
         })
 public final class ViewCommand implements Callable<Integer> {
     public static final String NAME = "view";
+
+    private static final Pattern PLACE = Pattern.compile("(.+):(\\d{1,5})");
 
     @Spec
     private CommandSpec spec;
 
     @Parameters(
-            arity = "0..1",
-            paramLabel = "FILE",
+            paramLabel = "WHAT",
             description = "a world in any format that convert reads, a recording (*" + ScenarioReader.ENDING
-                    + "), or a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE)
-    private @Nullable Path file;
-
-    @Option(
-            names = "--watch",
-            paramLabel = "HOST:PORT",
-            description = "a live session: the port of a serve or connect with --watch; nothing is sent to it")
-    private @Nullable String watched;
+                    + "), a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE
+                    + ", or HOST:PORT, the port of a serve or connect with --watch")
+    private String shown = "";
 
     @Option(
             names = "--world",
@@ -68,65 +78,113 @@ public final class ViewCommand implements Callable<Integer> {
     @Mixin
     private WorldFiles files;
 
-    @Option(names = "--dark", description = "use a dark background; D toggles it in the window")
-    private boolean dark;
+    @Option(
+            names = "--port",
+            paramLabel = "PORT",
+            defaultValue = "0",
+            description = "the port of the page; 0 for any free port (default: ${DEFAULT-VALUE})")
+    private int port;
+
+    @Option(names = "--no-browser", description = "only print the address of the page")
+    private boolean isQuiet;
 
     @Override
     public Integer call() throws Exception {
-        Path shown = file;
-        if ((shown == null) == (watched == null)) {
-            throw new UsageException(
-                    "either FILE or --watch must be given (got: " + (shown == null ? "neither" : "both") + ")");
-        }
-        if (shown != null && !Files.exists(shown)) {
-            throw new UsageException("FILE must exist; check the path (got: " + shown + ")");
-        }
-        if (shown != null && !Files.isDirectory(shown)) {
-            Arguments.input("FILE", shown);
-        }
+        Arguments.port(port, 0);
         files.check();
-        if (!Viewer.hasDisplay()) {
-            spec.commandLine()
-                    .getErr()
-                    .println("view needs a display for its window, and there is none here; to draw a world to a"
-                            + " picture, use `" + Version.PROGRAM + " render`.");
-            return ExitCodes.UNUSABLE;
-        }
-        if (shown != null) {
-            view(shown);
-        } else if (watched != null) {
-            watch(watched);
+        Matcher place = PLACE.matcher(shown);
+        try {
+            if (!Files.exists(Path.of(shown)) && place.matches()) {
+                watch(place.group(1).replaceAll("^\\[|]$", ""), Integer.parseInt(place.group(2)));
+            } else {
+                view(Path.of(shown));
+            }
+        } catch (NoClassDefFoundError e) {
+            throw new UsageException("view needs the JDK's module jdk.httpserver (got: a Java without it)", e);
         }
         return ExitCodes.FINE;
     }
 
-    private void watch(String place) throws IOException, InterruptedException {
-        int colon = place.lastIndexOf(':');
-        if (colon < 1 || !place.substring(colon + 1).matches("[0-9]{1,5}")) {
-            throw new UsageException("--watch must be HOST:PORT, such as localhost:5556 (got: " + place + ")");
-        }
-        int port = Integer.parseInt(place.substring(colon + 1));
-        Arguments.port(port, 1);
-        String host = place.substring(0, colon).replaceAll("^\\[|]$", "");
+    private void watch(String host, int from) throws IOException {
+        Arguments.port(from, 1);
         World lender = lender();
-        Viewer.live(WatchReader.dial(host, port), place, lender, theme());
+        LiveFilm film = new LiveFilm(host + ":" + from, unit(lender));
+        WatchReader.dial(host, from).close(); // a wrong address ends the command, and not only the page's hope
+        try (LiveSource source =
+                        new LiveSource(film, () -> WatchReader.dial(host, from), of(lender), connection -> {});
+                PageServer server = PageServer.live(address(), film, null)) {
+            show(server);
+        }
     }
 
-    private void view(Path shown) throws IOException, InterruptedException {
-        String name = shown.toString().toLowerCase(Locale.ROOT);
-        String title = Pictures.title(shown);
-        if (WireFiles.at(shown) != null || name.endsWith(".jsonl")) {
-            Viewer.recording(WireFiles.recording(shown), title, lender(), theme());
-        } else {
-            Viewer.world(files.world(shown), title, theme());
+    private void view(Path file) throws IOException {
+        Arguments.refuse(!Files.exists(file), "WHAT must be a file that exists, or HOST:PORT; check the path", file);
+        boolean isDemo = WireFiles.at(file) != null;
+        if (!isDemo) {
+            Arguments.input("WHAT", file);
         }
+        if (isDemo || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl")) {
+            try (PageServer server = PageServer.of(address(), recording(file))) {
+                show(server);
+            }
+            return;
+        }
+        if (colours != null) {
+            throw new UsageException(
+                    "--world is for a recording or a session, and WHAT is a world (got: " + colours + ")");
+        }
+        World world = files.world(file);
+        LiveFilm film = new LiveFilm(Pictures.title(file), Pictures.unit(world));
+        try (PageServer server = PageServer.live(address(), film, new WorldControl(world, film))) {
+            show(server);
+        }
+    }
+
+    private PageWriter recording(Path file) throws IOException {
+        World lender = lender();
+        StateHistory film;
+        try (StepReader reader = WireFiles.recording(file);
+                Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
+            film = PageFilms.of(reader, of(lender), progress::at);
+        }
+        int first = film.first();
+        while (first < film.size() && film.world(first) < 0) {
+            first++;
+        }
+        Arguments.refuse(first >= film.size(), "WHAT must be a recording with a world", "none in " + file);
+        return new PageWriter(film)
+                .ofSteps(first, film.size())
+                .titled(Pictures.title(file))
+                .described(NumberText.count(film.size() - first, "step"), unit(lender));
+    }
+
+    /** Prints the address, opens a browser, and waits until the command is ended. */
+    private void show(PageServer server) {
+        spec.commandLine().getOut().println("View on " + server.page());
+        spec.commandLine().getOut().flush();
+        if (!isQuiet && !Browser.open(server.page())) {
+            spec.commandLine().getErr().println("No browser was opened; open this address in one");
+        }
+        try {
+            new CountDownLatch(1).await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt(); // the command is over
+        }
+    }
+
+    private InetSocketAddress address() {
+        return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
     }
 
     private @Nullable World lender() throws IOException {
         return colours == null ? null : files.world(Arguments.input("--world", colours));
     }
 
-    private Theme theme() {
-        return dark ? Theme.DARK : Theme.LIGHT;
+    private static Colours of(@Nullable World lender) {
+        return lender == null ? Colours.NONE : Colours.of(lender);
+    }
+
+    private static String unit(@Nullable World lender) {
+        return lender == null ? "" : Pictures.unit(lender);
     }
 }

@@ -75,7 +75,7 @@ public final class CpuTurns {
     }
 
     /** The processor time of the calling thread; where it is not known, the time. */
-    static LongSupplier ofThread() {
+    public static LongSupplier ofThread() {
         try {
             return Threads.cpuTime();
         } catch (NoClassDefFoundError e) {

@@ -84,29 +84,6 @@ public final class Painter {
         }
     }
 
-    /** Draws what depends only on the visible area: the floor and the static objects with their names. */
-    public static void ground(Scene scene, MapFrame frame, Canvas canvas) {
-        Painter painter = new Painter(scene, frame, canvas);
-        painter.paintFloor();
-        painter.clip();
-        List<Layers.Layer> layers = painter.statics();
-        painter.paintStatics(layers);
-        canvas.unclip();
-        new LabelPainter(frame, canvas).paint(List.of(), layers);
-    }
-
-    /**
-     * Draws on top of that what changes with each step: moveable objects, measurements, refused moves, and the legend.
-     */
-    public static void life(Scene scene, MapFrame frame, Canvas canvas) {
-        Painter painter = new Painter(scene, frame, canvas);
-        painter.clip();
-        painter.paintLife();
-        canvas.unclip();
-        new LabelPainter(frame, canvas).paint(painter.movers(), List.of());
-        new LegendPainter(scene, frame, canvas, painter.farthest).paint();
-    }
-
     private void paint() {
         paintFloor();
         new GridPainter(scene, frame, canvas).title();

@@ -118,12 +118,21 @@ public final class Replayer {
         Frame.Setting setting = null;
         Map<String, Pose> placed = new LinkedHashMap<>();
         Map<String, List<Scene.Ping>> heard = new LinkedHashMap<>();
+        List<Frame.Bump> bumps = new ArrayList<>();
         for (int k = 0; k < batch.requests().size(); k++) {
             BatchRequest request = batch.requests().get(k);
             if (request instanceof SenseRequest sense && sense.isCarried()) {
                 sense(sense, k < told.size() ? told.get(k) : answer(sense), heard);
             } else if (request instanceof WorldRequest about) {
+                GeometryObject before = about.isAboutMover() ? mover(about.objectName()) : null;
+                tried = null;
                 answer(about);
+                if (before != null && tried != null && !tried.allowed() && about instanceof WorldRequest.Go go) {
+                    MoveRequest move = new MoveRequest(go.objectName(), go.x(), go.y(), go.z(), go.rx(), go.ry());
+                    double heading = direction(before.pose(), move);
+                    Pose aim = went(before.pose(), move);
+                    bumps.add(new Frame.Bump(before, heading, tried, aim, Scene.Refusal.Kind.MOVE));
+                }
                 Geometry world = session.world();
                 boolean isOther = about instanceof WorldRequest.Remove || about.addition() != null;
                 setting = isOther && world != null ? Frame.Setting.of(world, colours) : setting;
@@ -134,7 +143,7 @@ public final class Replayer {
             }
         }
         String words = "a batch of " + NumberText.count(batch.size(), "item");
-        return frame(step, setting, placed, List.of(), heard, words);
+        return frame(step, setting, placed, bumps, heard, words);
     }
 
     private @Nullable BatchAnswer answer(BatchRequest request) {

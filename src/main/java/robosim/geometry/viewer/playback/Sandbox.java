@@ -14,16 +14,12 @@ import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.shared.ObjectNames;
 
 /**
- * The viewer's own world, in which the user can push robots: that of a world file, or a copy of a moment of a
- * conversation. Changes affect nothing else.
+ * The viewer's own copy of a world, in which the user can push robots. Changes affect nothing else.
  */
 public final class Sandbox {
     private final Geometry geometry;
     private final Frame.Setting setting;
     private final WorldSonars sonars;
-
-    /** What the sonars measure with the robots at their present places; null until it is asked for. */
-    private @Nullable List<Scene.Ping> pings;
 
     /** Moveable objects outside the world's bounds, by name; none is part of the world until it is put into it. */
     private final Map<String, GeometryObject> outside = new LinkedHashMap<>();
@@ -89,7 +85,6 @@ public final class Sandbox {
 
     /** Pushes a robot to a point at its own height; if that is refused it stays. */
     public void push(String name, double x, double z, Push push) {
-        pings = null;
         GeometryObject beyond = outside.get(name);
         if (beyond != null) {
             enter(name, beyond.movedTo(new Point(x, beyond.center().y(), z)));
@@ -109,7 +104,6 @@ public final class Sandbox {
 
     /** Turns a robot in place; if that is refused it stays. */
     public void turn(String name, double degrees) {
-        pings = null;
         GeometryObject beyond = outside.get(name);
         if (beyond != null) {
             enter(name, beyond.turned(0, degrees));
@@ -150,43 +144,14 @@ public final class Sandbox {
         return new Refused(ghost, obstacles);
     }
 
-    /** Clears the last refusal. */
-    public void release() {
-        refused = null;
-    }
-
     @Nullable
     public Refused refused() {
         return refused;
     }
 
-    /** The moveable objects, and what their sonars measure where they are. */
-    public Scene life() {
-        List<Scene.Ping> measured = pings();
-        double farthest = measured.stream()
-                .mapToDouble(Scene.Ping::distance)
-                .filter(Double::isFinite)
-                .max()
-                .orElse(0);
-        return Scene.of("", setting.border(), movers())
-                .with(List.of(), measured, List.of())
-                .marked(List.of(), farthest);
-    }
-
-    private List<Scene.Ping> pings() {
-        List<Scene.Ping> measured = pings;
-        if (measured == null) {
-            measured = sonars.measure(geometry).values().stream()
-                    .flatMap(List::stream)
-                    .toList();
-            pings = measured;
-        }
-        return measured;
-    }
-
-    /** The moveable objects outside the world's bounds. */
-    public List<GeometryObject> outside() {
-        return List.copyOf(outside.values());
+    /** What the sonars measure where the robots are now, by name. */
+    public Map<String, List<Scene.Ping>> measured() {
+        return sonars.measure(geometry);
     }
 
     /** The moveable objects at their present places. */

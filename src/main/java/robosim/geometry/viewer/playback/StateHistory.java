@@ -1,7 +1,6 @@
 package robosim.geometry.viewer.playback;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,9 +27,6 @@ public final class StateHistory {
 
     private final List<Frame> frames = new ArrayList<>();
     private final List<Chapter> chapters = new ArrayList<>();
-
-    /** Frames in which a move was refused, in order. */
-    private final List<Integer> refused = new ArrayList<>();
 
     private final int most;
     private int first;
@@ -76,9 +72,6 @@ public final class StateHistory {
         int number = size() - 1;
         frames.set(frames.size() - 1, whole);
         weight += whole.weight() - last.weight();
-        if (!message.bumps().isEmpty()) {
-            refused.add(number);
-        }
         if (!chapters.isEmpty()) {
             chapters.get(chapters.size() - 1).append(number, message);
         }
@@ -88,9 +81,6 @@ public final class StateHistory {
         int number = size();
         frames.add(frame);
         weight += frame.weight();
-        if (!frame.bumps().isEmpty()) {
-            refused.add(number);
-        }
         if (frame.opening() != null) {
             chapters.add(new Chapter(number, frame.opening()));
         }
@@ -110,7 +100,6 @@ public final class StateHistory {
         }
         past.clear();
         first = before;
-        refused.subList(0, at(refused, before)).clear();
         int over = 0;
         while (over + 1 < chapters.size() && chapters.get(over + 1).begin <= before) {
             over++;
@@ -133,18 +122,6 @@ public final class StateHistory {
 
     public Frame frame(int number) {
         return frames.get(number - first);
-    }
-
-    /** The first frame from a given one on in which a move was refused; {@link #size()} if there is none. */
-    public int nextRefused(int from) {
-        int at = at(refused, from);
-        return at < refused.size() ? refused.get(at) : size();
-    }
-
-    /** The index in a sorted list without duplicates at which a number is or would be inserted. */
-    private static int at(List<Integer> sorted, int number) {
-        int found = Collections.binarySearch(sorted, number);
-        return found >= 0 ? found : -found - 1;
     }
 
     /** The world of a frame; null before the first. */
@@ -194,16 +171,6 @@ public final class StateHistory {
     /** The scene after a frame, with the trails of the steps just before it; empty before the first world. */
     public Scene scene(int number) {
         return at(number, new Look(TRAIL, FRESH));
-    }
-
-    /** The moving part of the scene after a frame; empty before the first world. */
-    public Scene life(int number, Look look) {
-        Chapter chapter = chapter(number);
-        if (chapter == null) {
-            return Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of());
-        }
-        Scene movers = Scene.of("", chapter.setting.border(), chapter.movers(number));
-        return happened(chapter, number, look, movers).marked(List.of(), chapter.farthest);
     }
 
     /** Adds everything that happened up to a frame to the scene of a world, whose objects move to their places. */

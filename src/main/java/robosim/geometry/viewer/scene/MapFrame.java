@@ -19,13 +19,8 @@ public final class MapFrame {
     static final double BOTTOM = 116;
 
     /** Room along the edges of a window: numbers on the left, and below them the legend. */
-    private static final double SCREEN_LEFT = 46;
-
-    private static final double SCREEN_TOP = 10;
-    private static final double SCREEN_RIGHT = 12;
-    private static final double SCREEN_BOTTOM = 82;
-
     public final double scale;
+
     public final double width;
     public final double height;
     private final Scene.View visible;
@@ -44,33 +39,6 @@ public final class MapFrame {
         this.left = (width - across * scale) / 2;
         this.top = TOP;
         this.below = 64;
-    }
-
-    private MapFrame(double width, double height, double centerX, double centerZ, double scale) {
-        this.scale = scale;
-        this.width = width;
-        this.height = height;
-        this.left = SCREEN_LEFT;
-        this.top = SCREEN_TOP;
-        this.below = 54;
-        double across = Math.max(1, width - SCREEN_LEFT - SCREEN_RIGHT) / scale;
-        double down = Math.max(1, height - SCREEN_TOP - SCREEN_BOTTOM) / scale;
-        this.visible = new Scene.View(
-                centerX - across / 2, centerZ - down / 2, centerX + across / 2, centerZ + down / 2, false);
-    }
-
-    /** The frame of a window of a size in pixels, with a given point of the world at the centre of its map. */
-    public static MapFrame screen(double width, double height, double centerX, double centerZ, double scale) {
-        return new MapFrame(width, height, centerX, centerZ, scale);
-    }
-
-    /** The space in pixels that a window of a given size has for its map. */
-    public static double screenWidth(double width) {
-        return Math.max(1, width - SCREEN_LEFT - SCREEN_RIGHT);
-    }
-
-    public static double screenHeight(double height) {
-        return Math.max(1, height - SCREEN_TOP - SCREEN_BOTTOM);
     }
 
     /** The part of the world that is on the map. */

@@ -140,25 +140,6 @@ class StateHistoryTest {
     }
 
     @Test
-    void theNextRefusalIsFoundAmongFramesThatAreKept() {
-        Talk talk = Talk.begun();
-        for (int k = 1; k < 200; k++) {
-            talk.drives(k % 7 == 0 ? 99 : 0.01, k % 7 != 0);
-        }
-        StateHistory film = new StateHistory(300); // some two units a frame
-        Replayer stage = new Replayer(SessionOptions.ROBOSIM);
-        talk.steps().forEach(step -> film.append(stage.play(step)));
-        assertThat(film.first()).isGreaterThan(20);
-        for (int from = 0; from < 210; from++) {
-            int next = Math.max(from, film.first());
-            while (next < film.size() && film.frame(next).bumps().isEmpty()) {
-                next++;
-            }
-            assertThat(film.nextRefused(from)).as("from %d", from).isEqualTo(Math.min(next, film.size()));
-        }
-    }
-
-    @Test
     void worldsThatComeAgainAndAgainAreLetGo() {
         GeometryObject mesh = new MeshObject(
                 List.of(new Point(0, 0, 0), new Point(1, 0, 0), new Point(0, 0, 1), new Point(1, 0, 1)),
@@ -197,8 +178,6 @@ class StateHistoryTest {
             assertThat(film.frame(k).words()).startsWith("1 distance; 1 distance; 1 move");
         }
         assertThat(film.frame(2).bumps()).hasSize(1);
-        assertThat(film.nextRefused(0)).isEqualTo(2);
-        assertThat(film.nextRefused(3)).isEqualTo(film.size());
         assertThat(film.frame(4).placed()).isEmpty();
         assertThat(film.frame(5).placed()).containsOnlyKeys("drum");
         assertThat(film.frame(6).heard()).isEmpty();
