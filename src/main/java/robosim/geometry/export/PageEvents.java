@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.Quaternion;
 import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.scene.Scene;

@@ -105,6 +105,7 @@ public final class ViewCommand implements Callable<Integer> {
         return ExitCodes.FINE;
     }
 
+    @SuppressWarnings("try") // the source reads by itself
     private void watch(String host, int from) throws IOException {
         Arguments.port(from, 1);
         World lender = lender();
