@@ -385,6 +385,7 @@ final class Integrator {
         detection.gather(b, true);
         for (int k = 0; k < contacts.count; k++) {
             remember(contacts.other[k]);
+            body.isHeld |= isElsewhere(contacts.other[k]); // its cluster has not all of the momentum
         }
         double gap = TurningSweep.GAP;
         if (doublings > 0 && !isBesideMoving()) {
