@@ -23,7 +23,8 @@ import robosim.geometry.model.Ray;
  * dimensions: by the clock of the thread, the least of rounds in which all levels took turns. Each level has a world of its
  * own. At the end stands how many of these ratios are above {@link #MOST}.
  *
- * <p>{@code -Dworlds=rooms,100} and {@code -Dqueries=ray,cone} measure some only, {@code -Drounds=9} more rounds.
+ * <p>{@code -Dworlds=rooms,100} and {@code -Dqueries=ray,cone} measure some only, {@code -Drounds=9} more rounds, {@code -Dwarm=1} a longer
+ * warm-up, in seconds of each level.
  */
 final class Levels {
     /** No level is to take more than this many times what EXACT takes. */
@@ -36,6 +37,9 @@ final class Levels {
 
     /** A round of a level takes about this long. */
     private static final double ROUND_NANOS = 4e5;
+
+    /** Each level runs about this long before it is measured. */
+    private static final double WARM_NANOS = Double.parseDouble(System.getProperty("warm", "0.06")) * 1e9;
 
     private static final List<Accuracy> LEVELS =
             List.of(Accuracy.EXACT, Accuracy.DOP, Accuracy.OBB, Accuracy.AABB, Accuracy.SPHERE);
@@ -117,7 +121,10 @@ final class Levels {
         double[] spent = new double[geometries.size()];
         for (int round = -2 * rounds; round < rounds; round++) {
             for (int k = 0; k < nanos.length; k++) {
-                if (spent[k] > 4e7 && nanos[k] < Double.POSITIVE_INFINITY) {
+                while (round < 0 && spent[k] < WARM_NANOS && repeats[k] > 1) {
+                    spent[k] += repeats[k] * time(geometries.get(k), batch, repeats[k]);
+                }
+                if (spent[k] > 4 * WARM_NANOS && nanos[k] < Double.POSITIVE_INFINITY) {
                     continue; // it takes long enough to be known well
                 }
                 double one = time(geometries.get(k), batch, repeats[k]);
@@ -125,7 +132,7 @@ final class Levels {
                 if (round < 0 && one * repeats[k] < ROUND_NANOS) {
                     repeats[k] = (int) Math.max(1, Math.min(2.0 * repeats[k], ROUND_NANOS / one));
                 }
-                if (round >= 0 || spent[k] > 3e7) {
+                if (round >= 0 || spent[k] > 2 * WARM_NANOS) {
                     nanos[k] = Math.min(nanos[k], one);
                 }
             }

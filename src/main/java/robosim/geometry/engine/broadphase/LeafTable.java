@@ -205,11 +205,16 @@ public final class LeafTable {
      * quick ones.
      */
     void outline(LeafColumn column, double[] out) {
-        if (column.size() == 1 && accuracy == Accuracy.EXACT) {
+        if (column.size() == 1 && hasRoughBounds()) {
             column.roughBounds(0, out);
         } else {
             column.bounds(0, column.size(), out);
         }
+    }
+
+    /** Whether bounds only pass over what cannot meet; those of boxes along the axes and octagons are turned, too. */
+    private boolean hasRoughBounds() {
+        return accuracy != Accuracy.AABB && accuracy != Accuracy.DOP;
     }
 
     /** Takes an object in that has been placed, with the bounds of what stands for it. */
@@ -288,7 +293,10 @@ public final class LeafTable {
 
     private byte shape(int id, GeometryObject object) {
         if (accuracy != Accuracy.EXACT) {
-            return 0;
+            // An enclosure that is the object itself.
+            boolean isBall = accuracy == Accuracy.SPHERE && object.kind() == GeometryObject.Kind.SPHERE;
+            boolean isBox = accuracy == Accuracy.OBB && object.kind() == GeometryObject.Kind.BOX;
+            return isBall || isBox ? (byte) (CONVEX | SINGLE) : 0;
         }
         if (object.kind().isSized()) {
             return CONVEX | SINGLE;
@@ -415,7 +423,7 @@ public final class LeafTable {
             leaves.bounds(first(id), count(id), box);
             shapes[id] = (byte) (shapes[id] & ~DISC);
         } else {
-            if (accuracy == Accuracy.EXACT) {
+            if (hasRoughBounds()) {
                 leaves.roughBounds(first(id), box);
             } else {
                 leaves.bounds(first(id), box);

@@ -29,8 +29,8 @@ public final class Forms {
     /** The one that is given up next. */
     private int oldest;
 
-    /** For objects given by sizes; null until the first. */
-    private @Nullable ObjectLeaves sized;
+    /** For objects given by sizes, one of each kind; null until the first. */
+    private final @Nullable ObjectLeaves[] sized = new ObjectLeaves[GeometryObject.Kind.values().length];
 
     public Forms(Accuracy accuracy) {
         this.accuracy = accuracy;
@@ -40,10 +40,11 @@ public final class Forms {
     public void place(Dimension dimension, GeometryObject object, LeafColumn column) {
         column.clear();
         if (object.kind().isSized()) {
-            ObjectLeaves form = sized;
+            int kind = object.kind().ordinal();
+            ObjectLeaves form = sized[kind];
             if (form == null) {
                 form = new ObjectLeaves(object, accuracy);
-                sized = form;
+                sized[kind] = form;
             }
             form.placeSized(dimension, object, column);
             return;

@@ -13,7 +13,7 @@ public final class ConeScratch {
 
     public final PlanarSector sector = new PlanarSector();
 
-    private @Nullable Kernels cones;
+    private @Nullable ConeWorkspace cones;
 
     public ConeScratch(RayScratch ray, PlanarScratch planar, LeafScratch leaf) {
         this.ray = ray;
@@ -21,21 +21,10 @@ public final class ConeScratch {
         this.leaf = leaf;
     }
 
-    public Kernels cones() {
+    public ConeWorkspace cones() {
         if (cones == null) {
-            cones = new Kernels();
+            cones = new ConeWorkspace();
         }
         return cones;
-    }
-
-    /** Created on first use: many queries need none of them. */
-    static final class Kernels {
-        final Cone cone = new Cone();
-        final PlainConeBox box = new PlainConeBox();
-        final PlainSectorBox sectorBox = new PlainSectorBox();
-        final ConePolytope polytope = new ConePolytope();
-        final ConeCylinder cylinder = new ConeCylinder();
-        final SectorOval oval = new SectorOval();
-        final ConeCapsule capsule = new ConeCapsule();
     }
 }

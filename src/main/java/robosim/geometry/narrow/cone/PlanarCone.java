@@ -48,6 +48,14 @@ public final class PlanarCone {
                 return known;
             }
         }
+        if (kind == LeafKind.PRISM) {
+            ConeWorkspace w = s.cones();
+            w.cone.set(beam, 0);
+            if (w.sectorBox.look(w.cone, w.around(b, j), 0, limit) == PlainSectorBox.BEYOND
+                    || w.sectorBox.look(w.cone, w.aroundDiagonally(b, j), 0, limit) == PlainSectorBox.BEYOND) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
         return all(beam, kind, b, j, s);
     }
 

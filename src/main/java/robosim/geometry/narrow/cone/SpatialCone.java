@@ -44,6 +44,14 @@ public final class SpatialCone {
                 }
             }
         }
+        if (kind == LeafKind.PRISM && beam.sin > 0 && beam.cos < 1) {
+            ConeWorkspace w = s.cones();
+            w.cone.set(beam, beam.oy);
+            if (w.box.look(w.cone, w.around(row, j), 0, limit) == PlainConeBox.BEYOND
+                    || w.box.look(w.cone, w.aroundDiagonally(row, j), 0, limit) == PlainConeBox.BEYOND) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
         return all(beam, kind, row, j, s);
     }
 

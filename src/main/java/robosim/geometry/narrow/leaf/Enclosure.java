@@ -44,6 +44,9 @@ public final class Enclosure {
     /** Whether one leaf without triangles is enclosed, which takes no longer to place than to look up. */
     private final boolean isSimple;
 
+    /** Whether that leaf may be its own enclosure, or is enclosed as it is placed. */
+    private boolean isPlacedFirst;
+
     /** For the corners of meshes that lie farthest out; null until the first. */
     private @Nullable MeshWalk walk;
 
@@ -57,6 +60,10 @@ public final class Enclosure {
     private final double[] around = new double[10];
 
     private final double[] part = new double[6];
+
+    /** Whether the leaf that was placed last has the object's centre, wherever that is. */
+    private boolean isCentred;
+
     private final double[] ownAttitude = new double[Attitude.STRIDE];
 
     /** Measures an object in its own frame, as far as the accuracy needs that. */
@@ -73,6 +80,7 @@ public final class Enclosure {
         accuracy = of.accuracy;
         leaves = of.leaves;
         isSimple = of.isSimple;
+        isPlacedFirst = of.isPlacedFirst;
         placed.append(leaves.size());
         System.arraycopy(of.box, 0, box, 0, 6);
         radius = of.radius;
@@ -84,6 +92,12 @@ public final class Enclosure {
     /** Measures the leaves, which have changed. */
     void measure() {
         attitude[0] = Double.NaN;
+        isPlacedFirst = isSimple
+                && switch (accuracy) {
+                    case SPHERE -> leaves.own().kind(0) == LeafKind.SPHERE;
+                    case OBB -> leaves.own().kind(0).isBox();
+                    case AABB, DOP, EXACT -> true;
+                };
         if (accuracy == Accuracy.AABB || accuracy == Accuracy.DOP) {
             return; // these are taken from the leaves as placed
         }
@@ -243,8 +257,8 @@ public final class Enclosure {
      */
     public void place(
             Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
-        if (isSimple) {
-            leaves.place(cx, cy, cz, rotation, at, placed, 0);
+        if (isPlacedFirst) {
+            placeFirst(cx, cy, cz, rotation, at);
             placeSimple(dimension, cx, cy, cz, rotation, at, out, leaf);
             return;
         }
@@ -258,11 +272,34 @@ public final class Enclosure {
         }
     }
 
+    /** Places the only leaf; with the attitude of last time, a shape given by sizes only has another centre. */
+    private void placeFirst(double cx, double cy, double cz, double[] rotation, int at) {
+        if (isCentred && Arrays.equals(attitude, 0, 9, rotation, at, at + 9)) {
+            double[] row = placed.rows();
+            row[0] = cx;
+            row[1] = cy;
+            row[2] = cz;
+            return;
+        }
+        leaves.place(cx, cy, cz, rotation, at, placed, 0);
+        isCentred = placed.rows()[0] == cx
+                && placed.rows()[1] == cy
+                && placed.rows()[2] == cz
+                && leaves.own().rows()[0] == 0
+                && leaves.own().rows()[1] == 0
+                && leaves.own().rows()[2] == 0;
+        System.arraycopy(rotation, at, attitude, 0, 9);
+    }
+
     /** Writes the leaf that encloses an object given by sizes where it stands; these leaves become its own. */
     public void placeSized(Dimension dimension, GeometryObject object, LeafColumn out, int leaf) {
-        leaves.set(object);
-        measure();
-        LocalLeaves.placed(object, placed);
+        if (leaves.set(object)) {
+            measure();
+        }
+        if (isPlacedFirst) {
+            attitude[0] = Double.NaN;
+            LocalLeaves.placed(object, placed);
+        }
         if (accuracy == Accuracy.SPHERE || accuracy == Accuracy.OBB) {
             object.pose().attitude(ownAttitude, 0);
         }
@@ -272,7 +309,7 @@ public final class Enclosure {
 
     private void placeSimple(
             Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
-        if (isItsOwn(accuracy, placed)) {
+        if (isPlacedFirst && isItsOwn(accuracy, placed)) {
             out.setKind(leaf, placed.kind(0));
             System.arraycopy(placed.rows(), 0, out.rows(), leaf * Leaf.STRIDE, Leaf.STRIDE);
             return;

@@ -58,6 +58,10 @@ public final class LeafBounds {
 
     private static void box(double[] rows, int at, double[] out6) {
         int r = at + Leaf.ROTATION;
+        if (isAlongAxes(rows, r)) {
+            around(rows, at, rows[at + 3], rows[at + 4], rows[at + 5], out6);
+            return;
+        }
         around(
                 rows,
                 at,
@@ -65,6 +69,19 @@ public final class LeafBounds {
                 UpwardRounding.ofBox(rows, at + Leaf.SIZE, rows, r + 3),
                 UpwardRounding.ofBox(rows, at + Leaf.SIZE, rows, r + 6),
                 out6);
+    }
+
+    /** Whether a rotation is none, so that products with it are exact. */
+    private static boolean isAlongAxes(double[] rows, int r) {
+        return rows[r] == 1
+                && rows[r + 4] == 1
+                && rows[r + 8] == 1
+                && rows[r + 2] == 0
+                && rows[r + 6] == 0
+                && rows[r + 1] == 0
+                && rows[r + 3] == 0
+                && rows[r + 5] == 0
+                && rows[r + 7] == 0;
     }
 
     private static void capsule(double[] rows, int at, double[] out6) {

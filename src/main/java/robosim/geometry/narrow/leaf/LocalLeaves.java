@@ -1,6 +1,5 @@
 package robosim.geometry.narrow.leaf;
 
-import java.util.Arrays;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GeometryObject.RoundedBox;
@@ -29,12 +28,16 @@ public final class LocalLeaves {
         return leaves;
     }
 
-    /** Makes these the leaf of an object given by sizes, in place of that of another one. */
-    void set(GeometryObject object) {
+    /** Makes these, the leaf of an object given by sizes, that of another one; returns whether they change. */
+    boolean set(GeometryObject object) {
         double[] row = own.rows();
-        Arrays.fill(row, 0, Leaf.STRIDE, 0);
-        Rotations.identity(row, Leaf.ROTATION);
-        own.setKind(0, size(object, row, 0));
+        LeafKind before = own.kind(0);
+        double a = row[Leaf.SIZE];
+        double b = row[Leaf.SIZE + 1];
+        double c = row[Leaf.SIZE + 2];
+        LeafKind kind = size(object, row, 0);
+        own.setKind(0, kind);
+        return kind != before || a != row[Leaf.SIZE] || b != row[Leaf.SIZE + 1] || c != row[Leaf.SIZE + 2];
     }
 
     /** The leaves of an object at its place, in a new column. */
