@@ -106,8 +106,8 @@ public final class MeshSweep {
     private void open(long a, long b, double least) {
         mover.box(a, boxA);
         other.box(b, boxB);
-        boolean opensMover = other.holdsTriangles(b)
-                || (!mover.holdsTriangles(a) && BoxGap.size(boxA) >= BoxGap.size(boxB));
+        boolean opensMover =
+                other.holdsTriangles(b) || (!mover.holdsTriangles(a) && BoxGap.size(boxA) >= BoxGap.size(boxB));
         ObjectTree opened = opensMover ? mover : other;
         long parent = opensMover ? a : b;
         int base = depth;
@@ -129,7 +129,8 @@ public final class MeshSweep {
      * and a height above the plane by less than 10u of that times the offset, sums of magnitudes; 32u are taken.
      */
     public static boolean keepApart(double[] moving, double[] resting, double[] way) {
-        return isBeside(resting, moving, way[0], way[1], way[2]) || isBeside(moving, resting, -way[0], -way[1], -way[2]);
+        return isBeside(resting, moving, way[0], way[1], way[2])
+                || isBeside(moving, resting, -way[0], -way[1], -way[2]);
     }
 
     private static boolean isBeside(double[] plane, double[] t, double dx, double dy, double dz) {
