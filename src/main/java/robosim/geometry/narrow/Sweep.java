@@ -414,6 +414,9 @@ public final class Sweep {
     private double meshPair(int t, int u) {
         s.leaf.outer.corners(t, s.leaf.triangleA, 0);
         s.leaf.inner.corners(u, s.leaf.triangleB, 0);
+        if (dimension == Dimension.SPATIAL && MeshSweep.keepApart(s.leaf.triangleA, s.leaf.triangleB, way)) {
+            return least;
+        }
         own = t;
         double share = piece(s.leaf.faceA, s.leaf.faceB, u, least);
         if (share < least || (share == least && ownPiece >= 0 && isLowerPair(t, u))) {

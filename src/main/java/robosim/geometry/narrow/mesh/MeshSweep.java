@@ -1,7 +1,11 @@
 package robosim.geometry.narrow.mesh;
 
 import java.util.Arrays;
+import robosim.geometry.exact.FilterBound;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.BoxGap;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafScratch;
 
@@ -26,6 +30,9 @@ public final class MeshSweep {
     /** More than the rounding of a difference of two bounds, as a share of them; and of a quotient. */
     private static final double ROUNDED = 0x1p-45;
 
+    /** The error of a height above a plane, as a share of its edges and offset. */
+    private static final double OFF = 0x1p-48;
+
     private final LeafScratch s;
     private final ObjectTree mover = new ObjectTree();
     private final ObjectTree other = new ObjectTree();
@@ -33,6 +40,10 @@ public final class MeshSweep {
     private final double[] boxB = new double[6];
     private final double[] childBox = new double[6];
     private final double[] way = new double[3];
+
+    /** The boxes of the triangles of a node. */
+    private final double[][] triangles = new double[BoxTree.LEAF][6];
+
     private long[] stackA = new long[64];
     private long[] stackB = new long[64];
     private double[] keys = new double[64];
@@ -64,18 +75,39 @@ public final class MeshSweep {
             }
             long p = stackA[depth];
             long q = stackB[depth];
-            if (mover.isLeaf(p) && other.isLeaf(q)) {
-                least = judge.judge(ObjectTree.position(p), ObjectTree.position(q));
+            if (mover.holdsTriangles(p) && other.holdsTriangles(q)) {
+                least = judgeAll(p, q, least, judge);
             } else {
                 open(p, q, least);
             }
         }
     }
 
+    /** Shows the triangles of two nodes, and returns the least share since. */
+    private double judgeAll(long a, long b, double before, Judge judge) {
+        double least = before;
+        int count = other.children(b);
+        for (int k = 0; k < count; k++) {
+            other.box(other.child(b, k), triangles[k]);
+        }
+        for (int i = 0; i < mover.children(a) && least >= 0; i++) {
+            long t = mover.child(a, i);
+            mover.box(t, childBox);
+            for (int k = 0; k < count && least >= 0; k++) {
+                double key = meets(childBox, triangles[k]);
+                if (key != NEVER && key <= least) {
+                    least = judge.judge(ObjectTree.position(t), ObjectTree.position(other.child(b, k)));
+                }
+            }
+        }
+        return least;
+    }
+
     private void open(long a, long b, double least) {
         mover.box(a, boxA);
         other.box(b, boxB);
-        boolean opensMover = NearestPairs.opensFirst(mover, a, boxA, other, b, boxB);
+        boolean opensMover =
+                other.holdsTriangles(b) || (!mover.holdsTriangles(a) && BoxGap.size(boxA) >= BoxGap.size(boxB));
         ObjectTree opened = opensMover ? mover : other;
         long parent = opensMover ? a : b;
         int base = depth;
@@ -87,6 +119,47 @@ public final class MeshSweep {
                 push(base, opensMover ? child : a, opensMover ? b : child, key);
             }
         }
+    }
+
+    /**
+     * Whether a translated triangle certainly keeps on one side of the plane of one at rest, or the one at rest on one side of
+     * the plane that moves: so for nearly all pairs whose boxes meet. Their corners are nine numbers each.
+     *
+     * <p>An edge, an offset and a displacement are off by u = 2^-53 of themselves, a normal by 5u of the product of its edges,
+     * and a height above the plane by less than 10u of that times the offset, sums of magnitudes; 32u are taken.
+     */
+    public static boolean keepApart(double[] moving, double[] resting, double[] way) {
+        return isBeside(resting, moving, way[0], way[1], way[2])
+                || isBeside(moving, resting, -way[0], -way[1], -way[2]);
+    }
+
+    private static boolean isBeside(double[] plane, double[] t, double dx, double dy, double dz) {
+        double ex = plane[3] - plane[0];
+        double ey = plane[4] - plane[1];
+        double ez = plane[5] - plane[2];
+        double fx = plane[6] - plane[0];
+        double fy = plane[7] - plane[1];
+        double fz = plane[8] - plane[2];
+        double nx = ey * fz - ez * fy;
+        double ny = ez * fx - ex * fz;
+        double nz = ex * fy - ey * fx;
+        double rise = nx * dx + ny * dy + nz * dz;
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        double far = 0;
+        for (int k = 0; k < 9; k += 3) {
+            double x = t[k] - plane[0];
+            double y = t[k + 1] - plane[1];
+            double z = t[k + 2] - plane[2];
+            double height = nx * x + ny * y + nz * z;
+            low = Math.min(low, height);
+            high = Math.max(high, height);
+            far = Math.max(far, Math.abs(x) + Math.abs(y) + Math.abs(z));
+        }
+        double edges = (Math.abs(ex) + Math.abs(ey) + Math.abs(ez)) * (Math.abs(fx) + Math.abs(fy) + Math.abs(fz));
+        double reach = far + Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+        double doubt = FilterBound.bound(OFF * edges * reach) + VectorMath.UNDERFLOW;
+        return Math.min(low, low + rise) > doubt || Math.max(high, high + rise) < -doubt;
     }
 
     /** When two boxes may meet: never after that, or +Infinity. */

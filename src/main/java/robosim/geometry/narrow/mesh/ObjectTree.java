@@ -109,6 +109,11 @@ final class ObjectTree {
         return part(place) >= 0 && (code(place) < 0 || !column.kind(part(place)).isMesh());
     }
 
+    /** Whether the place is a node of a mesh's tree below which there are triangles only. */
+    boolean holdsTriangles(long place) {
+        return code(place) >= 0 && tree(place).isLeaf(code(place));
+    }
+
     private BoxTree tree(long place) {
         return isAboveParts(place) ? parts : column.mesh(part(place)).tree();
     }

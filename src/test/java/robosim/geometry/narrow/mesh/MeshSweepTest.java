@@ -36,7 +36,7 @@ class MeshSweepTest {
     @EnumSource
     void translations(MeshRayTest.Family family) {
         SplittableRandom random = new SplittableRandom(7001 + family.ordinal());
-        for (int trial = 0; trial < Effort.cases(28); trial++) {
+        for (int trial = 0; trial < Effort.cases(family == MeshRayTest.Family.SINGLE ? 400 : 28); trial++) {
             MeshObject mover = MeshPairsTest.placed(family.mesh(random), random.nextInt(5), random);
             MeshObject rest = MeshPairsTest.placed(family.mesh(random), random.nextInt(5), random);
             rest = MeshPairsTest.brought(rest, MeshRayTest.rows(LocalLeaves.placed(mover)), trial, family, random);
