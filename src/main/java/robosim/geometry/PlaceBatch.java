@@ -93,8 +93,7 @@ record PlaceBatch(String call, String name, Avoidance avoid, int count, Part par
     }
 
     /** Answers some of the questions in a world; returns how many of them are free or clear. */
-    int answer(Geometry world, int from, int to) {
-        World engine = world.engine();
+    int answer(World engine, int from, int to) {
         engine.registry.begin(call);
         int id = engine.registry.mover(name);
         avoid.begin(engine);

@@ -170,15 +170,15 @@ final class WorldCopies {
         try {
             int parts = parts(batch.count(), BITS);
             if (Math.min(parts, threads) <= 1) {
-                return batch.answer(world, 0, batch.count());
+                return batch.answer(world.engine(), 0, batch.count());
             }
-            batch.answer(world, 0, 0); // refuses names that have no answers
+            batch.answer(world.engine(), 0, 0); // refuses names that have no answers
             AtomicInteger found = new AtomicInteger();
             new CopiedWork(parts) {
                 @Override
                 void part(Geometry copy, int part) {
                     int from = part * BITS;
-                    found.addAndGet(batch.answer(copy, from, Math.min(from + BITS, batch.count())));
+                    found.addAndGet(batch.answer(copy.engine(), from, Math.min(from + BITS, batch.count())));
                 }
             }.run(world, threads);
             return found.get();

@@ -188,14 +188,32 @@ public final class FreePlaces {
         return made;
     }
 
-    private boolean isFree(EdgeFastPath quick, AccuracyView view, int id, double[] edges, int at) {
+    /** Whether doubles tell that an edge is free. */
+    boolean isClearlyFree(AccuracyView view, int id, double[] edges, int at) {
+        return quickly(fastPath(), view, id, edges, at) == PlainCells.PAST;
+    }
+
+    /** Takes the first pose of an edge, and what doubles tell of the edge; they tell nothing while objects are ignored. */
+    private int quickly(EdgeFastPath quick, AccuracyView view, int id, double[] edges, int at) {
         take(edges, at);
+        return registry.objects.ignored.isEmpty()
+                ? quick.find(
+                        view,
+                        id,
+                        place,
+                        edges[at + POSE] - place[0],
+                        edges[at + POSE + 1] - place[1],
+                        edges[at + POSE + 2] - place[2],
+                        edges[at + POSE + 3] - edges[at + 3])
+                : PlainCells.UNSURE;
+    }
+
+    private boolean isFree(EdgeFastPath quick, AccuracyView view, int id, double[] edges, int at) {
+        int verdict = quickly(quick, view, id, edges, at);
         double dx = edges[at + POSE] - place[0];
         double dy = edges[at + POSE + 1] - place[1];
         double dz = edges[at + POSE + 2] - place[2];
         double degrees = edges[at + POSE + 3] - edges[at + 3];
-        boolean isAll = registry.objects.ignored.isEmpty();
-        int verdict = isAll ? quick.find(view, id, place, dx, dy, dz, degrees) : PlainCells.UNSURE;
         if (verdict == PlainCells.PAST) {
             return true;
         }

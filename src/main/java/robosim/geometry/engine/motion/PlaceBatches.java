@@ -106,7 +106,8 @@ public final class PlaceBatches {
         int free = 0;
         for (int k = from; k < to; k++) {
             registry.work.take();
-            boolean isFree = attempt(view, id, edges, FreePlaces.EDGE * k, margin);
+            boolean isFree = (margin == 0 && places.isClearlyFree(view, id, edges, FreePlaces.EDGE * k))
+                    || attempt(view, id, edges, FreePlaces.EDGE * k, margin);
             free += isFree ? 1 : 0;
             out[FRACTIONS * k] = isFree ? 1 : isStartFree ? motion.fraction() : 0;
             out[FRACTIONS * k + 1] = isFree ? 1 : isStartFree ? motion.turnFraction() : 0;
